@@ -10,14 +10,13 @@
 #   math/minimise          the verb compensate returns an error        NLopt
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway
-#   job/search_campaign    a search writes no folder                   zstd and SQLite
-#   job/study_campaign     a study of designs writes no folder
+#   job/campaign           a search or a study writes no folder        zstd and SQLite
 #   apps/common/watch      no progress line                            threads and signals
 #
 # Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
-set(gw_store_sources "/gearwright/store/|/gearwright/job/(campaign|search_(files|record|tables))\\.cpp$")
+set(gw_store_sources "/gearwright/store/|/gearwright/job/(search_(campaign|files|record|tables)|study_campaign)\\.cpp$")
 
 # Removes from the list the source of each pair that this build does not use. On Windows,
 # X_windows.cpp replaces X.cpp in the same way.

@@ -46,8 +46,9 @@
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 
-// Tolerances: scatter_of, their effect over many pairs; robust_corrections
+// Tolerances: scatter_of, their effect over many pairs; sample_warnings; robust_corrections
 #include "gearwright/scatter/robust.hpp"
+#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 // Elastic teeth: loaded, teeth under torque; probes of one tooth
@@ -72,7 +73,8 @@
 #include "gearwright/design/fit.hpp"
 #include "gearwright/design/search.hpp"
 
-// Files: gear_body, then STEP, STL, 3MF, GLB, DXF, SVG
+// Files: gear_body or drive_solids, then STEP, STL, 3MF, GLB, DXF, SVG
+#include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/step.hpp"

@@ -99,14 +99,16 @@ CommandLine::CommandLine() : app_(kIntroduction, "gearwright") {
     sub->set_version_flag("-V,--version", version_text());
 }
 
-CLI::App* CommandLine::verb(const char* name, const char* what, const char* example) {
+CLI::App* CommandLine::verb(const char* name, const char* what, const char* example, Work work) {
   CLI::App* sub = app_.add_subcommand(name, what);
+  work_[sub] = std::move(work);
   sub->footer(std::string("Example:\n  ") + example);
   return sub;
 }
 
-CLI::App* CommandLine::json_verb(const char* name, const char* what, const char* example) {
-  CLI::App* sub = verb(name, what, example);
+CLI::App* CommandLine::json_verb(const char* name, const char* what, const char* example,
+                                 Work work) {
+  CLI::App* sub = verb(name, what, example, std::move(work));
   sub->add_flag("--json", options_.json, "Print one JSON object to stdout and nothing else");
   return sub;
 }
@@ -114,7 +116,8 @@ CLI::App* CommandLine::json_verb(const char* name, const char* what, const char*
 void CommandLine::add_run() {
   Options& o = options_;
   CLI::App* run = json_verb("run", "Write everything that applies to the spec into a folder",
-                            "gearwright run examples/helical_pair.toml --out helical");
+                            "gearwright run examples/helical_pair.toml --out helical",
+                            [&o] { return run_verb(o); });
   spec_argument(run, o);
   run->add_option("--out", o.out,
                   "Folder for the files; default: the spec's name without .toml, plus _out");
@@ -127,7 +130,8 @@ void CommandLine::add_run() {
 void CommandLine::add_answering() {
   Options& o = options_;
   for (const Verb& row : verbs()) {
-    CLI::App* sub = json_verb(row.name, row.meaning, row.example);
+    CLI::App* sub =
+        json_verb(row.name, row.meaning, row.example, [this, &row] { return answer(row); });
     spec_argument(sub, o);
     if (row.csv) csv_flag(sub, o);
     if (row.strict) strict_flag(sub, o);
@@ -163,7 +167,8 @@ void CommandLine::add_answering() {
 
   CLI::App* outline =
       json_verb("outline", "Points of the transverse tooth outline, per named arc",
-                "gearwright outline examples/helical_pair.toml --gear 2 --points 100");
+                "gearwright outline examples/helical_pair.toml --gear 2 --points 100",
+                [&o] { return outline_verb(o); });
   spec_argument(outline, o);
   csv_flag(outline, o);
   outline->add_option("--gear", o.gear, "Which gear, 1 or 2 (default 1)")->check(CLI::Range(1, 2));
@@ -173,11 +178,12 @@ void CommandLine::add_answering() {
 
 void CommandLine::add_files() {
   Options& o = options_;
-  add_search(app_, search_);
+  work_[add_search(app_, search_)] = [this] { return run_search_verb(search_); };
 
   CLI::App* files =
       json_verb("export", "CAD files of one gear, or of both gears in place",
-                "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb");
+                "gearwright export examples/helical_pair.toml --step pair.step --glb pair.glb",
+                [&o] { return export_verb(o); });
   spec_argument(files, o);
   files
       ->add_option("--gear", o.gear,
@@ -200,24 +206,25 @@ void CommandLine::add_files() {
   files->add_option("--step-schema", o.step_schema, "ap242 (default), or ap214 for older systems")
       ->check(CLI::IsMember({"ap242", "ap214"}));
   files
-      ->add_option("--mesh-tolerance", o.mesh_tolerance,
+      ->add_option("--mesh-tolerance", o.files.mesh_tolerance_mm,
                    "Greatest distance of the mesh from the exact surface in mm (default 0.005)")
       ->check(between(kMeshTolerances));
   files
-      ->add_option("--dxf-tolerance", o.drawing_tolerance,
+      ->add_option("--dxf-tolerance", o.files.drawing_tolerance_mm,
                    "Greatest distance of the arcs in DXF or drawing from the exact outline in mm "
                    "(default 0.001)")
       ->check(between(kDrawingTolerances));
-  files->add_flag("--dxf-splines", o.drawing_splines,
+  files->add_flag("--dxf-splines", o.files.drawing_splines,
                   "Write splines (within 1 nm) instead of arcs to DXF");
 }
 
 void CommandLine::add_others() {
   Options& o = options_;
-  CLI::App* batch = verb("batch",
-                         "Read one spec per line (JSON) and write one answer per line, in order, "
-                         "on all cores",
-                         "gearwright batch pair specs.jsonl > answers.jsonl");
+  CLI::App* batch =
+      verb("batch",
+           "Read one spec per line (JSON) and write one answer per line, in order, "
+           "on all cores",
+           "gearwright batch pair specs.jsonl > answers.jsonl", [&o] { return batch_verb(o); });
   batch
       ->add_option("VERB", o.words,
                    fmt::format("{} (default: pair, or gear for a single gear), then a file "
@@ -231,29 +238,32 @@ void CommandLine::add_others() {
 
   CLI::App* import =
       verb("import", "Print a REXS file as a spec; every verb also reads the file itself",
-           "gearwright import gearbox.rexs > gearbox.toml");
+           "gearwright import gearbox.rexs > gearbox.toml", [&o] { return import_verb(o); });
   spec_argument(import, o);
 
-  CLI::App* verify = json_verb("verify",
-                               "Compare results with case files of published numbers and list "
-                               "differences",
-                               "gearwright verify tests/golden/external.json");
+  CLI::App* verify =
+      json_verb("verify",
+                "Compare results with case files of published numbers and list "
+                "differences",
+                "gearwright verify tests/golden/external.json", [&o] { return verify_verb(o); });
   verify->add_option("CASES", o.cases, "Case files")->required();
 
   CLI::App* schema =
       json_verb("schema", "The JSON Schema of specs or of results, for editors and validators",
-                "gearwright schema spec > spec.schema.json");
+                "gearwright schema spec > spec.schema.json", [&o] { return schema_verb(o); });
   schema->add_option("WHAT", o.schema, "spec or result")
       ->required()
       ->check(CLI::IsMember({"spec", "result"}));
 
-  CLI::App* completion = verb("completion", "Completion of verbs, options and files for a shell",
-                              "source <(gearwright completion bash)");
-  completion->add_option("SHELL", o.shell, "bash, zsh or fish")
+  CLI::App* shell = verb("completion", "Completion of verbs, options and files for a shell",
+                         "source <(gearwright completion bash)",
+                         [this] { return print(completion(options_.shell, app_)), 0; });
+  shell->add_option("SHELL", o.shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   verb("manual", "The manual page, for man: verbs, options, the keys of a spec",
-       "gearwright manual > gearwright.1; man ./gearwright.1");
+       "gearwright manual > gearwright.1; man ./gearwright.1",
+       [this] { return print(manual_page(app_)), 0; });
 }
 
 int CommandLine::unknown_verb(const std::string& word) const {
@@ -301,29 +311,11 @@ std::optional<int> CommandLine::answer_at_once(const std::vector<std::string>& w
   return 0;
 }
 
-int CommandLine::answer(const std::string& verb) const {
+int CommandLine::answer(const Verb& row) const {
   const Options& o = options_;
   if (o.as_rack) return gear_as_rack(o);
   if (o.grid) return nominal_points(o);
-  if (const Verb* row = find_verb(verb))
-    return row->use == SpecUse::scatter ? scatter(*row) : answering_verb(*row, o);
-  if (verb == "run") return run_verb(o);
-  if (verb == "outline") return outline_verb(o);
-  if (verb == "search") return run_search_verb(search_);
-  if (verb == "export") return export_verb(o);
-  if (verb == "batch") return batch_verb(o);
-  if (verb == "schema") return schema_verb(o);
-  if (verb == "completion") {
-    print(completion(o.shell, app_));
-    return 0;
-  }
-  if (verb == "manual") {
-    print(manual_page(app_));
-    return 0;
-  }
-  if (verb == "import") return import_verb(o);
-  if (verb == "verify") return verify_verb(o);
-  return usage("the verb " + verb + " is not supported in this version; see gearwright --help");
+  return row.use == SpecUse::scatter ? scatter(row) : answering_verb(row, o);
 }
 
 int CommandLine::scatter(const Verb& row) const {
@@ -352,8 +344,7 @@ int CommandLine::run(std::vector<std::string> words) {
   } catch (const CLI::ParseError& e) {
     return app_.exit(e) == 0 ? 0 : 2;
   }
-  const std::string verb = app_.get_subcommands().front()->get_name();
-  return guarded([&] { return answer(verb); }, options_.json || search_.json);
+  return guarded(work_.at(app_.get_subcommands().front()), options_.json || search_.json);
 }
 
 }  // namespace gearwright::apps

@@ -2,6 +2,8 @@
 // manual page all use this definition.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -24,8 +26,10 @@ class CommandLine {
   int run(std::vector<std::string> words);
 
  private:
-  CLI::App* verb(const char* name, const char* what, const char* example);
-  CLI::App* json_verb(const char* name, const char* what, const char* example);
+  /// The work of a verb after its options are read. It returns the exit status.
+  using Work = std::function<int()>;
+  CLI::App* verb(const char* name, const char* what, const char* example, Work work);
+  CLI::App* json_verb(const char* name, const char* what, const char* example, Work work);
   void add_run();
   void add_answering();
   void add_files();
@@ -36,7 +40,7 @@ class CommandLine {
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int unknown_option(const std::string& word) const;
-  int answer(const std::string& verb) const;
+  int answer(const Verb& row) const;
   /// If the spec contains a search, ranks its designs by their scatter. Otherwise computes the
   /// scatter of the pair of the spec.
   int scatter(const Verb& row) const;
@@ -45,6 +49,7 @@ class CommandLine {
   SearchCommand search_;
   StudyCommand study_;
   CLI::App app_;
+  std::map<const CLI::App*, Work> work_;
 };
 
 /// The verbs that a user sees, in the order of --help.

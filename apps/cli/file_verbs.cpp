@@ -12,7 +12,7 @@
 #include "apps/common/watch.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/drive_answer.hpp"
-#include "gearwright/job/drive_bodies.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -40,12 +40,9 @@ class SlowProgress {
 };
 
 FileOptions file_options(const Options& o) {
-  FileOptions options;
+  FileOptions options = o.files;
   options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.on_file = SlowProgress();
-  options.mesh_tolerance_mm = o.mesh_tolerance;
-  options.drawing_tolerance_mm = o.drawing_tolerance;
-  options.drawing_splines = o.drawing_splines;
   return options;
 }
 
@@ -101,9 +98,14 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-// Writes files and prints their list.
-int end_export(const Options& o, UnitSystem units, const std::vector<JobFile>& files,
-               const std::vector<Warning>& warnings) {
+// Writes files and prints their list, if all of them could be made.
+int end_export(const Options& o, const Door& door, UnitSystem units,
+               const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
+  std::vector<JobFile> files;
+  for (const Result<JobFile>& file : made) {
+    if (!file) return door.fail(file.error());
+    files.push_back(*file);
+  }
   write_files(files);
   if (o.json) {
     print_json(
@@ -127,22 +129,16 @@ int export_drive(const Options& o, const Door& door, const JobSpec& spec,
     return usage("--gear is not available for a drive, which is always exported as a whole");
   const auto job = solve_drive(spec);
   if (!job) return door.fail(job.error());
-  std::vector<JobFile> files;
+  std::vector<Result<JobFile>> files;
   std::optional<Result<std::vector<ToothedBody>>> bodies;
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
     if (!bodies) bodies = drive_bodies(*job);
     if (!*bodies) return door.fail(bodies->error());
-    auto file = make_drive_file(kind, *job, **bodies, *path, file_options(o));
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
+    files.push_back(make_drive_file(kind, *job, **bodies, *path, file_options(o)));
   }
-  if (!o.rexs.empty()) {
-    auto file = make_rexs(*job, o.rexs);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
-  }
-  return end_export(o, spec.units(), files, job->drive.findings);
+  if (!o.rexs.empty()) files.push_back(make_rexs(*job, o.rexs));
+  return end_export(o, door, spec.units(), files, job->drive.findings);
 }
 
 }  // namespace
@@ -228,31 +224,21 @@ int export_verb(const Options& o) {
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
   }
-  std::vector<JobFile> files;
-  const FileOptions options = file_options(o);
-  for (const auto& [kind, path] : wanted) {
-    if (path->empty()) continue;
-    auto file = make_file(kind, bodies, *path, options);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
-  }
   if (format && drawn.empty()) {
     return door.fail({"gear2.form", "rack",
                       "has no workshop drawing; --dxf and --svg draw the section of the rack, and "
                       "--drawing with --gear 1 draws the pinion"});
   }
+  std::vector<Result<JobFile>> files;
+  const FileOptions options = file_options(o);
+  for (const auto& [kind, path] : wanted)
+    if (!path->empty()) files.push_back(make_file(kind, bodies, *path, options));
   if (format) {
     const SheetSize size = o.sheet == "A3" ? SheetSize::a3 : SheetSize::a4;
-    auto file = make_workshop_drawing(*job, drawn, *format, size, o.drawing, options);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
+    files.push_back(make_workshop_drawing(*job, drawn, *format, size, o.drawing, options));
   }
-  if (!o.rexs.empty()) {
-    auto file = make_rexs(*job, o.rexs);
-    if (!file) return door.fail(file.error());
-    files.push_back(std::move(file).take());
-  }
-  return end_export(o, spec->units(), files, job->warnings);
+  if (!o.rexs.empty()) files.push_back(make_rexs(*job, o.rexs));
+  return end_export(o, door, spec->units(), files, job->warnings);
 }
 
 int import_verb(const Options& o) {

@@ -26,7 +26,6 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/result_schema.hpp"
 #include "gearwright/job/verify.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/job/solved_job.hpp"
+#include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec_text.hpp"
@@ -26,9 +26,7 @@ struct Options {
   std::string step, stl, glb, threemf, dxf, svg, drawing, rexs;
   std::string sheet = "A4";
   std::string step_schema = "ap242";
-  double mesh_tolerance = 0.005;     // mm
-  double drawing_tolerance = 0.001;  // mm
-  bool drawing_splines = false;
+  FileOptions files;
   std::vector<std::string> cases;
   std::optional<std::string> as_rack;  // for gear: "module,angle"
   std::optional<int> take;             // number of the design or proposal whose spec is printed

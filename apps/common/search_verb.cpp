@@ -12,7 +12,7 @@
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::apps {
@@ -83,7 +83,7 @@ std::string progress_text(const SearchProgress& p, double seconds) {
                      clock(static_cast<double>(p.left) / rate));
 }
 
-int say_unfinished(const SearchCommand& c, const SearchRun& run) {
+int print_unfinished(const SearchCommand& c, const SearchRun& run) {
   const std::string state = fmt::format("{} of {} chunks are done", run.chunks_done, run.chunks);
   if (c.take && !run.stopped) {
     return fail({"--take", std::to_string(*c.take), "the search is not finished, " + state,
@@ -133,20 +133,20 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
 }  // namespace
 
 int run_search_verb(const SearchCommand& c, const Together* together) {
-  const bool speaks = !together || together->rank == 0;
+  const bool prints = !together || together->rank == 0;
   SearchOptions options;
-  const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
+  const auto wrong = [&](const std::string& message) { return prints ? usage(message) : 2; };
   if (const auto error = fill_campaign(c, together, "search", "search", options))
     return wrong(*error);
   const auto text = read_spec_text(c.spec);
-  if (!text) return speaks ? fail(text.error(), c.json) : 1;
+  if (!text) return prints ? fail(text.error(), c.json) : 1;
   const auto spec = read_spec(*text);
-  if (!spec) return speaks ? fail(spec.error(), c.json, &*text) : 1;
+  if (!spec) return prints ? fail(spec.error(), c.json, &*text) : 1;
   if (searches_drives(*spec)) {
     if (together) return wrong("a search for drives runs in one process, without mpirun");
     return search_drives_verb(c, *spec, *text);
   }
-  if (!spec->search) return speaks ? fail(no_search(), c.json, &*text) : 1;
+  if (!spec->search) return prints ? fail(no_search(), c.json, &*text) : 1;
   const Search search(*spec->search);
   options.yes_large = c.yes_large;
   options.top = c.top;
@@ -160,7 +160,7 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.threads = threads_of(c, together);
   options.stop = &stop_wanted;
   StatusLine line;
-  if (speaks)
+  if (prints)
     options.progress = [&](const SearchProgress& p) {
       line.show([&](double seconds) { return progress_text(p, seconds); });
     };
@@ -168,9 +168,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   std::signal(SIGTERM, on_interrupt);
   const auto run = run_search(*spec, search, options);
   line.clear();
-  if (!run) return speaks ? fail(spelled(run.error(), spec->given), c.json, &*text) : 1;
+  if (!run) return prints ? fail(spelled(run.error(), spec->given), c.json, &*text) : 1;
   for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
-  if (!run->finished) return speaks ? say_unfinished(c, *run) : run->stopped ? 3 : 0;
+  if (!run->finished) return prints ? print_unfinished(c, *run) : run->stopped ? 3 : 0;
   if (c.take) return take_one(c, *spec, search, *run);
   if (c.json) {
     print(search_json_text(search, *run, spec->units()));

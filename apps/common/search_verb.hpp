@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/job/search_job.hpp"
 
 namespace gearwright::apps {

@@ -8,7 +8,6 @@
 
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
-#include "gearwright/base/system.hpp"
 #include "gearwright/job/scatter_study.hpp"
 
 namespace gearwright::apps {
@@ -45,7 +44,7 @@ CLI::App* add_study(CLI::App& app, StudyCommand& c) {
 
 namespace {
 
-int say_unfinished(const StudyCommand& c, const StudyRun& run) {
+int print_unfinished(const StudyCommand& c, const StudyRun& run) {
   if (c.json) {
     print_json(unfinished_study(run));
   } else {
@@ -70,9 +69,9 @@ int print_study(const StudyCommand& c, const JobSpec& spec, const StudyRun& run)
 }  // namespace
 
 int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* together) {
-  const bool speaks = !together || together->rank == 0;
-  const auto wrong = [&](const std::string& message) { return speaks ? usage(message) : 2; };
-  const auto failed = [&](const Error& error) { return speaks ? fail(error, c.json, &text) : 1; };
+  const bool prints = !together || together->rank == 0;
+  const auto wrong = [&](const std::string& message) { return prints ? usage(message) : 2; };
+  const auto failed = [&](const Error& error) { return prints ? fail(error, c.json, &text) : 1; };
   StudyOptions options;
   if (const auto error = fill_campaign(c, together, "scatter", "study", options))
     return wrong(*error);
@@ -106,10 +105,10 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
     options.progress = progress;
     return run_study(*spec, options);
   };
-  const auto run = speaks ? watched("scatter", work, words) : work(nullptr);
+  const auto run = prints ? watched("scatter", work, words) : work(nullptr);
   if (!run) return failed(spelled(run.error(), spec->given));
   for (const std::string& note : run->notes) std::fprintf(stderr, "gearwright: %s\n", note.c_str());
-  if (!run->finished) return speaks ? say_unfinished(c, *run) : 0;
+  if (!run->finished) return prints ? print_unfinished(c, *run) : 0;
   return print_study(c, *spec, *run);
 }
 

@@ -3,7 +3,7 @@
 
 #include "apps/python/model.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright::python {
 

@@ -18,7 +18,6 @@
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_record.hpp"
-#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_tables.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

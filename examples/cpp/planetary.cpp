@@ -1,4 +1,4 @@
-// A planetary set: its ratio, efficiency, speeds and play, and each mesh as a pair of gears.
+// A planetary set: its ratio, efficiency, speeds and play, each mesh as a pair of gears, and its solids.
 #include <cstdio>
 
 #include <gearwright/gearwright.hpp>
@@ -37,6 +37,11 @@ int main() {
   for (std::size_t m = 0; m < drive->graph.meshes.size(); ++m)
     std::printf("%-12s contact ratio %.4f\n", drive->graph.meshes[m].name.c_str(),
                 drive->geometry.pairs[m]->contact_ratio());
+  const Result<DriveLayout> layout = drive_layout(*drive);
+  if (!layout) return fail(layout.error());
+  const auto solids = drive_solids(*drive, *layout);
+  if (!solids) return fail(solids.error());
+  std::printf("solids       %zu, for STEP, GLB and 3MF\n", solids->size());
   std::printf("play of the carrier  %.4f degrees\n", Angle::radians(drive->backlash->output).deg());
 }
 
@@ -50,5 +55,6 @@ planet        -656.250 1/min
 places       90, clearance 25.942 mm
 sun_planet   contact ratio 1.5855
 planet_ring  contact ratio 1.7600
+solids       5, for STEP, GLB and 3MF
 play of the carrier  0.1273 degrees
 */

@@ -87,7 +87,7 @@ const Value* value_in(const ValueRecord& record, const QuantityInfo& info) {
 }
 
 std::vector<const QuantityTable*> with_inner_tables(
-    std::initializer_list<const QuantityTable*> tables) {
+    const std::vector<const QuantityTable*>& tables) {
   std::vector<const QuantityTable*> all;
   for (const QuantityTable* table : tables) add(*table, all);
   return all;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +45,6 @@ const Value* value_in(const ValueRecord& record, const QuantityInfo& info);
 
 /// The given tables, each followed by the tables of its records. No table occurs twice.
 std::vector<const QuantityTable*> with_inner_tables(
-    std::initializer_list<const QuantityTable*> tables);
+    const std::vector<const QuantityTable*>& tables);
 
 }  // namespace gearwright

@@ -119,21 +119,27 @@ void add_candidate(Quantities<G>& q) {
       .always();
 }
 
+constexpr const char* kReadings[] = {
+    "span",          "over_balls",      "lead",  "helix_angle", "tip_diameter",
+    "root_diameter", "center_distance", "teeth", "all"};
+
+const char* word_of(Reading reading) { return kReadings[static_cast<std::size_t>(reading)]; }
+
 // The units of a reading and of its tool.
 template <class R>
 void add_units(Quantities<R>& q) {
   q.text("unit", "unit of the reading, spelled as in keys", [](const R& r) {
-     return Value(r.reading == "helix_angle" ? "deg" : "mm");
+     return Value(r.reading == Reading::helix_angle ? "deg" : "mm");
    }).always();
   q.text("tool_unit", "unit of the diameter of the balls; null for other readings",
-         [](const R& r) { return r.reading == "over_balls" ? Value("mm") : Value(); });
+         [](const R& r) { return r.reading == Reading::over_balls ? Value("mm") : Value(); });
 }
 
 const Quantities<Contradiction>& contradiction_quantities() {
   using C = Contradiction;
   return define("identify.contradiction", [](Quantities<C>& q) {
     q.word("reading", "contradictory reading", "the reading that contradicts all others",
-           &C::reading)
+           [](const C& c) { return word_of(c.reading); })
         .always()
         .one_of({"span", "over_balls", "lead", "helix_angle", "tip_diameter", "root_diameter"});
     q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
@@ -148,7 +154,7 @@ const Quantities<Contradiction>& contradiction_quantities() {
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
   return define("identify.next_measurement", [](Quantities<N>& q) {
-    q.word("reading", "next measurement", "", &N::reading)
+    q.word("reading", "next measurement", "", [](const N& n) { return word_of(n.reading); })
         .always()
         .one_of({"span", "over_balls", "helix_angle"});
     q.term("tool",
@@ -171,7 +177,7 @@ const Quantities<Alternative>& alternative_quantities() {
     q.word("mistake", "mistake",
            "`teeth` if the number of teeth is wrong, otherwise the readings that are in the other "
            "unit of mm and inch",
-           &A::mistake)
+           [](const A& a) { return word_of(a.mistake); })
         .always()
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
                  "center_distance"});

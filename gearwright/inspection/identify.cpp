@@ -67,7 +67,7 @@ class Searching {
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
-      if (o.kind != Observation::Kind::span) continue;
+      if (o.kind != Reading::span) continue;
       if (!least || o.tool < least->tool) least = &o;
       if (!most || o.tool > most->tool) most = &o;
     }
@@ -90,17 +90,17 @@ class Searching {
     for (const Observation& o : readings_) {
       const double size = o.value / m;
       switch (o.kind) {
-        case Observation::Kind::tip:
-        case Observation::Kind::balls:
-        case Observation::Kind::root:
+        case Reading::tip_diameter:
+        case Reading::over_balls:
+        case Reading::root_diameter:
           if (size < z - 5 || size > z * most + 5) return false;
           break;
-        case Observation::Kind::distance:
+        case Reading::center_distance:
           if (2 * size < std::abs(problem_.teeth + o.tool) - 3 ||
               2 * size > std::abs(problem_.teeth + o.tool) * most + 3)
             return false;
           break;
-        case Observation::Kind::span:
+        case Reading::span:
           if (size < (o.tool - 2) * pi * std::cos(alpha) || size > (o.tool + 2) * pi + z / 20)
             return false;
           break;
@@ -143,14 +143,14 @@ class Searching {
   // True if a measured lead or helix angle excludes the helix angle of this gear.
   bool off_the_lead(const GearNumbers& gear) const {
     return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
-      if (o.kind != Observation::Kind::lead && o.kind != Observation::Kind::helix) return false;
+      if (o.kind != Reading::lead && o.kind != Reading::helix_angle) return false;
       return std::abs(*residual(gear, o)) > 8.0;
     });
   }
   std::optional<double> lead_angle(double module) const {
     for (const Observation& o : readings_) {
-      if (o.kind == Observation::Kind::helix) return o.value;
-      if (o.kind != Observation::Kind::lead) continue;
+      if (o.kind == Reading::helix_angle) return o.value;
+      if (o.kind != Reading::lead) continue;
       const double sine = o.value * pi * std::abs(problem_.teeth) * module;
       if (sine < 0.99) return std::asin(sine);
     }
@@ -219,15 +219,6 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
   return list;
 }
 
-const char* name_of(Observation::Kind kind) {
-  switch (kind) {
-    case Observation::Kind::span: return "span";
-    case Observation::Kind::balls: return "over_balls";
-    case Observation::Kind::lead: return "lead";
-    default: return "helix_angle";
-  }
-}
-
 // Finds a reading that contradicts the others. Without it, all other readings agree with a standard
 // gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
@@ -248,11 +239,11 @@ std::optional<Contradiction> contradiction(const IdentifyProblem& p,
     if (!expected) continue;
     best = without.front().log_worth;
     const auto text = [&](double value) {
-      if (readings[i].kind == Observation::Kind::lead) return value > 0.0 ? 1 / value : 0.0;
-      return readings[i].kind == Observation::Kind::helix ? value * kDegPerRad : value;
+      if (readings[i].kind == Reading::lead) return value > 0.0 ? 1 / value : 0.0;
+      return readings[i].kind == Reading::helix_angle ? value * kDegPerRad : value;
     };
-    worst = Contradiction{name_of(readings[i].kind), readings[i].tool, text(readings[i].value),
-                          text(*expected)};
+    worst =
+        Contradiction{readings[i].kind, readings[i].tool, text(readings[i].value), text(*expected)};
     found = std::move(without);
   }
   return worst;

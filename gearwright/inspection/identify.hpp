@@ -67,13 +67,25 @@ struct IdentifyProblem {
 /// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
+/// The quantities that are read on an unknown gear, the exact ones first. `all` means all lengths.
+enum class Reading {
+  span,
+  over_balls,
+  lead,
+  helix_angle,
+  tip_diameter,
+  root_diameter,
+  center_distance,
+  teeth,
+  all
+};
+
 /// A reading that disagrees with all other readings, and the value that the other readings predict.
 struct Contradiction {
-  std::string reading;  ///< "span", "over_balls", "lead", "helix_angle", "tip_diameter" or
-                        ///< "root_diameter"
-  double tool;          ///< k or D_M; 0 for other readings
-  double value;         ///< the reading, mm or degrees
-  double expected;      ///< the value predicted by the other readings
+  Reading reading;
+  double tool;      ///< k or D_M; 0 for other readings
+  double value;     ///< the reading, mm or degrees
+  double expected;  ///< the value predicted by the other readings
 };
 
 /// How the measured tip compares with the tip that the rack and the profile shift give.
@@ -115,16 +127,14 @@ struct IdentifiedGear : DrawnGear {
 
 /// The measurement that distinguishes best between the first candidate and one other, the rival.
 struct NextMeasurement {
-  std::string reading;           ///< "span", "over_balls" or "helix_angle"
+  Reading reading;               ///< a span, a dimension over balls or the helix angle
   double tool;                   ///< k or D_M
   std::array<double, 2> expect;  ///< predicted readings of the first candidate and of the rival
   int rival;                     ///< index of the rival, from 0
 };
 /// A gear that agrees with all readings if one input is corrected.
 struct Alternative {
-  std::string
-      mistake;  ///< "teeth"; or the readings in the other unit, "all", "span", "over_balls",
-                ///< "tip_diameter", "root_diameter" or "center_distance"
+  Reading mistake;  ///< the number of teeth, or the readings in the other unit
   IdentifiedGear gear;
 };
 struct Identification {

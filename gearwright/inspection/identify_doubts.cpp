@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,14 +14,15 @@ namespace gearwright {
 
 namespace {
 
-// Names of groups of readings that a user may have written in one unit.
-constexpr std::array<std::string_view, 6> kGroups{
-    "all", "span", "over_balls", "tip_diameter", "root_diameter", "center_distance"};
+// Groups of readings that a user may have written in one unit.
+constexpr std::array kGroups{Reading::all,           Reading::span,
+                             Reading::over_balls,    Reading::tip_diameter,
+                             Reading::root_diameter, Reading::center_distance};
 
 // True if the problem has readings of this group and readings of another group, or if the group is
 // all lengths.
-bool has_group(const IdentifyProblem& p, std::string_view group) {
-  if (group == "all") return true;
+bool has_group(const IdentifyProblem& p, Reading group) {
+  if (group == Reading::all) return true;
   const std::array present{!p.spans.empty(), !p.balls.empty(), p.tip.value.has_value(),
                            p.root.value.has_value(), p.distance.value.has_value()};
   int others = 0;
@@ -38,23 +38,23 @@ bool has_group(const IdentifyProblem& p, std::string_view group) {
 }
 
 // The problem with the readings of a group multiplied by a factor.
-IdentifyProblem scaled(IdentifyProblem p, std::string_view group, double factor) {
-  const auto is = [&](std::string_view name) { return group == "all" || group == name; };
+IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
+  const auto is = [&](Reading one) { return group == Reading::all || group == one; };
   const auto scale = [&](std::optional<double>& value) {
     if (value) *value *= factor;
   };
-  if (is("span"))
+  if (is(Reading::span))
     for (SpanReading& s : p.spans) s.value *= factor;
-  if (is("over_balls")) {
+  if (is(Reading::over_balls)) {
     for (DiameterReading& b : p.balls) {
       b.value *= factor;
       b.tool *= factor;
     }
   }
-  if (is("tip_diameter")) scale(p.tip.value);
-  if (is("root_diameter")) scale(p.root.value);
-  if (is("center_distance")) scale(p.distance.value);
-  if (group == "all") scale(p.lead.value);
+  if (is(Reading::tip_diameter)) scale(p.tip.value);
+  if (is(Reading::root_diameter)) scale(p.root.value);
+  if (is(Reading::center_distance)) scale(p.distance.value);
+  if (group == Reading::all) scale(p.lead.value);
   return p;
 }
 
@@ -65,14 +65,14 @@ Identification without_contradiction(const IdentifyProblem& problem) {
   const auto contradiction = answer.candidates.front().contradiction;
   if (!contradiction) return answer;
   IdentifyProblem others = problem;
-  (contradiction->reading == "tip_diameter" ? others.tip : others.root).value.reset();
+  (contradiction->reading == Reading::tip_diameter ? others.tip : others.root).value.reset();
   answer = detail::identify_readings(others, detail::LeaveOut::one);
   // The contradicting reading is also compared with the gear that the other readings give.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
     const IdentifiedGear& gear = answer.candidates.front();
-    expected->expected =
-        contradiction->reading == "tip_diameter" ? gear.nominal_tip_diameter : gear.root_diameter;
+    expected->expected = contradiction->reading == Reading::tip_diameter ? gear.nominal_tip_diameter
+                                                                         : gear.root_diameter;
   }
   answer.contradiction = std::move(expected);
   return answer;
@@ -102,10 +102,10 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
       return std::nullopt;
     return answer.candidates.front();
   };
-  for (const std::string_view group : kGroups) {
+  for (const Reading group : kGroups) {
     if (!has_group(problem, group)) continue;
     if (const auto gear = found(scaled(problem, group, problem.other_unit)))
-      return Alternative{std::string(group), *gear};
+      return Alternative{group, *gear};
   }
   // Without a tip or a root, nearly the same gear has another number of teeth.
   if (!problem.tip.value && !problem.root.value) return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
       if (std::abs(other.teeth) < 3) continue;
       const auto gear = found(other);
       if (gear && (!best || std::abs(gear->profile_shift) < std::abs(best->gear.profile_shift)))
-        best = Alternative{"teeth", *gear};
+        best = Alternative{Reading::teeth, *gear};
     }
     if (best) return best;
   }

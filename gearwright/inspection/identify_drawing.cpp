@@ -140,10 +140,10 @@ class Drawing {
       const double longer = known_ ? *x_a - gear.profile_shift - kShortestTip
                                    : 2 * tan_ * (*x_a - x_E_ - u_) - kMostAllowance;
       if (longer > 0.0 || gear.profile_shift - *x_a > kShortestTip)
-        return Contradiction{"tip_diameter", 0.0, *p_.tip.value, gear.nominal_tip_diameter};
+        return Contradiction{Reading::tip_diameter, 0.0, *p_.tip.value, gear.nominal_tip_diameter};
     }
     if (p_.root.value && root_misfit(rack) > 3.0)
-      return Contradiction{"root_diameter", 0.0, *p_.root.value, gear.root_diameter};
+      return Contradiction{Reading::root_diameter, 0.0, *p_.root.value, gear.root_diameter};
     return std::nullopt;
   }
 

@@ -141,7 +141,7 @@ TEST(IdentifyDrawing, root_that_no_rack_gives_is_a_contradiction) {
   p.root.value = root_of(gear) - 1.2;
   const Identification found = testing::taken(identify(p));
   ASSERT_TRUE(found.contradiction);
-  EXPECT_EQ(found.contradiction->reading, "root_diameter");
+  EXPECT_EQ(found.contradiction->reading, Reading::root_diameter);
   EXPECT_EQ(found.contradiction->value, *p.root.value);
   EXPECT_NEAR(found.contradiction->expected, root_of(gear), 0.01);
   EXPECT_EQ(found.candidates.at(0).rack, "AGMA-14.5");
@@ -156,9 +156,9 @@ TEST(IdentifyDrawing, wrong_number_of_teeth_is_a_contradiction) {
     p.teeth = teeth;
     const Identification found = testing::taken(identify(p));
     ASSERT_TRUE(found.contradiction) << teeth;
-    EXPECT_EQ(found.contradiction->reading, "tip_diameter");
+    EXPECT_EQ(found.contradiction->reading, Reading::tip_diameter);
     ASSERT_TRUE(found.alternative) << teeth;
-    EXPECT_EQ(found.alternative->mistake, "teeth");
+    EXPECT_EQ(found.alternative->mistake, Reading::teeth);
     EXPECT_EQ(found.alternative->gear.teeth, 32);
     EXPECT_NEAR(found.alternative->gear.normal_module, kPitch24, 1e-12);
     EXPECT_EQ(found.alternative->gear.profile_shift, 0.0);
@@ -170,9 +170,9 @@ TEST(IdentifyDrawing, readings_in_the_other_unit_are_found) {
   IdentifyProblem right = spans_of(gear);
   right.tip.value = tip_of(gear);
   EXPECT_FALSE(testing::taken(identify(right)).alternative);
-  const auto expect = [](const IdentifyProblem& p, const char* mistake) {
+  const auto expect = [](const IdentifyProblem& p, Reading mistake) {
     const Identification found = testing::taken(identify(p));
-    ASSERT_TRUE(found.alternative) << mistake;
+    ASSERT_TRUE(found.alternative) << static_cast<int>(mistake);
     EXPECT_EQ(found.alternative->mistake, mistake);
     EXPECT_NEAR(found.alternative->gear.normal_module, kPitch24, 1e-12);
     EXPECT_EQ(found.alternative->gear.profile_shift, 0.0);
@@ -181,9 +181,9 @@ TEST(IdentifyDrawing, readings_in_the_other_unit_are_found) {
     IdentifyProblem p = right;
     p.other_unit = 1 / factor;
     *p.tip.value *= factor;
-    expect(p, "tip_diameter");
+    expect(p, Reading::tip_diameter);
     for (SpanReading& s : p.spans) s.value *= factor;
-    expect(p, "all");
+    expect(p, Reading::all);
   }
 }
 

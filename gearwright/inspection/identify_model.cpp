@@ -59,53 +59,51 @@ Base base_of(const GearNumbers& g) {
 }  // namespace
 
 std::vector<Observation> observations(const IdentifyProblem& p) {
-  using Kind = Observation::Kind;
   std::vector<Observation> list;
   for (const SpanReading& s : p.spans)
-    list.push_back({Kind::span, double(s.teeth), s.value, p.span_uncertainty / kSigmas});
+    list.push_back({Reading::span, double(s.teeth), s.value, p.span_uncertainty / kSigmas});
   for (const DiameterReading& b : p.balls)
-    list.push_back({Kind::balls, b.tool, b.value, p.balls_uncertainty / kSigmas});
+    list.push_back({Reading::over_balls, b.tool, b.value, p.balls_uncertainty / kSigmas});
   if (p.lead.value) {
     const double lead = std::abs(*p.lead.value);
     const double u = p.lead.uncertainty.value_or(kLeadUncertainty * lead);
-    list.push_back({Kind::lead, 0, 1 / lead, u / kSigmas / (lead * lead)});
+    list.push_back({Reading::lead, 0, 1 / lead, u / kSigmas / (lead * lead)});
   }
   if (p.helix.value) {
     const double u = p.helix.uncertainty.value_or(Angle::degrees(kHelixUncertainty)).rad();
-    list.push_back({Kind::helix, 0, std::abs(p.helix.value->rad()), u / kSigmas});
+    list.push_back({Reading::helix_angle, 0, std::abs(p.helix.value->rad()), u / kSigmas});
   }
-  const auto rough = [&](Kind kind, double tool, const MaybeReading<double>& r) {
+  const auto rough = [&](Reading kind, double tool, const MaybeReading<double>& r) {
     if (r.value) list.push_back({kind, tool, *r.value, r.uncertainty.value_or(kLength) / kSigmas});
   };
-  rough(Kind::tip, 0, p.tip);
-  rough(Kind::root, 0, p.root);
-  if (p.mating_teeth) rough(Kind::distance, *p.mating_teeth, p.distance);
+  rough(Reading::tip_diameter, 0, p.tip);
+  rough(Reading::root_diameter, 0, p.root);
+  if (p.mating_teeth) rough(Reading::center_distance, *p.mating_teeth, p.distance);
   return list;
 }
 
 std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
-  using Kind = Observation::Kind;
   const double z = std::abs(g.teeth);
   switch (o.kind) {
-    case Kind::lead: return std::sin(g.beta) / (pi * z * g.module);
-    case Kind::helix: return g.beta;
+    case Reading::lead: return std::sin(g.beta) / (pi * z * g.module);
+    case Reading::helix_angle: return g.beta;
     default: break;
   }
   const Base b = base_of(g);
   switch (o.kind) {
-    case Kind::span:
+    case Reading::span:
       if (b.sigma < 0) return b.cos_b * (o.tool * b.p_bt - b.s_bt);
       return b.cos_b * ((o.tool - 1) * b.p_bt + b.s_bt);
-    case Kind::balls: {
+    case Reading::over_balls: {
       const double inv = b.sigma * (o.tool / (b.d_b * b.cos_b) - pi / z + b.s_bt / b.d_b);
       if (!(inv > 0.0) || inv > 10.0) return std::nullopt;
       const double d_K = b.d_b / std::cos(inverse_involute(inv));
       const double across = g.teeth % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
       return d_K * across + b.sigma * o.tool;
     }
-    case Kind::tip: return b.d + b.sigma * 2 * g.module * (kAddenda.front() + g.shift);
-    case Kind::root: return b.d - b.sigma * 2 * g.module * (kDedenda.front() - g.shift);
-    case Kind::distance: {
+    case Reading::tip_diameter: return b.d + b.sigma * 2 * g.module * (kAddenda.front() + g.shift);
+    case Reading::root_diameter: return b.d - b.sigma * 2 * g.module * (kDedenda.front() - g.shift);
+    case Reading::center_distance: {
       const double sum =
           o.tool * g.teeth > 0 ? z + std::abs(o.tool) : std::abs(z - std::abs(o.tool));
       return sum * g.module / std::cos(g.beta) / 2;
@@ -115,20 +113,19 @@ std::optional<double> reading_of(const GearNumbers& g, const Observation& o) {
 }
 
 std::optional<double> residual(const GearNumbers& g, const Observation& o) {
-  using Kind = Observation::Kind;
   const auto read = reading_of(g, o);
   if (!read) return std::nullopt;
   const double side = side_of(g.teeth);
   const double off = (o.value - *read) / g.module;  // modules
   const double sigma = o.sigma / g.module;
   switch (o.kind) {
-    case Kind::tip:
+    case Reading::tip_diameter:
       return nearest_miss(kAddenda, kAddenda.front() + side * off / 2) /
              std::hypot(kTipScatter, sigma / 2);
-    case Kind::root:
+    case Reading::root_diameter:
       return nearest_miss(kDedenda, kDedenda.front() - side * off / 2) /
              std::hypot(kRootScatter, sigma / 2);
-    case Kind::distance: return off / std::hypot(kDistanceScatter, sigma);
+    case Reading::center_distance: return off / std::hypot(kDistanceScatter, sigma);
     default: return (o.value - *read) / o.sigma;
   }
 }

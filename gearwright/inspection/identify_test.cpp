@@ -53,7 +53,7 @@ TEST(Identify, names_the_reading_that_disagrees) {
   p.spans[1].value += 0.3;
   const auto found = testing::taken(identify(p));
   ASSERT_TRUE(found.contradiction);
-  EXPECT_EQ(found.contradiction->reading, "span");
+  EXPECT_EQ(found.contradiction->reading, Reading::span);
   EXPECT_EQ(found.contradiction->tool, 4);
   EXPECT_NEAR(found.contradiction->expected, 27.131, 0.01);
   EXPECT_EQ(found.candidates.front().normal_module, 2.5);

@@ -63,16 +63,15 @@ GearNumbers numbers_of(const IdentifiedGear& g) {
 
 // Possible next measurements: the helix angle, and spans and balls that suit the likeliest gear.
 std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& first) {
-  using Kind = Observation::Kind;
   const double m = first.normal_module;
   std::vector<Observation> list;
   if (!p.lead.value && !p.helix.value && !p.helix_angle)
-    list.push_back({Kind::helix, 0, 0, 0.5 * kRadPerDeg});
+    list.push_back({Reading::helix_angle, 0, 0, 0.5 * kRadPerDeg});
   const GearNumbers g = numbers_of(first);
   const double middle = std::abs(g.teeth) * std::cos(g.alpha) * std::tan(g.alpha);
   const bool plane = p.teeth > 0 || g.beta == 0.0;
   for (int k = 1; plane && k <= std::abs(p.teeth) / 2; ++k) {
-    const Observation span{Kind::span, double(k), 0, p.span_uncertainty};
+    const Observation span{Reading::span, double(k), 0, p.span_uncertainty};
     // Only spans with contacts near the reference cylinder are suitable.
     const double off = *reading_of(g, span) / m - middle;
     const bool read = std::any_of(p.spans.begin(), p.spans.end(),
@@ -80,7 +79,8 @@ std::vector<Observation> menu(const IdentifyProblem& p, const IdentifiedGear& fi
     if (std::abs(off) < 4.0 && !read) list.push_back(span);
   }
   for (const double size : {1.5, 1.75, 2.0}) {
-    const Observation balls{Kind::balls, std::round(4 * size * m) / 4, 0, p.balls_uncertainty};
+    const Observation balls{Reading::over_balls, std::round(4 * size * m) / 4, 0,
+                            p.balls_uncertainty};
     const bool read = std::any_of(p.balls.begin(), p.balls.end(), [&](const DiameterReading& b) {
       return std::abs(b.tool - balls.tool) < 0.1 * m;
     });
@@ -105,13 +105,8 @@ std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
       const auto b = reading_of(numbers_of(candidates[i]), o);
       if (!a || !b || std::abs(*a - *b) / o.sigma <= best) continue;
       best = std::abs(*a - *b) / o.sigma;
-      const double unit = o.kind == Observation::Kind::helix ? kDegPerRad : 1.0;
-      next = NextMeasurement{o.kind == Observation::Kind::span    ? "span"
-                             : o.kind == Observation::Kind::balls ? "over_balls"
-                                                                  : "helix_angle",
-                             o.tool,
-                             {*a * unit, *b * unit},
-                             static_cast<int>(i)};
+      const double unit = o.kind == Reading::helix_angle ? kDegPerRad : 1.0;
+      next = NextMeasurement{o.kind, o.tool, {*a * unit, *b * unit}, static_cast<int>(i)};
     }
     if (next) return next;
   }

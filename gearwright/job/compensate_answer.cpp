@@ -17,7 +17,6 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/worst_of_range.hpp"
 #include "gearwright/load/nearby_load.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/math/root.hpp"
 #include "gearwright/pair/arc_contact.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -262,12 +261,7 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
-  if (!can_minimise()) {
-    return Error{"compensate", "",
-                 "corrections cannot be computed by this build, which has no minimiser (NLopt); "
-                 "use the installed program",
-                 FailureKind::not_in_build};
-  }
+  if (auto error = needs_minimiser("compensate")) return *error;
   if (auto error = missing_error(SpecUse::compensate, job.spec)) return *error;
   auto made = setup_of(job);
   if (!made) return made.error();

@@ -34,6 +34,10 @@ struct CompensateAnswer : CompensateView {
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
+/// A record with the title and "compensate".
+Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
+std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
+
 // Corrections for loaded teeth: the quantity that `compensate` minimises under the torques of
 // [load].
 //

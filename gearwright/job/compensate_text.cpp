@@ -5,10 +5,10 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/text_layout.hpp"
+#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

@@ -14,6 +14,7 @@
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -69,5 +70,11 @@ ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
+
+/// The quantities of the result.
+ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
+/// A record with the title and "contact".
+Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
+std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 
 }  // namespace gearwright

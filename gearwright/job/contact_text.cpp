@@ -7,7 +7,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/math/minimise.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -63,6 +64,22 @@ FoundCorrection found_correction(const WorkshopCorrection& correction, double va
           std::move(spec_key),  at_bound};
 }
 
+std::optional<Error> needs_minimiser(const char* field) {
+  if (can_minimise()) return std::nullopt;
+  return Error{field, "",
+               "corrections cannot be computed by this build, which has no minimiser (NLopt); "
+               "use the installed program",
+               FailureKind::not_in_build};
+}
+
+Json plain_first(const Json& tree) {
+  Json ordered = Json::object();
+  for (const bool tables : {false, true})
+    for (const auto& [key, value] : tree.items())
+      if (value.is_object() == tables) ordered[key] = value;
+  return ordered;
+}
+
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<WorkshopCorrection>& which, const std::vector<double>& v,
                     bool gear2_drives) {
@@ -102,12 +119,7 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       if (table.contains("left_" + name) && table.contains("right_" + name)) table.erase(name);
     }
   }
-  // Plain values precede tables, as in a TOML file.
-  Json ordered = Json::object();
-  for (const bool tables : {false, true})
-    for (const auto& [key, value] : tree.items())
-      if (value.is_object() == tables) ordered[key] = value;
-  return ordered;
+  return plain_first(tree);
 }
 
 }  // namespace gearwright

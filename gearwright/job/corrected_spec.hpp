@@ -31,6 +31,12 @@ bool at_bound(const Correction& range, double value);
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
+/// The error of `field` if this build has no minimiser, which computes corrections.
+std::optional<Error> needs_minimiser(const char* field);
+
+/// The tree with plain values before tables, as in a TOML file.
+Json plain_first(const Json& tree);
+
 /// The spec of the job with the corrections added under their keys.
 Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
                     const std::vector<WorkshopCorrection>& which, const std::vector<double>& value,

@@ -10,7 +10,6 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 

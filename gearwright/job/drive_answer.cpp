@@ -193,7 +193,7 @@ std::string drive_listing(const Drive& drive, UnitSystem units) {
 }
 
 Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
-  const auto solved = with_load(solve_drive(spec), progress);
+  const auto solved = solve_whole_drive(spec, progress, RateMeshes::no);
   auto answer = answer_of(spec, solved, drive_listing);
   if (!answer) return answer.error();
   Answer whole = std::move(answer).take();
@@ -208,10 +208,11 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 }
 
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
-  return answer_of(
-      spec, with_load(solve_rated_drive(spec), progress), [](const Drive& drive, UnitSystem units) {
-        return load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units);
-      });
+  return answer_of(spec, solve_whole_drive(spec, progress, RateMeshes::yes),
+                   [](const Drive& drive, UnitSystem units) {
+                     return load_listing(drive, units) + body_listing(drive, units) +
+                            mesh_listing(drive, units);
+                   });
 }
 
 namespace {

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/version.hpp"
+#include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
-#include "gearwright/job/drive_bodies.hpp"
+#include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/drive_report.hpp"
 #include "gearwright/spec/unit_tree.hpp"
@@ -43,6 +46,23 @@ Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& fo
 }
 
 }  // namespace
+
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
+  if (!job.layout) return Error{"", "", job.why_no_layout};
+  return drive_solids(job.drive, *job.layout);
+}
+
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::vector<ToothedBody>& bodies, const fs::path& path,
+                                const FileOptions& options) {
+  const std::size_t planes = job.layout->sections.size();
+  if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
+    return Error{"drive", "",
+                 fmt::format("has gears in {} planes across its axes, so no {} can contain their "
+                             "outlines; STEP, GLB and 3MF files contain the whole drive",
+                             planes, kind == FileKind::dxf ? "DXF file" : "SVG file")};
+  return make_file(kind, kind == FileKind::threemf ? laid_out(bodies) : bodies, path, options);
+}
 
 Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
                                   const FileOptions& options) {

@@ -171,24 +171,19 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
 
 }  // namespace
 
-Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress) {
-  if (!solved || !solved->spec.given.contains("load")) return solved;
-  DriveJob job = std::move(solved).take();
-  if (auto error = load_drive(job, progress)) return *error;
-  if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
-  job.verdict = judge(job);
-  return job;
-}
-
-Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress) {
-  return with_load(spec.rating.given ? solve_rated_drive(spec) : solve_drive(spec), progress);
-}
-
-Result<DriveJob> solve_rated_drive(const JobSpec& spec) {
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, RateMeshes rating) {
   auto solved = solve_drive(spec);
-  if (!solved) return solved.error();
+  const bool rated =
+      rating == RateMeshes::yes || (rating == RateMeshes::if_given && spec.rating.given);
+  const bool loaded = spec.given.contains("load");
+  if (!solved || !(rated || loaded)) return solved;
   DriveJob job = std::move(solved).take();
-  if (auto error = rate_drive(spec, job.drive)) return *error;
+  if (rated)
+    if (auto error = rate_drive(spec, job.drive)) return *error;
+  if (loaded) {
+    if (auto error = load_drive(job, progress)) return *error;
+    if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
+  }
   job.verdict = judge(job);
   return job;
 }

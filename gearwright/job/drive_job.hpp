@@ -42,12 +42,6 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 /// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 
-/// The drive of a spec, with a rating for each mesh and with the verdict on the drive and the
-/// ratings.
-///
-/// Errors    the errors of solve_drive() and rate_drive()
-Result<DriveJob> solve_rated_drive(const JobSpec& spec);
-
 /// Computes the drive under its [load].
 ///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
@@ -55,21 +49,36 @@ Result<DriveJob> solve_rated_drive(const JobSpec& spec);
 ///           rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
-/// The same drive under load if its spec has [load], with the verdict. If `solved` is an error, it
-/// is returned.
-Result<DriveJob> with_load(Result<DriveJob> solved, Progress* progress = nullptr);
+/// Whether the meshes of a drive are rated.
+enum class RateMeshes { no, if_given, yes };
 
-/// The drive of a spec with all results that the spec requests: its meshes are rated if it has
-/// [rating], and it is computed under load if it has [load]. The verdict is included.
+/// The drive of a spec with its other results and the verdict on all of them: its meshes are rated,
+/// by default if the spec has [rating], and it is computed under load if the spec has [load].
 ///
 /// Errors    the errors of solve_drive(), rate_drive() and load_drive()
-Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr);
+Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr,
+                                   RateMeshes rating = RateMeshes::if_given);
 
 /// The required safeties of [rating]; 1 if they are absent.
 WantedSafety wanted_safety(const JobSpec& spec);
 
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
+
+/// The solids of the drive, as of drive_solids().
+///
+/// Errors    a drive without a layout; those of drive_solids()
+Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
+
+/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies
+/// are laid out for printing.
+///
+/// Domain    bodies = drive_bodies(job) (contract)
+/// Errors    `drive` if an outline is requested and the gears lie in several planes; those of
+///           make_file()
+Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
+                                const std::vector<ToothedBody>& bodies,
+                                const std::filesystem::path& path, const FileOptions& options);
 
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
 /// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and

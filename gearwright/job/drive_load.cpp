@@ -6,7 +6,6 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/drive/loaded_drive.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"

@@ -7,13 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
-#include "gearwright/job/text_layout.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/unit_tree.hpp"

@@ -5,27 +5,26 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "gearwright/arrange/notes.hpp"
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/run_folder.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
@@ -162,8 +161,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   if (kind == FailureKind::not_under_load)
     return none(spelled(answer.error(), job.spec.given).message());
   if (!without_contact(answer.error())) return answer.error();
-  const auto is_said = [](const Warning& w) { return w.code == WarningCode::no_contact; };
-  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_said)) {
+  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::no_contact; };
+  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
     const Error why = spelled(answer.error(), job.spec.given);
     job.warnings.push_back(
         {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});
@@ -222,26 +221,6 @@ Error of_body(Error error, const std::string& name) {
   const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
   if (of_spec) return within(name, std::move(error));
   return {name, "", error.rule};
-}
-
-Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
-                                 const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications) {
-  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
-  if (halves) {
-    const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
-    if (stagger != 0.0 && gap == 0.0) {
-      return refused("double_helical.gap", gap,
-                     "must be greater than 0 for files of staggered halves, which do not meet in "
-                     "the middle plane");
-    }
-    const double turn = 2.0 * kPi * stagger / gear.spec.teeth;
-    body.face_width = halves->face_width;
-    body.two_helices =
-        TwoHelices{gap, halves->groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
-  }
-  if (auto error = modify(body, gear, modifications)) return *error;
-  return body;
 }
 
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
@@ -428,15 +407,6 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
     all.insert(all.begin(),
                {folder / "result.json", "result", std::nullopt, "all numbers, as JSON", text});
   return RunFiles{std::move(all), text, std::move(report.verdict)};
-}
-
-void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
-                    const FileOptions& options) {
-  if (options.progress) options.progress->begin_writing();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-  write_run(folder, files);
 }
 
 Result<RunFiles> write_everything(SolvedJob& job, const fs::path& folder,

@@ -66,16 +66,6 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// A gear in its own frame with its bore or, if it is internal, its rim, with both halves if it is
-/// double-helical, and with its modifications. The halves of gear 2 are turned in the opposite
-/// direction, unless it is internal, so that the halves of mating gears have the same stagger.
-///
-/// Domain    a gear for which gear_body() returns no error (contract)
-/// Errors    `double_helical.gap` if the halves are staggered but have no gap; errors of modify()
-Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
-                                 const std::optional<Halves>& halves, int which,
-                                 const std::array<FlankModifications, 2>& modifications);
-
 /// Replaces the member of a body in an error of the room cad by a member of the gear. A spec has no
 /// tolerance or number of faces, so errors about these become errors of the gear.
 Error of_body(Error error, const std::string& name);
@@ -94,7 +84,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Files of an earlier run that are
+/// unchanged and not written again are removed, but no other files.   Throws  IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
@@ -110,8 +101,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& fo
 
 /// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
 /// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
-/// files, and the job gets a warning. Files of an earlier run that this run does not write are
-/// removed (run_folder.hpp).
+/// files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

@@ -8,6 +8,7 @@
 #include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -38,14 +39,7 @@ Json spec_of(const JobSpec& spec, const FitBranch& b) {
   if (!spec.pair.shaft_angle || b.shaft_angle.rad() == 0.0)
     tree["pair"]["shaft_angle_deg"] = b.shaft_angle.deg();
   tree["pair"].erase("mounting");  // the centre distance is given explicitly
-  // Plain values precede tables, as in a TOML file.
-  Json ordered = Json::object();
-  for (const bool tables : {false, true}) {
-    for (const auto& [key, value] : tree.items()) {
-      if (value.is_object() == tables) ordered[key] = value;
-    }
-  }
-  return ordered;
+  return plain_first(tree);
 }
 
 std::optional<Error> unknown_module(const JobSpec& spec) {

@@ -51,16 +51,31 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
 }
 
 // The name of a reading with its tool: "span over 3 teeth", "dimension over balls of 5 mm".
-std::string tool_text(const std::string& reading, double tool) {
-  if (reading == "span") return fmt::format("span over {:.0f} teeth", tool);
-  if (reading == "over_balls")
-    return fmt::format("dimension over balls of {} mm", format_number(tool));
-  if (reading == "tip_diameter") return "tip diameter";
-  if (reading == "root_diameter") return "root diameter";
-  return reading == "lead" ? "lead" : "helix angle";
+std::string tool_text(Reading reading, double tool) {
+  switch (reading) {
+    case Reading::span: return fmt::format("span over {:.0f} teeth", tool);
+    case Reading::over_balls:
+      return fmt::format("dimension over balls of {} mm", format_number(tool));
+    case Reading::lead: return "lead";
+    case Reading::tip_diameter: return "tip diameter";
+    case Reading::root_diameter: return "root diameter";
+    default: return "helix angle";
+  }
 }
 
-std::string unit_of(const std::string& reading) { return reading == "helix_angle" ? "°" : " mm"; }
+const char* unit_of(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
+
+// The readings in the other unit as the subject of a sentence.
+const char* group_text(Reading mistake) {
+  switch (mistake) {
+    case Reading::all: return "all lengths are";
+    case Reading::span: return "the spans are";
+    case Reading::over_balls: return "the dimensions over balls are";
+    case Reading::center_distance: return "the centre distance is";
+    case Reading::root_diameter: return "the root diameter is";
+    default: return "the tip diameter is";
+  }
+}
 
 std::string plus_minus(double value, double uncertainty, int digits) {
   return uncertainty > 0.0 ? fmt::format("{:.{}f} ± {:.{}f}", value, digits, uncertainty, digits)
@@ -143,18 +158,12 @@ std::string alternative_text(const Alternative& a, UnitSystem units) {
       fmt::format("{} {}, α_n = {:g}°, β = {:g}° and x = {:.4f}",
                   g.diametral_pitch ? "with" : "with the module", module_text(g),
                   g.normal_pressure_angle.deg(), g.helix_angle.deg(), g.profile_shift);
-  if (a.mistake == "teeth")
+  if (a.mistake == Reading::teeth)
     return fmt::format("Count the teeth again: all readings agree with a gear of {} teeth {}.",
                        g.teeth, gear);
   const char* const other = units == UnitSystem::inch ? "mm" : "inch";
-  const std::string group = a.mistake == "all"               ? "all lengths are"
-                            : a.mistake == "span"            ? "the spans are"
-                            : a.mistake == "over_balls"      ? "the dimensions over balls are"
-                            : a.mistake == "center_distance" ? "the centre distance is"
-                            : a.mistake == "root_diameter"   ? "the root diameter is"
-                                                             : "the tip diameter is";
   return fmt::format("Check the units: if {} in {}, all readings agree with a gear of {} teeth {}.",
-                     group, other, g.teeth, gear);
+                     group_text(a.mistake), other, g.teeth, gear);
 }
 
 }  // namespace
@@ -190,7 +199,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   const Identification& found = answer.found;
   std::string text;
   if (const auto& c = found.contradiction) {
-    const std::string unit = unit_of(c->reading);
+    const char* const unit = unit_of(c->reading);
     text += fmt::format(
         "\n{}The gears below agree with all other readings.\n",
         sentence_in(units, fmt::format("The {} contradicts the other readings, because it is {}{} "
@@ -214,7 +223,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
     text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
   if (const auto& n = found.next) {
-    const std::string unit = unit_of(n->reading);
+    const char* const unit = unit_of(n->reading);
     text += sentence_in(units, fmt::format("\nTo decide between candidates 1 and {}, measure the "
                                            "{}, which is {:.3f}{} or {:.3f}{}.\n",
                                            n->rival + 1, tool_text(n->reading, n->tool),

@@ -9,7 +9,7 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
-#include "gearwright/job/text_layout.hpp"
+#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

@@ -12,7 +12,7 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/text_layout.hpp"
+#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

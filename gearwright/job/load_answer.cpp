@@ -10,7 +10,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
@@ -164,8 +164,8 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
     const bool unsupported = made.error().kind == FailureKind::not_under_load;
     if (!alone && !apart && !unsupported) return made.error();
     const WarningCode code = apart ? WarningCode::no_contact : WarningCode::no_load;
-    const auto is_said = [&](const Warning& w) { return w.code == code; };
-    if (std::any_of(job.warnings.begin(), job.warnings.end(), is_said))
+    const auto is_listed = [&](const Warning& w) { return w.code == code; };
+    if (std::any_of(job.warnings.begin(), job.warnings.end(), is_listed))
       return std::optional<LoadPart>();
     const Error why = spelled(made.error(), job.spec.given);
     job.warnings.push_back(

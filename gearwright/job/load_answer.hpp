@@ -20,6 +20,9 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
+/// A record with the title and "load".
+Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
+std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run`: the result of `load`, and its part of the report.
 

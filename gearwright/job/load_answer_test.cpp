@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_answer.hpp"
 
 namespace gearwright {
 namespace {

@@ -42,7 +42,7 @@ MeasureInput tools_of(const SolvedJob& job, int which) {
   };
   const bool pitch = job.spec.units() == UnitSystem::inch && (pitch_given(1) || pitch_given(which));
   if (!pitch || tools.pin_diameter || tools.ball_diameter) return tools;
-  const Gear& gear = job.gears[static_cast<std::size_t>(which - 1)];
+  const Gear& gear = job.gear(which);
   const double size = (gear.internal() ? kInternal : kExternal) * gear.spec.normal_module;
   const auto seat = ball_in_space(gear, size);
   if (seat && seat->usable()) tools.ball_diameter = size;

@@ -76,9 +76,9 @@ namespace {
 
 constexpr int kSteps = 120;
 
-std::optional<FlankToleranceValues> tolerances_of(const Gear& gear, const ToleranceInput& asked) {
-  if (!asked.quality || !has_class(asked.edition, *asked.quality)) return std::nullopt;
-  return flank_tolerances(asked.edition, *asked.quality, tolerance_subject(gear));
+std::optional<FlankToleranceValues> tolerances_of(const Gear& gear, const ToleranceInput& given) {
+  if (!given.quality || !has_class(given.edition, *given.quality)) return std::nullopt;
+  return flank_tolerances(given.edition, *given.quality, tolerance_subject(gear));
 }
 
 KDiagram diagram_of(std::string name, const Gear& gear, const RemovalField& field,

@@ -49,4 +49,12 @@ Json to_json(const Value& value);
 /// A tree of JSON as a value, for example a spec inside a result.
 Value to_value(const Json& json);
 
+// The JSON Schema (draft 2020-12) of results, made from the catalogue.
+
+/// Every table of a result. Each is followed by the tables of the records that it contains.
+std::vector<const QuantityTable*> result_tables();
+
+/// The schema of the results of all verbs with --json, including the error of a rejected spec.
+Json result_schema();
+
 }  // namespace gearwright

@@ -1,29 +1,21 @@
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include "gearwright/catalogue/columns.hpp"
-#include "gearwright/catalogue/compensate_quantities.hpp"
-#include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
-#include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/inch_schema.hpp"
-#include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/catalogue/rating_quantities.hpp"
-#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright {
 
@@ -155,20 +147,18 @@ Json error_schema() {
 }  // namespace
 
 std::vector<const QuantityTable*> result_tables() {
-  return with_inner_tables(
-      {&gear_quantities().table(),         &measure_quantities().table(),
-       &as_rack_quantities().table(),      &double_helical_quantities().table(),
-       &outline_quantities().table(),      &pair_quantities().table(),
-       &rack_quantities().table(),         &rack_pair_quantities().table(),
-       &drive_quantities().table(),        &drive_body_quantities().table(),
-       &drive_mesh_quantities().table(),   &contact_quantities().table(),
-       &compensate_quantities().table(),   &propose_quantities().table(),
-       &scatter_quantities().table(),      &scatter_study_quantities().table(),
-       &load_quantities().table(),         &rating_quantities().table(),
-       &fit_quantities().table(),          &identify_quantities().table(),
-       &drawing_quantities().table(),      &search_quantities().table(),
-       &drive_search_quantities().table(), &file_quantities().table(),
-       &warning_quantities().table(),      &verdict_quantities().table()});
+  std::vector<const QuantityTable*> tables{
+      &gear_quantities().table(),          &measure_quantities().table(),
+      &as_rack_quantities().table(),       &double_helical_quantities().table(),
+      &outline_quantities().table(),       &pair_quantities().table(),
+      &rack_quantities().table(),          &rack_pair_quantities().table(),
+      &scatter_study_quantities().table(), &drawing_quantities().table(),
+      &search_quantities().table(),        &drive_search_quantities().table(),
+      &file_quantities().table(),          &warning_quantities().table(),
+      &verdict_quantities().table()};
+  for (const Verb& verb : verbs())
+    if (verb.table != nullptr) tables.push_back(&verb.table());
+  return with_inner_tables(tables);
 }
 
 Json result_schema() {
@@ -198,16 +188,9 @@ Json result_schema() {
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;
-  properties["drive"] = schema.reference(drive_quantities().table());
-  properties["contact"] = schema.reference(contact_quantities().table());
-  properties["compensate"] = schema.reference(compensate_quantities().table());
-  properties["propose"] = schema.reference(propose_quantities().table());
-  properties["scatter"] = schema.reference(scatter_quantities().table());
+  for (const Verb& verb : verbs())
+    if (verb.table != nullptr) properties[verb.key] = schema.reference(verb.table());
   properties["scatter_designs"] = study_schema(schema);
-  properties["load"] = schema.reference(load_quantities().table());
-  properties["rating"] = schema.reference(rating_quantities().table());
-  properties["fit"] = schema.reference(fit_quantities().table());
-  properties["identify"] = schema.reference(identify_quantities().table());
   properties["search"] = search_schema(schema);
   properties["arcs"] = schema.list_of(outline_quantities().table());
   properties["files"] = schema.list_of(file_quantities().table());

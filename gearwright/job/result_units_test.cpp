@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/unit_system.hpp"
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {

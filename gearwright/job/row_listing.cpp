@@ -6,24 +6,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "gearwright/job/text_layout.hpp"
-
 namespace gearwright {
 
 namespace {
 
 constexpr std::string_view kAbsent = "-";  // the cell of a value that a record does not have
-
-// The member of a record, or of one of its inner records, or null if the record lacks it.
-const Member* member_at(const ValueRecord& record, std::string_view path) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  for (const Member& m : record) {
-    if (m.info->key != path.substr(0, dot)) continue;
-    const ValueRecord* const inner = m.value.record();
-    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
-  }
-  return nullptr;
-}
 
 constexpr std::size_t kHeadWidth = 12;       // width of headings
 constexpr std::size_t kDesignHeadWidth = 8;  // the same for designs, which have many columns
@@ -140,6 +127,16 @@ std::string tables_of(const std::vector<const ListingColumn*>& columns) {
 }
 
 }  // namespace
+
+const Member* member_at(const ValueRecord& record, std::string_view path) {
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  for (const Member& m : record) {
+    if (m.info->key != path.substr(0, dot)) continue;
+    const ValueRecord* const inner = m.value.record();
+    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
+  }
+  return nullptr;
+}
 
 std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,

@@ -2,9 +2,13 @@
 //
 // A table of designs has at most kTableWidth characters in a line, if no column is wider: values
 // that are equal in all rows are listed once above the table, and columns that do not fit follow in
-// a further table with the same rows. Internal to job.
+// a further table with the same rows.
+//
+// The width of a text is its number of characters, because a terminal shows each character of the
+// listings in one column. Internal to job.
 #pragma once
 
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -14,6 +18,25 @@
 #include "gearwright/catalogue/quantity.hpp"
 
 namespace gearwright {
+
+constexpr std::size_t kLineWidth = 80;    ///< width of sentences, which is that of a terminal
+constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
+
+/// Number of characters of UTF-8 text.
+std::size_t text_width(std::string_view text);
+/// The text with blanks after it, up to `width` characters.
+std::string padded(const std::string& text, std::size_t width);
+/// The text with blanks before it, up to `width` characters.
+std::string padded_left(const std::string& text, std::size_t width);
+
+/// Sentences broken at blanks into lines of at most kLineWidth characters, if no word is longer.
+/// Blanks at the start are kept, the lines after the first begin with two more blanks, and every
+/// line ends with a line break.
+std::string wrapped(std::string_view text);
+
+/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
+/// lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path);
 
 struct ListingColumn {
   std::string words;  ///< term for the quantity, in full

@@ -1,5 +1,6 @@
-#include "gearwright/job/run_folder.hpp"
-
+// The folder of `run`. It contains a list of the files of a run with their sizes and checksums. The
+// next run removes the files of the list that it does not write itself. Files that the user has
+// changed or replaced since are kept.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/packing.hpp"
+#include "gearwright/job/files.hpp"
 
 namespace gearwright {
 
@@ -16,6 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* kRunList = ".gearwright_files";
 constexpr const char* kHeading =
     "Files written by the last gearwright run, with checksum, number of bytes and name. The next "
     "run\nremoves each file of this list that it does not write again, unless the file was "
@@ -54,7 +57,12 @@ bool as_written(const fs::path& path, const Listed& was) {
 
 }  // namespace
 
-void write_run(const fs::path& folder, const std::vector<JobFile>& files) {
+void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
+                    const FileOptions& options) {
+  if (options.progress) options.progress->begin_writing();
+  std::error_code made;
+  fs::create_directories(folder, made);
+  if (made) throw IoError("cannot make the folder " + folder.string() + ": " + made.message());
   const std::vector<Listed> former = read_list(folder);
   std::string list = kHeading;
   for (const JobFile& f : files) {

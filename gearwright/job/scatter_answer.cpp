@@ -11,10 +11,9 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/scatter_findings.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/math/minimise.hpp"
 #include "gearwright/scatter/grades.hpp"
+#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -247,12 +246,7 @@ ProfileTarget profile_target(const Pair& pair) {
 }
 
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {
-  if (!can_minimise()) {
-    return Error{"scatter.robust", "",
-                 "corrections cannot be computed by this build, which has no minimiser (NLopt); "
-                 "use the installed program",
-                 FailureKind::not_in_build};
-  }
+  if (auto error = needs_minimiser("scatter.robust")) return *error;
   auto corrections = corrections_of(setup, input.corrections, "scatter.robust.corrections");
   if (!corrections) return corrections.error();
   RobustTask task{std::move(corrections).take(), {}, input.percentile};
@@ -276,13 +270,7 @@ int few_samples(const ScatterTask& task, int most) {
 // The family of loaded teeth for the first samples of each replicate. All samples share the
 // compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
-  // The samples under load must use the same flanks as the samples without load.
-  const int driver = job.spec.load.driver;
-  if (driver != job.spec.contact.driver)
-    return Error{"load.driver", std::to_string(driver),
-                 fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
-                             "load; give driver = {} in [contact] if gear {} drives",
-                             job.spec.contact.driver, driver, driver)};
+  if (auto error = other_driver(job.spec)) return *error;
   auto made = load_task(job);
   if (!made) return made.error();
   LoadTask load = std::move(made).take();
@@ -301,6 +289,15 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
 }
 
 }  // namespace
+
+std::optional<Error> other_driver(const JobSpec& spec) {
+  const int driver = spec.load.driver;
+  if (driver == spec.contact.driver) return std::nullopt;
+  return Error{"load.driver", std::to_string(driver),
+               fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
+                           "load; give driver = {} in [contact] if gear {} drives",
+                           spec.contact.driver, driver, driver)};
+}
 
 Error of_scatter(const ScatterTask& task, Error error) {
   const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
@@ -343,24 +340,36 @@ std::optional<Error> not_for_halves(const ScatterInput& input) {
 
 }  // namespace
 
-Result<ScatterAnswer> prepared_scatter(SolvedJob& job) {
+Result<VariedInputs> varied_inputs(const SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
-  if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
   if (job.halves[0])
     if (auto error = not_for_halves(input)) return *error;
-  auto made = setup_of(job, errors_of(job));
-  if (!made) return made.error();
+  VariedInputs varied;
   auto tolerances = tolerances_of(job);
   if (!tolerances) return tolerances.error();
-  auto groups = groups_of(input, *tolerances);
+  varied.tolerances = std::move(tolerances).take();
+  auto groups = groups_of(input, varied.tolerances);
   if (!groups) return groups.error();
-  auto correlations = correlations_of(input, *tolerances, *groups);
+  varied.groups = std::move(groups).take();
+  auto correlations = correlations_of(input, varied.tolerances, varied.groups);
   if (!correlations) return correlations.error();
+  varied.correlations = std::move(correlations).take();
+  return varied;
+}
+
+Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
+  const ScatterInput& input = job.spec.scatter;
+  if (const auto missing = missing_error(SpecUse::scatter, job.spec)) return *missing;
+  auto varied = varied_inputs(job);
+  if (!varied) return varied.error();
+  auto made = setup_of(job, errors_of(job));
+  if (!made) return made.error();
   ScatterAnswer answer{std::move(made).take(), {}, {}, {}};
   ScatterTask& task = answer.task;
-  task.tolerances = std::move(tolerances).take();
-  task.correlations = std::move(correlations).take();
-  task.groups = std::move(groups).take();
+  VariedInputs inputs = std::move(varied).take();
+  task.tolerances = std::move(inputs.tolerances);
+  task.correlations = std::move(inputs.correlations);
+  task.groups = std::move(inputs.groups);
   const ContactInput& contact = job.spec.contact;
   task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,
                  contact.driver == 2,
@@ -399,7 +408,13 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
   auto scatter = scatter_of(answer.setup, task);
   if (!scatter) return of_scatter(task, scatter.error());
   answer.scatter = std::move(scatter).take();
-  warn_of_samples(answer.scatter, job);
+  for (Warning& w : sample_warnings(answer.scatter)) job.warnings.push_back(std::move(w));
+  const PairInput& pair = job.completed.pair;
+  if (input.bearings && (pair.distance_tolerance || pair.distance_deviations))
+    job.warnings.push_back(
+        {WarningCode::not_read,
+         "The tolerance of the centre distance is not varied, because the bores of "
+         "[scatter.bearings] determine the centre distance. A greater radius_mm includes it."});
   if (input.robust) {
     auto made_robust = robust_task(answer.setup, *input.robust);
     if (!made_robust) return made_robust.error();

@@ -37,11 +37,25 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
 
+/// The varied inputs of [scatter] with their correlations and groups.
+struct VariedInputs {
+  std::vector<ScatterTolerance> tolerances;
+  std::vector<ToleranceCorrelation> correlations;
+  std::vector<ToleranceGroup> groups;
+};
+/// Domain    a job with a pair (contract)
+/// Errors    `scatter.…` or a grade that is impossible; `no_flank` for teeth without a usable flank
+Result<VariedInputs> varied_inputs(const SolvedJob& job);
+
 /// The setup and the task of [scatter], before the load, the scatter and the corrections are
 /// computed.
 ///
 /// Errors    the errors of answer_scatter()
-Result<ScatterAnswer> prepared_scatter(SolvedJob& job);
+Result<ScatterAnswer> prepared_scatter(const SolvedJob& job);
+
+/// The error if a scatter under load has another driver than [contact]. The samples under load must
+/// use the same flanks as the samples without load.
+std::optional<Error> other_driver(const JobSpec& spec);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a
 ///           group with an unknown input; the errors of scatter_of() and ContactSetup::of

@@ -16,7 +16,6 @@
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/job/study_campaign.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
@@ -38,13 +37,6 @@ Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   if (tree.contains("scatter"))
     for (const char* key : kOfOnePair) tree["scatter"].erase(key);
   return tree;
-}
-
-// True if a failure of prepared_scatter() concerns all designs, because it is about [scatter] as
-// given.
-bool of_all_designs(const Error& error) {
-  return error.kind != FailureKind::no_flank &&
-         (error.field.starts_with("scatter.") || error.field.ends_with("tolerance.quality"));
 }
 
 std::string teeth_words(const std::array<int, 2>& teeth) {
@@ -78,7 +70,7 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
   return StudiedDesign{rows[0], std::move(pair).take()};
 }
 
-// The error of [scatter] that every design would have, found before the study starts.
+// The error of [scatter] or of its load that every design would have, found before the study starts.
 std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
                                    const std::vector<ListedDesign>& list,
                                    const StudyOptions& options) {
@@ -87,11 +79,12 @@ std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
     if (!design) return design.error();
     auto solved = solve(design->pair, Scope::pair);
     if (!solved) continue;  // the failure concerns this design only
-    SolvedJob job = std::move(solved).take();
-    const auto prepared = prepared_scatter(job);
-    if (prepared) return std::nullopt;
-    const Error shown = spelled(prepared.error(), design->pair.given);
-    if (of_all_designs(shown)) return shown;
+    const auto varied = varied_inputs(*solved);
+    if (!varied && varied.error().kind == FailureKind::no_flank) continue;
+    const auto error = !varied                       ? std::optional(varied.error())
+                       : design->pair.scatter.loaded ? other_driver(design->pair)
+                                                     : std::nullopt;
+    return error ? std::optional(spelled(*error, design->pair.given)) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -173,10 +166,8 @@ Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDe
   const JobSpec& pair = design->pair;
   const DesignView view{&search.problem(), &design->row};
   const auto refuse = [&](const Error& error) -> Result<Json> {
-    const Error shown = spelled(error, pair.given);
-    if (shown.field.starts_with("load.driver")) return shown;
-    return to_json(
-        scattered_design_quantities().of({listed.number, view, nullptr, shown.message()}));
+    return to_json(scattered_design_quantities().of(
+        {listed.number, view, nullptr, spelled(error, pair.given).message()}));
   };
   auto solved = solve(pair, Scope::pair);
   if (!solved) return refuse(solved.error());

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
-#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/spec/json.hpp"
 
@@ -60,6 +59,15 @@ struct StudyRun {
 ///           row.
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
+
+/// Computes the missing rows of this process in options.out. If no row is missing afterwards, the
+/// run contains all rows, without a ranking.
+///
+/// Throws    IoError, WorkStopped
+/// Errors    "--out" if the folder belongs to another study; the errors of study_row()
+Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
+                                    const std::vector<ListedDesign>& list,
+                                    const StudyOptions& options, std::vector<Json>& rows);
 
 /// Computes the rows of this process, and ranks all rows if none is missing.
 ///

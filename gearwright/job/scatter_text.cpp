@@ -12,8 +12,8 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/scatter_answer.hpp"
-#include "gearwright/job/text_layout.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {

@@ -13,7 +13,6 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
-#include "gearwright/job/text_layout.hpp"
 #include "gearwright/report/search_report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/unit_tree.hpp"

@@ -1,12 +1,11 @@
-#include "gearwright/job/search_campaign.hpp"
-
+// A search that saves its finished chunks in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "gearwright/job/search_files.hpp"
-#include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_workers.hpp"
+#include "gearwright/store/chunk_store.hpp"
 #include "gearwright/store/parquet.hpp"
 
 namespace gearwright {
@@ -35,8 +34,6 @@ std::vector<std::string> count_names() {
 }
 
 }  // namespace
-
-std::optional<Error> refuse_folder() { return std::nullopt; }
 
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec) {
   const auto was = parquet_note(folder / kDesignsFile, kSpecNote);

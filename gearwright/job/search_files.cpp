@@ -92,29 +92,4 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
   return files;
 }
 
-Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
-                                                const std::vector<std::string>& count_names,
-                                                const CampaignOptions& options,
-                                                const std::optional<Error>& refused) {
-  const bool first = !options.many;
-  if (options.folder_is_open && !first && !options.folder_is_open(true))
-    return std::optional<ChunkStore>();
-  // Ranks that a scheduler restarts always use --resume and continue with the existing chunks.
-  const OpenAs as = options.many || (options.together && options.resume) ? OpenAs::join
-                    : options.resume                                     ? OpenAs::resume
-                                                                         : OpenAs::fresh;
-  auto opened = refused ? Result<ChunkStore>(*refused)
-                        : ChunkStore::open(options.out, campaign, count_names, as, options.writer);
-  if (options.folder_is_open && first) options.folder_is_open(static_cast<bool>(opened));
-  if (!opened) return opened.error();
-  return std::optional<ChunkStore>(std::move(opened).take());
-}
-
-std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options) {
-  std::vector<std::int64_t> todo = store.missing();
-  if (!options.next_chunk)
-    std::erase_if(todo, [&](std::int64_t c) { return c % options.shards != options.shard - 1; });
-  return todo;
-}
-
 }  // namespace gearwright

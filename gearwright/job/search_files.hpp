@@ -1,4 +1,5 @@
-// The files of a search, each written completely or not at all.
+// The folder of a search: its chunks while it runs, and its files, each written completely or not at
+// all. Internal to job/.
 //
 //   search.parquet   every feasible design, in the order of the trials
 //   points.parquet   if shift_step is set: every feasible point of its grid, by trial
@@ -13,10 +14,8 @@
 #include <vector>
 
 #include "gearwright/base/result.hpp"
-#include "gearwright/job/chunk_queue.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_record.hpp"
-#include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
 
@@ -35,20 +34,17 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source);
 
-// Opens the folder of a campaign. A campaign is a search or a study whose finished chunks stay on
-// disk.
+/// The reason why this search must not write files into the folder, which contains the finished
+/// search of another spec. Nothing is returned if there is no such search.
+std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// The store, or nothing if the first process could not open the folder. If `refused` is set, the
-/// folder must not be used, and `refused` is the error.
+/// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are
+/// made.
 ///
 /// Throws    IoError
-/// Errors    `refused`; the errors of ChunkStore::open
-Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
-                                                const std::vector<std::string>& count_names,
-                                                const CampaignOptions& options,
-                                                const std::optional<Error>& refused);
-
-/// The missing chunks of this process, in ascending order.
-std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
+/// Errors    an existing campaign, or a finished search of another spec; --resume without a
+///           campaign or for another spec
+Result<SearchRun> run_campaign(const JobSpec& spec, const Search& search, std::int64_t chunk,
+                               const SearchOptions& options);
 
 }  // namespace gearwright

@@ -10,9 +10,7 @@
 #include <numeric>
 
 #include "gearwright/base/version.hpp"
-#include "gearwright/job/search_campaign.hpp"
 #include "gearwright/job/search_files.hpp"
-#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"

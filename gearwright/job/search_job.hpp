@@ -15,7 +15,7 @@
 
 #include "gearwright/design/nearest_change.hpp"
 #include "gearwright/design/search.hpp"
-#include "gearwright/job/chunk_queue.hpp"
+#include "gearwright/job/campaign.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
@@ -87,6 +87,20 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 ///           are more chunks than kMaxChunks
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
+
+/// The reason why the search must not begin, because it is too large, or nothing if it may begin.
+/// Candidates are counted in closed form, the speed is measured for half a second, and the points
+/// of a grid are estimated.
+std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
+
+/// The error for a spec without a search.
+Error no_search();
+/// The error for a search without candidates.
+Error no_tooth_numbers();
+
+/// Determines when regions are computed: at once if the ranking or a table of all designs needs
+/// them, otherwise at the end and only for the listed designs.
+RegionDetail detail_of(const SearchProblem& problem, bool files);
 
 /// All inputs that determine the result, as lines "key = value". `more` names further tables of the
 /// spec that a search does not need.

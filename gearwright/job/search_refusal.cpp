@@ -1,4 +1,4 @@
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 
 #include <fmt/format.h>
 
@@ -88,18 +88,18 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
         return true;
       },
       [&](std::int64_t) { return !stopped(); });
-  const std::size_t asked = std::min(trials.size(), kSample);
+  const std::size_t sampled = std::min(trials.size(), kSample);
   double area = 0.0;
   std::size_t designs = 0;
-  for (std::size_t i = 0; i < asked && !stopped(); ++i) {
-    const std::size_t place = i * trials.size() / asked;
+  for (std::size_t i = 0; i < sampled && !stopped(); ++i) {
+    const std::size_t place = i * trials.size() / sampled;
     const auto region = shift_region(search.graph(search.space().trial(trials[place])));
     if (!region) continue;
     area += region->area;
     ++designs;
   }
   if (stopped() || designs == 0) return std::nullopt;
-  const double share = static_cast<double>(trials.size()) / static_cast<double>(asked);
+  const double share = static_cast<double>(trials.size()) / static_cast<double>(sampled);
   area *= share;
   const double points = area / (step * step);
   if (points <= kManyPoints) return std::nullopt;
@@ -109,7 +109,7 @@ std::optional<Error> refuse_many_points(const Search& search, const SearchOption
       fmt::format(
           "the regions of {}{:.0f} designs contain about {:.2g} points of this grid, which need "
           "{:.0f} GB; use a step of at least {:.2g}, narrow the search, or add --yes-large",
-          asked < trials.size() ? "about " : "", static_cast<double>(designs) * share, points,
+          sampled < trials.size() ? "about " : "", static_cast<double>(designs) * share, points,
           points * kPointBytes * 1e-9, enough * 1.01)};
 }
 

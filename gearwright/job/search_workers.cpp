@@ -7,7 +7,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 
 namespace gearwright {
 
@@ -29,13 +29,13 @@ void SearchWorkers::run(const Done& done) {
 }
 
 void SearchWorkers::work(const Done& done) {
-  unsigned asked = 0;
+  unsigned calls = 0;
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
     constexpr unsigned kSeldom = 16;  // number of graphs between reports of the progress, so that
                                       // the reports take little time
-    if (trials > 0 || asked++ % kSeldom == 0) tell();
+    if (trials > 0 || calls++ % kSeldom == 0) report_progress();
     return true;
   };
   while (!stopped()) {
@@ -52,11 +52,11 @@ void SearchWorkers::work(const Done& done) {
     if (stopped()) return;  // a chunk is saved completely or not at all
     done(*c, std::move(finds), counts);
     ++chunks_done_;
-    tell();
+    report_progress();
   }
 }
 
-void SearchWorkers::tell() {
+void SearchWorkers::report_progress() {
   if (!options_.progress) return;
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return;

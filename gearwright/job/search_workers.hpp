@@ -30,7 +30,7 @@ class SearchWorkers {
 
  private:
   void work(const Done& done);
-  void tell();
+  void report_progress();
   std::int64_t trials_of(std::int64_t c) const;
 
   const Search& search_;

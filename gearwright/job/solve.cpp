@@ -73,6 +73,14 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
+// True if the verb `fit` can compute the numbers that the error lacks: the position, the helices and
+// the profile shifts.
+bool is_found_by_fit(const JobSpec& spec, const Error& error) {
+  if (error.kind != FailureKind::placement && error.kind != FailureKind::missing) return false;
+  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
+  return spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
+}
+
 // Solves the gears and the pair. For double-helical gears, these are the gears and the pair of one
 // half.
 Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
@@ -98,7 +106,7 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   auto arranged = arrange(given, scope);
   if (!arranged) {
     Error error = arranged.error();
-    if (finder_of(spec, error) == "fit")
+    if (spec.has(2) && is_found_by_fit(spec, error))
       error.rule +=
           "; some values of the spec are absent. The command gearwright fit with --take 1 computes "
           "them and writes a spec for this verb";
@@ -126,13 +134,7 @@ std::optional<Error> one_helix_error(const SolvedJob& job) {
 std::string_view finder_of(const JobSpec& spec, const Error& error) {
   if (spec.drive) return "";
   if (!spec.has(1)) return spec.measured[0] ? "identify" : "search";
-  if (!spec.has(2)) return "";
-  // The verb `fit` can compute the position, the helices and the profile shifts.
-  const bool found_by_fit =
-      error.kind == FailureKind::placement || error.kind == FailureKind::missing;
-  const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;
-  const bool fit = spec.given.contains("fit") || (spec.pair.shaft_angle && !helices);
-  return found_by_fit && fit ? "fit" : "";
+  return spec.has(2) && is_found_by_fit(spec, error) ? "fit" : "";
 }
 
 std::optional<Error> two_gears_error(const JobSpec& spec) {

@@ -1,13 +1,13 @@
-#include "gearwright/job/study_campaign.hpp"
-
+// A study whose finished rows stay in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/packing.hpp"
-#include "gearwright/job/search_files.hpp"
+#include "gearwright/job/scatter_study.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/store/chunk_store.hpp"
 
 namespace gearwright {
 

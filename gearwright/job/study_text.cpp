@@ -12,7 +12,6 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/scatter_study.hpp"
-#include "gearwright/job/text_layout.hpp"
 #include "gearwright/report/search_report.hpp"
 
 namespace gearwright {

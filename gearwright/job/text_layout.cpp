@@ -1,4 +1,4 @@
-#include "gearwright/job/text_layout.hpp"
+#include "gearwright/job/row_listing.hpp"
 
 #include <algorithm>
 

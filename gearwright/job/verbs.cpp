@@ -7,14 +7,19 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/fit_answer.hpp"
 #include "gearwright/job/identify_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/rating_answer.hpp"
@@ -248,6 +253,11 @@ Result<Answer> run_drive(const JobSpec& spec, Progress* progress) {
 
 using Take = Verb::Take;
 
+template <const auto& (*quantities)()>
+const QuantityTable& table_of() {
+  return quantities().table();
+}
+
 constexpr Verb kVerbs[] = {
     {"gear", "Geometry of each gear: diameters, tooth thicknesses, limits",
      "gearwright gear examples/helical_pair.toml --json", SpecUse::geometry, true, true, false,
@@ -259,45 +269,51 @@ constexpr Verb kVerbs[] = {
      "Tooth contact under [errors] of the spec: transmission error, contact points, edges, "
      "ellipses",
      "gearwright contact examples/misaligned_pair.toml", SpecUse::pair, true, true, true,
-     Take::none, "", run_contact},
+     Take::none, "", run_contact, "contact", table_of<contact_quantities>},
     {"compensate",
      "Corrections of tool settings, leads and flanks that compensate [errors] of the spec",
      "gearwright compensate examples/misaligned_pair.toml --take", SpecUse::compensate, false, true,
-     true, Take::flag, "Print only the corrected spec", run_compensate},
+     true, Take::flag, "Print only the corrected spec", run_compensate, "compensate",
+     table_of<compensate_quantities>},
     {"propose",
      "Tip and root relief, helix crowning and slope for the load, and the effect of each proposal",
      "gearwright propose examples/quiet_pair.toml", SpecUse::propose, true, true, true,
-     Take::number, "Print only the spec of this proposal; 1 is the spec as given", run_propose},
+     Take::number, "Print only the spec of this proposal; 1 is the spec as given", run_propose,
+     "propose", table_of<propose_quantities>},
     {"scatter",
      "Effect of tolerances on the pair: percentiles, probabilities, influence of each tolerance, "
      "worst case",
      "gearwright scatter examples/scattered_pair.toml", SpecUse::scatter, true, true, true,
-     Take::flag, "Print only the spec with the corrections of [scatter.robust]", run_scatter},
+     Take::flag, "Print only the spec with the corrections of [scatter.robust]", run_scatter,
+     "scatter", table_of<scatter_quantities>},
     {"load",
      "Teeth under torque: load sharing, loaded transmission error, stiffness, pressure, root "
      "stress",
      "gearwright load examples/loaded_pair.toml", SpecUse::load, true, true, true, Take::none, "",
-     run_load},
+     run_load, "load", table_of<load_quantities>},
     {"rate",
      "Strength by ISO 6336: every factor with its clause of the standard, stresses, safeties",
      "gearwright rate examples/rated_pair.toml", SpecUse::rate, true, true, false, Take::none, "",
-     run_rate},
+     run_rate, "rating", table_of<rating_quantities>},
     {"drive",
      "Whole drives (planetary sets and trains): ratios, power, assembly, phases, backlash, "
      "transmission error",
      "gearwright drive examples/drives/planetary_set.toml", SpecUse::geometry, true, true, false,
      Take::number,
-     "Print only the spec of the mesh with this number as a pair; 1 is the first mesh", run_drive},
+     "Print only the spec of the mesh with this number as a pair; 1 is the first mesh", run_drive,
+     "drive", table_of<drive_quantities>},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
      "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
      Take::none, "", run_measure},
     {"identify", "The gears that match the readings of an unknown gear, the likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,
-     Take::number, "Print only the spec of the candidate with this number", run_identify},
+     Take::number, "Print only the spec of the candidate with this number", run_identify,
+     "identify", table_of<identify_quantities>},
     {"fit",
      "Computation of absent values: gears for given shafts, or shaft positions for given gears",
      "gearwright fit examples/crossed_fit.toml", SpecUse::geometry, false, false, true,
-     Take::number, "Print only the spec of the branch with this number", run_fit},
+     Take::number, "Print only the spec of the branch with this number", run_fit, "fit",
+     table_of<fit_quantities>},
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -60,6 +61,9 @@ struct Verb {
   enum class Take { none, flag, number } take;
   const char* take_meaning;
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
+  const char* key = "";                       ///< key of the result in the record; empty for verbs
+                                              ///< whose record has the gears and the pair
+  const QuantityTable& (*table)() = nullptr;  ///< its quantities
 
   /// The answer in the units of the spec.
   ///

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -33,27 +33,12 @@ Tolerance tolerance_of(const Json& c, const std::string& path) {
   return {t.value("relative", 0.0), t.value("absolute", 0.0)};
 }
 
+// The value at a path such as "gears.0.base_diameter_mm", or null if there is none.
 const Json* follow(const Json& root, const std::string& path) {
-  const Json* node = &root;
-  std::size_t at = 0;
-  while (at <= path.size()) {
-    const std::size_t dot = std::min(path.find('.', at), path.size());
-    const std::string word = path.substr(at, dot - at);
-    at = dot + 1;
-    if (node->is_array()) {
-      const bool digits =
-          !word.empty() && word.size() < 7 &&
-          std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
-      const std::size_t index = digits ? std::stoul(word) : node->size();
-      if (index >= node->size()) return nullptr;
-      node = &(*node)[index];
-    } else if (node->is_object() && node->contains(word)) {
-      node = &(*node)[word];
-    } else {
-      return nullptr;
-    }
-  }
-  return node;
+  Json::json_pointer place;
+  std::istringstream words(path);
+  for (std::string word; std::getline(words, word, '.');) place /= word;
+  return root.contains(place) ? &root[place] : nullptr;
 }
 
 std::string compare(const std::string& path, const Json* got, const Json& want,

@@ -17,6 +17,7 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
@@ -25,14 +26,8 @@ namespace {
 
 // The member of a record with this path, "span.length_mm", or null if there is no value.
 const Member* find(const ValueRecord& record, std::string_view path) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  for (const Member& m : record) {
-    if (m.info->key != path.substr(0, dot) || all_nothing(m.value)) continue;
-    if (dot == path.size()) return &m;
-    const ValueRecord* inner = m.value.record();
-    return inner ? find(*inner, path.substr(dot + 1)) : nullptr;
-  }
-  return nullptr;
+  const Member* const m = member_at(record, path);
+  return m && !all_nothing(m->value) ? m : nullptr;
 }
 
 // A value with the unit of the sheet. Lengths in inch have four decimals, even if the last one is
@@ -247,15 +242,15 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
 }
 
 // If no class is given, its row is blank, so that the workshop notices the omission.
-Group tolerances(const ToleranceInput& asked, const Records& measure) {
-  if (!asked.quality) {
+Group tolerances(const ToleranceInput& given, const Records& measure) {
+  if (!given.quality) {
     Group blank("Tolerances, ISO 1328-1");
     blank.row("Flank tolerance class", "", "");
     return blank;
   }
   Group group(
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
-                  asked.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *asked.quality));
+                  given.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *given.quality));
   for (const char* key :
        {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
         "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"})

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/job/answer_text.hpp"
+#include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
 #include "tests/fuzz/fuzzing.hpp"

@@ -8,7 +8,6 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/job/search_refusal.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"

@@ -19,7 +19,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/figure/designs.hpp"
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/edit_text.hpp"
 

@@ -8,7 +8,7 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
-#include "gearwright/job/result_schema.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/rating/material.hpp"
 #include "gearwright/spec/json.hpp"
 

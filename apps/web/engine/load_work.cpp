@@ -7,8 +7,8 @@
 #include "apps/web/engine/work.hpp"
 #include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/job/answer_text.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/load/load_summary.hpp"
 

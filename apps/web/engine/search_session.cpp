@@ -6,7 +6,7 @@
 #include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/stopwatch.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_refusal.hpp"
+#include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_workers.hpp"
 #include "gearwright/spec/toml_text.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "apps/web/engine/session.hpp"
 #include "gearwright/cad/mesh.hpp"
-#include "gearwright/job/drive_bodies.hpp"
+#include "gearwright/job/drive_job.hpp"
 
 namespace gearwright::web {
 

@@ -1,5 +1,7 @@
-// The version without the store cannot save a search in a folder.
-#include "gearwright/job/search_campaign.hpp"
+// The version without the store cannot save a search or a study in a folder.
+#include <nlohmann/json.hpp>
+
+#include "gearwright/job/scatter_study.hpp"
 #include "gearwright/job/search_files.hpp"
 
 namespace gearwright {
@@ -25,6 +27,11 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec&, const Sear
                                                       std::optional<std::size_t>,
                                                       const FindSource&) {
   return {};
+}
+
+Result<StudyRun> run_study_campaign(const JobSpec&, const Search&, const std::vector<ListedDesign>&,
+                                    const StudyOptions&, std::vector<Json>&) {
+  return *refuse_folder();
 }
 
 }  // namespace gearwright

@@ -1,23 +1,21 @@
-#include "gearwright/job/scatter_findings.hpp"
-
-#include <algorithm>
+#include "gearwright/scatter/sample_warnings.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
 
 #include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
-namespace {
-
-// If a greater share of samples has edge contact, this is a finding: one of twenty gear pairs.
-constexpr double kOftenEdge = 0.05;
-
-}  // namespace
-
-void warn_of_samples(const Scatter& scatter, SolvedJob& job) {
+std::vector<Warning> sample_warnings(const Scatter& scatter) {
+  // A share of samples with edge contact above this is a finding: one of twenty gear pairs.
+  constexpr double kOftenEdge = 0.05;
+  std::vector<Warning> warnings;
   const auto warn = [&](WarningCode code, std::string message) {
-    job.warnings.push_back({code, std::move(message)});
+    warnings.push_back({code, std::move(message)});
   };
   if (scatter.jam.count > 0) {
     double least = 0.0;
@@ -38,11 +36,7 @@ void warn_of_samples(const Scatter& scatter, SolvedJob& job) {
     warn(WarningCode::samples_lose_contact,
          fmt::format("Contact is lost at some positions of {} of {} samples.",
                      scatter.contact_lost.count, scatter.contact_lost.of));
-  const PairInput& pair = job.completed.pair;
-  if (job.spec.scatter.bearings && (pair.distance_tolerance || pair.distance_deviations))
-    warn(WarningCode::not_read,
-         "The tolerance of the centre distance is not varied, because the bores of "
-         "[scatter.bearings] determine the centre distance. A greater radius_mm includes it.");
+  return warnings;
 }
 
 }  // namespace gearwright

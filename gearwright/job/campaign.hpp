@@ -1,7 +1,7 @@
-// The options for work in numbered chunks that several processes may share, and the queue of chunks
-// of one process.
+// Work in numbered chunks that several processes may share: a search, or a study of its designs. The
+// finished chunks stay in a folder, so that the work can be stopped, resumed and divided.
 //
-// job/search_files.hpp opens the folder of finished chunks.
+// A build without the store has campaign_without.cpp, which rejects the folder.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/result.hpp"
+
 namespace gearwright {
+
+struct Campaign;   // store/chunk_store.hpp
+class ChunkStore;  // the folder of finished chunks
 
 struct CampaignOptions {
   std::filesystem::path out;  ///< folder of the files; empty if there are none
@@ -63,5 +68,21 @@ class ChunkQueue {
   std::size_t place_ = 0;
   std::mutex mutex_;
 };
+
+/// The reason why this build cannot keep finished chunks in a folder, or nothing if it can.
+std::optional<Error> refuse_folder();
+
+/// The store in the folder of the options, or nothing if the first process could not open the
+/// folder. If `refused` is set, the folder must not be used, and `refused` is the error.
+///
+/// Throws    IoError
+/// Errors    `refused`; the errors of ChunkStore::open
+Result<std::optional<ChunkStore>> open_campaign(const Campaign& campaign,
+                                                const std::vector<std::string>& count_names,
+                                                const CampaignOptions& options,
+                                                const std::optional<Error>& refused);
+
+/// The missing chunks of this process, in ascending order.
+std::vector<std::int64_t> own_chunks(const ChunkStore& store, const CampaignOptions& options);
 
 }  // namespace gearwright

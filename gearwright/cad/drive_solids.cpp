@@ -1,4 +1,4 @@
-#include "gearwright/job/drive_bodies.hpp"
+#include "gearwright/cad/drive_solids.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/arrange/notes.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -22,14 +23,14 @@ constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
 constexpr double kNeckLength_mm = 1e-3;
 
 // The solid of a gear or a rack in its own frame.
-Result<ToothedBody> shape_of(const DriveJob& job, std::size_t g) {
-  const DriveGear& named = job.drive.graph.gears[g];
+Result<ToothedBody> shape_of(const Drive& drive, std::size_t g) {
+  const DriveGear& named = drive.graph.gears[g];
   if (named.rack) {
-    auto made = rack_body(rack_pair_of(job.drive, g)->rack, named.name);
+    auto made = rack_body(rack_pair_of(drive, g)->rack, named.name);
     if (!made) return within(named.name, made.error());
     return made;
   }
-  const Gear& gear = *job.drive.geometry.gears[g];
+  const Gear& gear = *drive.geometry.gears[g];
   if (!gear.tooth || !gear.exists())
     return Error{"", "",
                  fmt::format("{} has no outline: {}", named.name,
@@ -57,8 +58,8 @@ double reach(const ToothedBody& body) {
 
 class Workpieces {
  public:
-  Workpieces(const DriveJob& job, std::vector<ToothedBody> shapes)
-      : job_(job), graph_(job.drive.graph), shapes_(std::move(shapes)) {}
+  Workpieces(const Drive& drive, const DriveLayout& layout, std::vector<ToothedBody> shapes)
+      : drive_(drive), layout_(layout), graph_(drive.graph), shapes_(std::move(shapes)) {}
 
   std::vector<ToothedBody> all() {
     std::vector<Chain> chains;
@@ -83,7 +84,7 @@ class Workpieces {
   };
 
   const PlacedGear& placed(std::size_t gear, int copy) const {
-    return *std::find_if(job_.layout->gears.begin(), job_.layout->gears.end(),
+    return *std::find_if(layout_.gears.begin(), layout_.gears.end(),
                          [&](const PlacedGear& p) { return p.gear == gear && p.copy == copy; });
   }
   double module_of(std::size_t gear) const { return graph_.gears[gear].spec->normal_module; }
@@ -136,7 +137,7 @@ class Workpieces {
       const double root = shapes_[g].outline.arcs.front().begin_point.norm();
       radius = std::min({radius, shapes_[g].limit_within(root), root - kNeckDepth * module_of(g)});
     }
-    for (const PlacedGear& other : job_.layout->gears) {
+    for (const PlacedGear& other : layout_.gears) {
       if (end(other.gear, 1.0) <= low || end(other.gear, -1.0) >= high) continue;
       const ToothedBody& shape = shapes_[other.gear];
       for (int copy = 0; copy < graph_.bodies[body].count; ++copy) {
@@ -167,7 +168,7 @@ class Workpieces {
 
   // True if the copies of a planet are clocked, so that their gears have different relative angles.
   bool clocked(std::size_t body) const {
-    return std::any_of(job_.drive.sets.begin(), job_.drive.sets.end(), [&](const PlanetSet& set) {
+    return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;
       return !set.assembly.clocking.empty() &&
              std::find(riders.begin(), riders.end(), body) != riders.end();
@@ -207,7 +208,8 @@ class Workpieces {
     }
   }
 
-  const DriveJob& job_;
+  const Drive& drive_;
+  const DriveLayout& layout_;
   const DriveGraph& graph_;
   std::vector<ToothedBody> shapes_;  // shape of each gear
   std::vector<ToothedBody> made_;
@@ -215,15 +217,34 @@ class Workpieces {
 
 }  // namespace
 
-Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
-  if (!job.layout) return Error{"", "", job.why_no_layout};
+Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
+                                 const std::optional<Halves>& halves, int which,
+                                 const std::array<FlankModifications, 2>& modifications) {
+  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
+  if (halves) {
+    const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
+    if (stagger != 0.0 && gap == 0.0) {
+      return refused("double_helical.gap", gap,
+                     "must be greater than 0 for files of staggered halves, which do not meet in "
+                     "the middle plane");
+    }
+    const double turn = 2.0 * kPi * stagger / gear.spec.teeth;
+    body.face_width = halves->face_width;
+    body.two_helices =
+        TwoHelices{gap, halves->groove_diameter.value_or(0.0) / 2.0, which == 1 ? turn : -turn};
+  }
+  if (auto error = modify(body, gear, modifications)) return *error;
+  return body;
+}
+
+Result<std::vector<ToothedBody>> drive_solids(const Drive& drive, const DriveLayout& layout) {
   std::vector<ToothedBody> shapes;
-  for (std::size_t g = 0; g < job.drive.graph.gears.size(); ++g) {
-    auto made = shape_of(job, g);
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    auto made = shape_of(drive, g);
     if (!made) return made.error();
     shapes.push_back(std::move(made).take());
   }
-  return Workpieces(job, std::move(shapes)).all();
+  return Workpieces(drive, layout, std::move(shapes)).all();
 }
 
 std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
@@ -259,18 +280,6 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     tall = std::max(tall, size);
   }
   return bodies;
-}
-
-Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
-                                const std::vector<ToothedBody>& bodies,
-                                const std::filesystem::path& path, const FileOptions& options) {
-  const std::size_t planes = job.layout->sections.size();
-  if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
-    return Error{"drive", "",
-                 fmt::format("has gears in {} planes across its axes, so no {} can contain their "
-                             "outlines; STEP, GLB and 3MF files contain the whole drive",
-                             planes, kind == FileKind::dxf ? "DXF file" : "SVG file")};
-  return make_file(kind, kind == FileKind::threemf ? laid_out(bodies) : bodies, path, options);
 }
 
 }  // namespace gearwright
