@@ -11,7 +11,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/cad/dxf_document.hpp"
-#include "gearwright/cad/file_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -194,7 +194,7 @@ class SheetSvg {
         "lengthAdjust=\"spacingAndGlyphs\"",
         x, y, number(text.height / kCapital), number(text_width(text.text, text.height)));
     if (text.upright) out_ += fmt::format(" transform=\"rotate(-90 {} {})\"", x, y);
-    out_ += fmt::format(">{}</text>\n", xml_text(text.text));
+    out_ += fmt::format(">{}</text>\n", escaped(text.text));
   }
 
   const Sheet& sheet_;
@@ -273,7 +273,7 @@ std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words
       "stroke:none;white-space:pre}}</style>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<g fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\">\n{3}</g>\n</svg>\n",
-      number(x), number(height), xml_text(words.title), groups);
+      number(x), number(height), escaped(words.title), groups);
 }
 
 std::string sheets_dxf(const std::vector<Sheet>& sheets) {
