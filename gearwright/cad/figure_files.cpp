@@ -141,11 +141,31 @@ class PictureReader {
     if (!(ink->fill || ink->stroke) || (scale_.outlines && !styled && !ink->stroke)) return;
     const std::size_t first = sheet_.paths.size();
     add_pieces(d, place);
+    // Most teeth of a gear are outside the window of a mesh.
+    if (!scale_.outlines && !on_sheet(first)) sheet_.paths.resize(first);
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
       sheet_.paths[i].ink = ink;
       sheet_.paths[i].clip = clip;
       sheet_.paths[i].more = i + 1 < sheet_.paths.size();
     }
+  }
+
+  // True if the box around the paths from `first` on meets the sheet.
+  bool on_sheet(std::size_t first) const {
+    Bounds box;
+    for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
+      const SheetPath& path = sheet_.paths[i];
+      for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const Vec2& next = path.points[(k + 1) % path.points.size()];
+        const double bulge = k < path.bulges.size() ? std::abs(path.bulges[k]) : 0.0;
+        const Vec2 reach = Vec2::Constant(bulge / 2 * (next - path.points[k]).norm());
+        for (const Vec2& p : {path.points[k], next}) {
+          box.cover(p - reach);
+          box.cover(p + reach);
+        }
+      }
+    }
+    return box.lo.x() < sheet_.size.x() && box.lo.y() < sheet_.size.y() && box.hi.minCoeff() > 0.0;
   }
 
   // Adds the pieces of path data.

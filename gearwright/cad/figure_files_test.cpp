@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -114,6 +115,24 @@ TEST(FigureFiles, the_mesh_in_dxf_has_the_scale_of_the_gears) {
   EXPECT_NEAR(greatest, pair.gears[1].actual_tip_radius(), 5e-3);
   EXPECT_NE(dxf.find("\nLAYER\n"), dxf.npos);
   EXPECT_EQ(letters_not_in_pdf({picture_sheet(figure_file(mesh, ".svg").value(), {1.0})}), 0);
+}
+
+TEST(FigureFiles, teeth_outside_the_window_are_not_in_the_pdf) {
+  const InvolutePair pair = testing::helical_pair();
+  const std::array<std::string, 2> shapes{"one", "two"};
+  const auto outlines = [&](Figure mesh) {
+    for (const std::size_t i : {0u, 1u})
+      mesh.definitions += gear_definition(pair.gears[i], shapes[i]);
+    const Sheet sheet = picture_sheet(figure_file(mesh, ".svg").value(), {1.0});
+    return std::count_if(sheet.paths.begin(), sheet.paths.end(), [](const SheetPath& p) {
+      return p.ink->name.starts_with("outline") && !p.closed && p.points.size() > 20;
+    });
+  };
+  const auto [mesh, whole] = mesh_figures(pair, shapes);
+  const int teeth = pair.gears[0].spec.teeth + pair.gears[1].spec.teeth;
+  EXPECT_EQ(outlines(whole), teeth);
+  EXPECT_GE(outlines(mesh), 4);
+  EXPECT_LE(outlines(mesh), 12);
 }
 
 TEST(FigureFiles, other_endings_are_rejected) {
