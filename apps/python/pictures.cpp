@@ -4,6 +4,7 @@
 // other. The user's preference for dark or light determines the colours.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
