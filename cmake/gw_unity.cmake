@@ -12,7 +12,8 @@ set(gw_together 8)
 
 # These sources are compiled alone. Highway includes a source `_simd` again for each instruction set.
 # The sources `_picture` have the same names of dimensions, and `_quantities` the same names of subjects.
-set(gw_alone "_(simd|picture|quantities)\\.cpp$")
+# The program gearwright writes no figures as PDF, so the linker leaves out their sources.
+set(gw_alone "(_(simd|picture|quantities)|/(figure_files|style_sheet))\\.cpp$")
 
 function(gw_unity target)
   get_target_property(sources ${target} SOURCES)

@@ -4,10 +4,13 @@
 // other. The user's preference for dark or light determines the colours.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
+#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/cad/figure_files.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_data.hpp"
@@ -198,6 +201,15 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def_property_readonly(
           "svg", [](const Figure& f) { return figure_svg(f); },
           "The picture as SVG without its style sheet, as in the report")
+      .def(
+          "save",
+          [](const Figure& f, const std::filesystem::path& path) {
+            write_file(path, value_or_raise(figure_file(f, path.extension().string())));
+            return path;
+          },
+          py::arg("path"),
+          "Writes the figure as a file and returns its path. The ending of the path selects the "
+          "format: .svg, .pdf, or .dxf for figures of a plane, in mm")
       .def("_repr_html_", [](const Figure& f) { return framed(f.title, figure_html(f)); })
       .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)

@@ -10,8 +10,8 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/zip.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -55,7 +55,7 @@ constexpr const char* kModelHead =
 
 void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
   xml += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\"><mesh><vertices>\n", id,
-                     xml_text(part.name));
+                     escaped(part.name));
   const auto out = std::back_inserter(xml);
   for (const Vec3& v : part.mesh.vertices) {
     fmt::format_to(out, FMT_COMPILE("<vertex x=\"{:.9g}\" y=\"{:.9g}\" z=\"{:.9g}\"/>\n"), v.x(),

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "gearwright/base/printable.hpp"
-#include "gearwright/figure/symbol_pieces.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

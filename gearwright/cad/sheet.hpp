@@ -7,6 +7,9 @@
 //   b    bulge of a segment of a path: tan(sweep/4), > 0 counter-clockwise, 0 for a line
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,13 +32,31 @@ const LayerStyle& style_of(SheetLayer layer);
 /// Lengths of dash, gap, dot and gap, mm (ISO 128-2, line type 04 with a width of 0.25 mm).
 inline constexpr double kChain_mm[] = {6.0, 1.0, 0.5, 1.0};
 
+struct SheetBox {
+  Vec2 lo, hi;  ///< mm
+};
+
+/// The look of a mark of a figure (figure_files.hpp). Marks of a drawing have the look of their
+/// layer instead.
+struct SheetInk {
+  std::string name;                           ///< name of the layer in a DXF file
+  std::optional<std::uint32_t> fill, stroke;  ///< 0xRRGGBB; absent if there is none
+  double fill_opacity, stroke_opacity;
+  double line_width;           ///< mm
+  std::vector<double> dashes;  ///< mm
+  bool even_odd;               ///< rule for the inside of an area; otherwise by winding numbers
+};
+
 struct SheetPath {
   SheetLayer layer;
   std::vector<Vec2> points;    ///< mm
   std::vector<double> bulges;  ///< bulges[i] belongs to the segment from points[i] to points[i +
                                ///< 1]; the last bulge of a closed path leads back to points[0]
   bool closed = false;
-  bool filled = false;  ///< true for an arrow head, a black triangle
+  bool filled = false;                            ///< true for an arrow head, a black triangle
+  std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a mark of a drawing
+  bool more = false;                  ///< true if the next path is a further piece of the same area
+  std::optional<SheetBox> clip = {};  ///< the visible part; nothing for the whole sheet
 };
 
 struct SheetCircle {
@@ -51,10 +72,8 @@ struct SheetText {
   double height;         ///< h  mm
   bool upright = false;  ///< true for text turned by a quarter counter-clockwise, to be read from
                          ///< the right
-};
-
-struct SheetBox {
-  Vec2 lo, hi;  ///< mm
+  std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a text of a drawing
+  bool slanted = false;                           ///< true for a symbol of a formula
 };
 
 /// The alignment of a text at its point.
@@ -62,9 +81,10 @@ enum class Along { start, middle, end };
 
 struct Sheet {
   Vec2 size;  ///< mm
-  std::vector<SheetPath> paths;
-  std::vector<SheetCircle> circles;
-  std::vector<SheetText> texts;
+  std::vector<SheetPath> paths = {};
+  std::vector<SheetCircle> circles = {};
+  std::vector<SheetText> texts = {};
+  Vec2 corner = Vec2::Zero();  ///< mm, the lower left corner; zero for a drawing
 
   void line(SheetLayer layer, const Vec2& a, const Vec2& b);
   void rectangle(SheetLayer layer, const SheetBox& box);

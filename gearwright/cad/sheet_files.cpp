@@ -11,7 +11,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/cad/dxf_document.hpp"
-#include "gearwright/cad/file_text.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -59,6 +59,13 @@ class Content {
     out_ += "ET\n";
   }
   const std::string& text() const { return out_; }
+  // The graphics states for "gs", as an entry of the resources; empty if there are none.
+  std::string states() const {
+    std::string list;
+    for (std::size_t i = 0; i < opacities_.size(); ++i)
+      list += fmt::format(" /O{} << {} >>", i, opacities_[i]);
+    return list.empty() ? list : fmt::format(" /ExtGState <<{} >>", list);
+  }
 
  private:
   void style(const LayerStyle& style) {
@@ -69,18 +76,62 @@ class Content {
     chain_ = style.chain;
   }
 
+  // Sets the look of a mark of a figure. The caller restores the previous look with "Q".
+  void begin(const SheetInk& ink, const std::optional<SheetBox>& clip) {
+    const auto colour = [](std::uint32_t c) {
+      return fmt::format("{:.3g} {:.3g} {:.3g}", (c >> 16) / 255.0, (c >> 8 & 255) / 255.0,
+                         (c & 255) / 255.0);
+    };
+    out_ += "q\n";
+    if (clip) out_ += fmt::format("{} {} re W n\n", point(clip->lo), point(clip->hi - clip->lo));
+    if (ink.fill) out_ += colour(*ink.fill) + " rg\n";
+    if (ink.stroke)
+      out_ += fmt::format("{} RG {} w [{:.4g}] 0 d\n", colour(*ink.stroke), number(ink.line_width),
+                          fmt::join(ink.dashes, " "));
+    const std::string opacity =
+        fmt::format("/ca {:.3g} /CA {:.3g}", ink.fill_opacity, ink.stroke_opacity);
+    if (opacity == "/ca 1 /CA 1") return;
+    const auto at = std::find(opacities_.begin(), opacities_.end(), opacity);
+    out_ += fmt::format("/O{} gs\n", at - opacities_.begin());
+    if (at == opacities_.end()) opacities_.push_back(opacity);
+  }
+
   void add(const SheetPath& path) {
-    style(style_of(path.layer));
+    if (!path.ink)
+      style(style_of(path.layer));
+    else if (!piece_follows_)
+      begin(*path.ink, path.clip);
+    piece_follows_ = path.more;
     out_ += point(path.points.front()) + " m\n";
     const std::size_t n = path.points.size();
     for (std::size_t i = 0; i < path.bulges.size(); ++i)
       append_arc(out_, path.points[i], path.points[(i + 1) % n], path.bulges[i]);
-    out_ += path.filled ? "f\n" : path.closed ? "s\n" : "S\n";
+    if (!path.ink) {
+      out_ += path.filled ? "f\n" : path.closed ? "s\n" : "S\n";
+      return;
+    }
+    if (path.closed) out_ += "h\n";
+    if (path.more) return;
+    const SheetInk& ink = *path.ink;
+    out_ += fmt::format("{}{}\nQ\n",
+                        !ink.fill    ? "S"
+                        : ink.stroke ? "B"
+                                     : "f",
+                        ink.fill && ink.even_odd ? "*" : "");
   }
 
   void add(const SheetText& text) {
     const double size = text.height / kCapital;
-    out_ += fmt::format("{} {} Tm\n", text.upright ? "0 1 -1 0" : "1 0 0 1", point(text.at));
+    if (text.ink) {
+      out_ += "ET\n";
+      begin(*text.ink, {});
+      out_ += fmt::format("BT\n{} Tr\n", !text.ink->fill ? 1 : text.ink->stroke ? 2 : 0);
+    }
+    out_ += fmt::format("{} {} Tm\n",
+                        text.upright   ? "0 1 -1 0"
+                        : text.slanted ? "1 0 0.2 1"
+                                       : "1 0 0 1",
+                        point(text.at));
     std::string run;
     SheetFont font = SheetFont::helvetica;
     const auto show = [&] {
@@ -98,11 +149,14 @@ class Content {
       run += letter.code < 0x7F ? std::string(1, c) : fmt::format("\\{:03o}", letter.code);
     }
     show();
+    if (text.ink) out_ += "ET\nQ\nBT\n";
   }
 
   std::string out_;
+  std::vector<std::string> opacities_;
   double width_ = 1.0;
   bool chain_ = false;
+  bool piece_follows_ = false;
 };
 
 // Encodes text of the document information as hexadecimal UTF-16 with a byte order mark.
@@ -194,17 +248,33 @@ class SheetSvg {
         "lengthAdjust=\"spacingAndGlyphs\"",
         x, y, number(text.height / kCapital), number(text_width(text.text, text.height)));
     if (text.upright) out_ += fmt::format(" transform=\"rotate(-90 {} {})\"", x, y);
-    out_ += fmt::format(">{}</text>\n", xml_text(text.text));
+    out_ += fmt::format(">{}</text>\n", escaped(text.text));
   }
 
   const Sheet& sheet_;
   std::string out_;
 };
 
+template <class Mark>
+std::string layer_of(const Mark& mark) {
+  return mark.ink ? mark.ink->name : style_of(mark.layer).name;
+}
+
+// The AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta. It is 7,
+// the colour of the text, for shades of grey.
+int colour_index(std::uint32_t rgb) {
+  const Eigen::Vector3i c(static_cast<int>(rgb >> 16), rgb >> 8 & 255, rgb & 255);
+  int i = 0;
+  const int most = c.maxCoeff(&i), range = most - c.minCoeff();
+  if (range < 64) return 7;
+  const double sixths = 2 * i + static_cast<double>(c[(i + 1) % 3] - c[(i + 2) % 3]) / range;
+  return 1 + (static_cast<int>(std::lround(sixths)) + 6) % 6;
+}
+
 void add(DxfEntities& entities, const SheetPath& path) {
-  const char* layer = style_of(path.layer).name;
+  const std::string layer = layer_of(path);
   const std::vector<Vec2>& p = path.points;
-  if (path.filled) {
+  if (path.filled || (path.ink && !path.ink->stroke && p.size() == 3)) {
     GW_EXPECTS(p.size() == 3);
     entities.triangle(layer, p[0], p[1], p[2]);
   } else if (!path.closed && p.size() == 2 && path.bulges[0] == 0.0) {
@@ -232,12 +302,12 @@ std::string sheets_pdf(const std::vector<Sheet>& sheets, const SheetWords& words
   if (!words.author.empty()) info += " /Author " + information(words.author);
   objects.add(info + " >>");
   for (const Sheet& sheet : sheets) {
+    const Content content(sheet);
     objects.add(fmt::format(
         "<< /Type /Page /Parent {} 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
-        "/Resources << /Font << /H {} 0 R /S {} 0 R >> >> >>",
+        "/Resources << /Font << /H {} 0 R /S {} 0 R >>{} >> >>",
         int{kPages}, number(kPointsPerMm * sheet.size.x()), number(kPointsPerMm * sheet.size.y()),
-        objects.next() + 1, int{kHelvetica}, int{kSymbol}));
-    const Content content(sheet);
+        objects.next() + 1, int{kHelvetica}, int{kSymbol}, content.states()));
     objects.add(fmt::format("<< /Length {} >>\nstream\n{}endstream", content.text().size(),
                             content.text()));
   }
@@ -273,32 +343,47 @@ std::string sheets_svg(const std::vector<Sheet>& sheets, const SheetWords& words
       "stroke:none;white-space:pre}}</style>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
       "<g fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\">\n{3}</g>\n</svg>\n",
-      number(x), number(height), xml_text(words.title), groups);
+      number(x), number(height), escaped(words.title), groups);
 }
 
 std::string sheets_dxf(const std::vector<Sheet>& sheets) {
   GW_EXPECTS(!sheets.empty());
   constexpr double kUpright_deg = 90.0;
   DxfEntities entities;
-  double x = 0.0, height = 0.0;
-  for (const Sheet& sheet : sheets) {
-    if (x > 0.0) x += kBetweenSheets_mm;
-    entities.place(Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0)));
-    for (const SheetPath& path : sheet.paths) add(entities, path);
-    for (const SheetCircle& c : sheet.circles)
-      entities.circle(style_of(c.layer).name, c.radius, c.center);
-    for (const SheetText& t : sheet.texts)
-      entities.text(style_of(t.layer).name, t.at, t.text, t.height, t.upright ? kUpright_deg : 0.0);
-    x += sheet.size.x();
-    height = std::max(height, sheet.size.y());
-  }
   std::vector<DxfLayer> layers;
-  for (int i = 0; i < kSheetLayers; ++i) {
+  const bool figure = !sheets.front().paths.empty() && sheets.front().paths.front().ink;
+  for (int i = 0; i < (figure ? 0 : kSheetLayers); ++i) {
     const LayerStyle& style = style_of(static_cast<SheetLayer>(i));
     const auto hundredths = static_cast<int>(std::lround(100 * style.line_width));
     layers.push_back({style.name, style.dxf_color, hundredths, style.chain});
   }
-  return dxf_document(entities, layers, {Vec2::Zero(), {x, height}});
+  // A layer of a figure has the line width of the reader.
+  const auto define = [&](const SheetInk* ink) {
+    const auto same = [&](const DxfLayer& layer) { return layer.name == ink->name; };
+    if (!ink || std::any_of(layers.begin(), layers.end(), same)) return;
+    const int color = colour_index(ink->stroke.value_or(ink->fill.value_or(0)));
+    layers.push_back({ink->name, color, DxfLayer{}.line_width, ink->dashes.size() > 2});
+  };
+  double x = 0.0, height = 0.0;
+  for (const Sheet& sheet : sheets) {
+    if (x > 0.0) x += kBetweenSheets_mm;
+    entities.place(Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0)));
+    for (const SheetPath& path : sheet.paths) {
+      define(path.ink.get());
+      add(entities, path);
+    }
+    for (const SheetCircle& c : sheet.circles)
+      entities.circle(style_of(c.layer).name, c.radius, c.center);
+    for (const SheetText& t : sheet.texts) {
+      if (t.ink && !t.ink->fill) continue;  // the light ground behind a text
+      define(t.ink.get());
+      entities.text(layer_of(t), t.at, t.text, t.height, t.upright ? kUpright_deg : 0.0);
+    }
+    x += sheet.size.x();
+    height = std::max(height, sheet.size.y());
+  }
+  const Vec2 corner = sheets.front().corner;
+  return dxf_document(entities, layers, {corner, corner + Vec2(x, height)});
 }
 
 }  // namespace gearwright

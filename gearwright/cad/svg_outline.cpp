@@ -11,9 +11,9 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/cad/file_text.hpp"
 #include "gearwright/cad/fitting.hpp"
 #include "gearwright/curve/arc_length.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 namespace {
@@ -162,7 +162,7 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.6f}mm\" height=\"{1:.6f}mm\" "
       "viewBox=\"{2:.6f} {3:.6f} {0:.6f} {1:.6f}\">\n"
       "<title>{4}</title>\n{5}</svg>\n",
-      size.x(), size.y(), corner.x(), corner.y(), xml_text(title), paths);
+      size.x(), size.y(), corner.x(), corner.y(), escaped(title), paths);
   return drawing;
 }
 

@@ -1,7 +1,7 @@
 // Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
 // every gear and the symbol of every fixed body; (3) each band has a label with its power, and the
 // sum of the losses of all meshes is the difference between input and output; (4) the curves under
-// load cover one period.
+// load cover one period; (5) no line crosses the name of a gear.
 #include "gearwright/figure/drive_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/cad/figure_files.hpp"
 #include "gearwright/drive/short_forms.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 
 namespace gearwright {
 namespace {
@@ -77,6 +79,31 @@ TEST(DriveFigures, SchemesNameAllGearsAndGroundWhatIsHeld) {
 double share_after(const std::string& words, const std::string& word) {
   if (!words.starts_with(word)) return 0.0;
   return std::strtod(words.c_str() + word.size(), nullptr) / 100;
+}
+
+TEST(DriveFigures, NoLineCrossesTheNameOfAGear) {
+  for (const Drive& drive : drives()) {
+    const Sheet sheet =
+        picture_sheet(figure_svg(scheme_figure(drive, *drive_places(drive)), 640.0), {1.0});
+    std::vector<SheetText> names;
+    for (const SheetText& text : sheet.texts)
+      for (const DriveGear& gear : drive.graph.gears)
+        if (text.ink->fill &&
+            text.text.ends_with(gear.name + " " + std::to_string(std::abs(gear.teeth))))
+          names.push_back(text);
+    EXPECT_GE(names.size(), drive.graph.gears.size());
+    for (const SheetText& name : names) {
+      const SheetBox box = box_of(name);
+      for (const SheetPath& path : sheet.paths)
+        for (std::size_t i = 1; i < path.points.size(); ++i)
+          for (int k = 0; k <= 1000; ++k) {
+            const Vec2 p = path.points[i - 1] + k / 1000.0 * (path.points[i] - path.points[i - 1]);
+            const bool inside = p.x() > box.lo.x() && p.x() < box.hi.x() && p.y() > box.lo.y() &&
+                                p.y() < box.hi.y();
+            ASSERT_FALSE(inside) << name.text << " on " << path.ink->name;
+          }
+    }
+  }
 }
 
 TEST(DriveFigures, LossesAreWhatTheOutputLacks) {

@@ -12,11 +12,14 @@ namespace gearwright {
 
 namespace {
 
-// Units of the picture: the greatest radius is kTall, and the distance between slots is kSlot.
-constexpr double kTall = 2.0, kSlot = 1.7;
+// Units of the picture: the greatest radius is kTall or kTallSet, and the distance between slots is
+// kSlot.
+constexpr double kTall = 2.0, kSlot = 2.7;
+constexpr double kTallSet = 3.0;  // with planetary sets, whose names need room between the lines
+constexpr double kBeside = 8.0;   // px from a gear to its name, on the right or on the left
 constexpr double kHalf = 0.3;     // half the length of a bar of teeth
-constexpr double kWeb = 0.62;     // from the middle of a slot to the web of a carrier
-constexpr double kBell = 0.85;    // from the middle of a slot to the bell of a ring
+constexpr double kWeb = 1.2;      // from the middle of a slot to the web of a carrier
+constexpr double kBell = 1.45;    // from the middle of a slot to the bell of a ring
 constexpr double kLevel = 0.2;    // distance between coaxial shafts
 constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
@@ -75,7 +78,7 @@ class Scheme {
   void measure() {
     double most = 0.0;
     for (const double r : places_.radii) most = std::max(most, r);
-    scale_ = kTall / most;
+    scale_ = (drive_.sets.empty() ? kTall : kTallSet) / most;
     rises_.resize(graph_.bodies.size());
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) radii_.push_back(working_radius(g));
   }
@@ -136,7 +139,7 @@ class Scheme {
         rises_[gear.body].push_back({x, y + r});
       }
       // The writer places the name where it overlaps no line and no other name.
-      f_.point({to, y + r * 0.55}, 0.0, "", name, {5.0, 0.0});
+      f_.point({x, y + r * 0.55}, 0.0, "", name, {kBeside, 0.0});
       f_.marks.back().label_style = "halo";
       top_ = std::max(top_, y + r + 0.35);
       bottom_ = std::min(bottom_, whole ? y - r - 0.35 : y - 0.9);

@@ -1,9 +1,10 @@
 // Describes a figure as a value: marks in the units of its axes, without pixels or colours.
 //
 // A figure is made once from a result of the engine. Several writers use it: SVG for the report and
-// the page (figure_svg.hpp), JSON and CSV for the user's own plots (figure_data.hpp). The style of
-// a mark is a list of semantic classes ("g1", "edge", "limit"), which figure_style.css turns into
-// colours for light and dark screens and for paper.
+// the page (figure_svg.hpp), PDF and DXF for papers and CAD (cad/figure_files.hpp), JSON and CSV for
+// the user's own plots (figure_data.hpp). The style of a mark is a list of semantic classes ("g1",
+// "edge", "limit"), which figure_style.css turns into colours for light and dark screens and for
+// paper.
 //
 //   Points are given in data coordinates. ±∞ is the edge of the plot. NaN begins a new piece of a
 //   line or of an area.

@@ -145,6 +145,7 @@ class Writer {
  public:
   Writer(const Figure& figure, double width)
       : f_(figure),
+        width_(width),
         at_(figure, width),
         x_{f_.x.lo, f_.x.hi, at_.left, at_.right, f_.x.log, f_.plane},
         y_{f_.y.lo, f_.y.hi, at_.bottom, at_.top, f_.y.log, f_.plane},
@@ -226,7 +227,10 @@ class Writer {
   void words() {
     svg_.text({kEdge, 20}, words_of(f_.y), Anchor::start, "panel");
     if (!f_.note.empty()) svg_.text({at_.right, at_.note}, escaped(f_.note), Anchor::end, "panel");
-    svg_.text({(at_.left + at_.right) / 2, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");
+    // Words longer than the plot must not be cut off at the border of the picture.
+    const double half = std::min(width_, kLetter * letters(words_of(f_.x))) / 2;
+    const double middle = std::clamp((at_.left + at_.right) / 2, half, width_ - half);
+    svg_.text({middle, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");
   }
 
   void grid() {
@@ -355,6 +359,7 @@ class Writer {
   }
 
   const Figure& f_;
+  double width_;
   Layout at_;
   Scale x_, y_;
   Svg svg_;

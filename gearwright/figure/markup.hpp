@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gearwright {
 
@@ -28,6 +29,18 @@ std::string fixed(const std::optional<double>& value, int decimals);
 /// The number with its digits in groups of three, "2 754".
 std::string counted(std::int64_t n);
 std::string percent(double share);  ///< magnitude in percent, without decimals and without "%"
+
+bool is_letter_or_digit(char c);
+
+/// A piece of a symbol such as "d_Ff", "h_aP*" or "C_βI = C_βII".
+struct SymbolPiece {
+  enum class Place { base, below, above };
+  std::string text;
+  Place place;
+};
+
+/// A subscript extends from '_' over letters, digits and UTF-8 bytes. '*' is a superscript.
+std::vector<SymbolPiece> symbol_pieces(std::string_view symbol);
 
 /// "d_Ff" as <var>d</var><sub>Ff</sub>. The symbol is trusted and not escaped.
 std::string symbol_html(std::string_view symbol);

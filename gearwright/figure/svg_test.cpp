@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -40,6 +42,22 @@ TEST(Spread, KeepsGapOrderAndBounds) {
       }
     }
   }
+}
+
+TEST(FigureSvg, long_words_of_an_axis_stay_in_the_picture) {
+  // The middle of the words, px. On a narrow screen a letter is up to 7.6 px wide.
+  const auto middle = [](const std::string& words) {
+    Figure f{"f", "", "", "", {words, ""}, {"y", ""}};
+    const std::string svg = figure_svg(f, 330);
+    const std::size_t begin = svg.rfind("translate(", svg.find(">" + words + "<")) + 10;
+    return std::stod(svg.substr(begin));
+  };
+  const std::string words = "rotation of the tooth pair from the centre";
+  const double half = 7.6 * static_cast<double>(words.size()) / 2;
+  EXPECT_GT(middle("x"), 165.0);  // below the middle of the plot
+  EXPECT_LE(middle(words) + half, 330.0);
+  EXPECT_GE(middle(words) - half, 0.0);
+  EXPECT_EQ(middle(words + words), 165.0);  // no room at any position
 }
 
 TEST(HtmlText, Numbers) {

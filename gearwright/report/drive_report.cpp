@@ -99,6 +99,7 @@ std::string strength_part(const Drive& drive, UnitSystem units) {
     const auto rating = mesh_rating(drive, m);
     if (!rating) continue;
     TableBuilder table(drive.graph.meshes[m].name, {"Gear 1", "Gear 2"});
+    table.decisive_rows({"S_F", "S_H"});
     table.groups(text_groups(rating_quantities().table(), {*rating}, kPage, units));
     text += table.str();
   }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/figure/symbol_pieces.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

@@ -195,13 +195,14 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
   const auto wide = [&](Figure figure) {
     return figure_html(in_units(units, std::move(figure)), kWideFigure);
   };
-  const std::string flanks =
-      pair.flanks_meet()
-          ? wide(face_use_figure(pair)) + wide(speed_figure(pair)) + speed_table(pair, units)
-          : std::string();
+  std::string figures = wide(section_figure(pair)), tables;
+  if (pair.flanks_meet()) {
+    figures += wide(face_use_figure(pair)) + wide(speed_figure(pair));
+    tables = speed_table(pair, units);
+  }
   return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair, units) +
-         in_columns(pair_table(pair, units) + interference_table(pair, units),
-                    wide(section_figure(pair)) + flanks + path_table(pair, units)) +
+         pair_table(pair, units) + interference_table(pair, units) +
+         side_by_side(figures + "<div>" + tables + path_table(pair, units) + "</div>") +
          "<h3>Other positions of these gears</h3>\n" +
          in_columns(range_figure(pair, units), wide(face_width_figure(pair))) +
          min_distance_part(pair, units) + "</section>\n";

@@ -223,7 +223,7 @@ def test_ctrl_c(work):
     assert min(tries) < 0.3, tries
 
 
-def test_plots():
+def test_plots(tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     p = pair()
@@ -242,6 +242,11 @@ def test_plots():
     assert tooth.title == "Gear" and "gear1-tooth" in tooth._repr_html_() and tooth.data["circles"]
     titles = [one.title for one in p.figures]
     assert titles == ["The mesh at the pitch point", "The whole pair", "Path of contact", "Contact ratios"]
+    assert p.figures[1].save(tmp_path / "whole.dxf").read_bytes().count(b"LWPOLYLINE") >= p.gear2.teeth
+    assert figure.save(tmp_path / "error.pdf").read_bytes().startswith(b"%PDF-1.4")
+    assert "<style>" in figure.save(tmp_path / "error.svg").read_text(encoding="utf-8")
+    with pytest.raises(ValueError, match="this one has axes"):
+        figure.save(tmp_path / "error.dxf")
     sliding = {one["name"]: one["points"] for one in p.figures[2].data["curves"]}
     assert len(sliding) == 2 and p.figures[2].plot().get_xlabel().endswith("mm")
     assert p.animate(frames=3)._draw_frame is not None

@@ -17,6 +17,7 @@
 #include "apps/web/engine/shapes.hpp"
 #include "apps/web/engine/work.hpp"
 #include "gearwright/base/version.hpp"
+#include "gearwright/cad/figure_files.hpp"
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -275,6 +276,9 @@ val report(const SearchSession& search) {
     return page ? js(row(*page)) : failed(page.error());
   });
 }
+val picture_file(const std::string& svg, const std::string& title) {
+  return guarded([&] { return js(row(picture_pdf(svg, title))); });
+}
 
 }  // namespace
 
@@ -291,6 +295,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
   emscripten::function("open", &open_session);
   emscripten::function("openSearch", &open_search);
   emscripten::function("designs", &designs);
+  emscripten::function("picturePdf", &picture_file);
   class_<ToothTables>("ToothTables")
       .smart_ptr_constructor("ToothTablesHandle", &std::make_shared<ToothTables>);
   class_<Session>("Session")

@@ -406,6 +406,8 @@ export interface Engine {
   open(spec: string): Session | Failed;
   openSearch(spec: string, most?: number): SearchSession | Failed;
   designs(of: DesignDots): Figure | Failed;
+  /** A picture as a PDF of one page. `svg` is XML with the elements and classes of `Figure.html`. */
+  picturePdf(svg: string, title: string): Uint8Array | Failed;
 }
 
 export function failed(x: unknown): x is Failed;

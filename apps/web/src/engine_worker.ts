@@ -205,6 +205,7 @@ const questions = {
     return map && drawnMap(drawn as E.Work<E.ErrorMap>);
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
+  picturePdf: (q: { svg: string; title: string }) => good(engine.picturePdf(q.svg, q.title)),
   loadFigures(q: { torque: number; width: number }) {
     open?.session.showIn(unit);
     return drawn ? good(drawn.figures(q.torque, q.width)) : [];

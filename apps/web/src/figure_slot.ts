@@ -6,6 +6,7 @@
 import type { Figure } from "../engine/engine";
 import style from "../../../gearwright/figure/figure_style.css?inline";
 import { button, download, fill, h, svg } from "./elements";
+import { bench } from "./workbench";
 
 /** An axis of a plot. The value `lo` is at the position `from`, and `hi` at `to`, px. */
 export function axisOf(plot: Element, name: "x" | "y") {
@@ -26,7 +27,8 @@ export class FigureSlot {
   private readonly save = h(
     "div",
     { class: "figure-save" },
-    button("SVG", () => this.keepPicture(), { title: "Save this figure" }),
+    button("SVG", () => this.keepSvg(), { title: "Save this figure" }),
+    button("PDF", () => void this.keepPdf(), { title: "Save this figure for a document" }),
     this.values,
   );
   private figure: Figure | null = null;
@@ -104,11 +106,19 @@ export class FigureSlot {
     return { at: [across.value(x), up.value(y)], pitch: Number(plot.getAttribute("data-pitch")) };
   }
 
-  private keepPicture(): void {
+  /** The picture as it is seen, as XML. */
+  private xml(style = ""): string {
     const picture = this.picture.querySelector("svg")!.cloneNode(true) as SVGElement;
-    picture.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-    picture.prepend(svg("style", {}, style));
-    download(`${this.figure!.id}.svg`, picture.outerHTML, "image/svg+xml");
+    if (style) picture.prepend(svg("style", {}, style));
+    return new XMLSerializer().serializeToString(picture);
+  }
+  private keepSvg(): void {
+    download(`${this.figure!.id}.svg`, this.xml(style), "image/svg+xml");
+  }
+  private async keepPdf(): Promise<void> {
+    const { id, data } = this.figure!;
+    const bytes = await bench.front.call("picturePdf", { svg: this.xml(), title: data.title });
+    download(`${id}.pdf`, bytes as Uint8Array<ArrayBuffer>);
   }
   private keepValues(): void {
     const { x, y, curves, points, grid } = this.figure!.data;

@@ -89,6 +89,11 @@ describe("figures", () => {
       page.waitForEvent("download"),
       page.locator(".figure-slot", { has: page.locator("#te") }).getByText("CSV").click(),
     ]);
+    const [picture] = await Promise.all([
+      page.waitForEvent("download"),
+      page.locator(".figure-slot", { has: page.locator("#te") }).getByText("PDF").click(),
+    ]);
+    assert.match(readFileSync(await picture.path(), "latin1"), /^%PDF-1\.4[^]*Tj[^]*%%EOF\n$/);
     const rows = readFileSync(await file.path(), "utf8").trim().split("\n");
     const values = rows.slice(1).map((row) => Number(row.split(",").at(-1)));
     const expected = native("contact", example("misaligned_pair")).contact.peak_to_peak_arcsec;

@@ -1,0 +1,36 @@
+// Writes figures as PDF and DXF files, for papers and for CAD.
+//
+// The SVG text of a figure is read together with figure_style.css and becomes a sheet, from which
+// the writers of drawings make the files. All files of a figure therefore have one layout and one
+// table of styles. A picture that the user has turned or zoomed on the page is written as it is
+// seen. The colours are those for paper.
+#pragma once
+
+#include <string>
+
+#include "gearwright/base/result.hpp"
+#include "gearwright/cad/sheet.hpp"
+#include "gearwright/figure/figure.hpp"
+
+namespace gearwright {
+
+/// The size of a picture on its sheet.
+struct PictureScale {
+  double mm_per_px;
+  Vec2 corner = Vec2::Zero();  ///< mm, the lower left corner of the picture
+  bool outlines = false;       ///< true if gears have no filled areas
+};
+
+/// Domain    a picture that figure_svg() has written; other text may throw
+Sheet picture_sheet(const std::string& svg, const PictureScale& scale);
+
+/// A PDF of one page that is as large as the picture, 0.75 pt per px.
+std::string picture_pdf(const std::string& svg, const std::string& title);
+
+/// The figure as a file whose name has this ending: ".svg", ".pdf" or ".dxf". A DXF file has the
+/// scale 1 : 1, and its layers are the classes of the marks.
+///
+/// Errors    another ending; ".dxf" for a figure with axes
+Result<std::string> figure_file(const Figure& figure, const std::string& ending);
+
+}  // namespace gearwright

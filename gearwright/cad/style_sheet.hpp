@@ -1,0 +1,55 @@
+// Reads the part of CSS in which figure_style.css is written: rules with classes and elements,
+// variables, and the colours for paper. Internal to cad/.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gearwright {
+
+/// The properties and variables of an element, as text.
+using Style = std::map<std::string, std::string, std::less<>>;
+
+class StyleSheet {
+ public:
+  explicit StyleSheet(std::string css);
+
+  const Style& root() const { return root_; }  ///< variables
+  /// Sets the properties of the rules for an element with these classes.
+  void apply(std::string_view tag, std::string_view classes, Style& style) const;
+
+ private:
+  struct Rule {
+    std::string tag;                   // empty for every element
+    std::vector<std::string> classes;  // all of which the element must have
+    int weight;
+    std::string declarations;
+  };
+  void read(std::string_view css);
+  void add(std::string_view selector, std::string_view declarations);
+
+  Style root_;
+  std::vector<Rule> rules_;  // in the order in which they are applied
+};
+
+/// The rules of figure_style.css.
+const StyleSheet& figure_styles();
+
+/// Sets the properties "name:value;…". Values that a newer CSS defines are ignored.
+void apply_declarations(std::string_view declarations, Style& style);
+
+/// The value of a property, with its variable replaced; empty if it is absent.
+std::string text_in(const Style& style, std::string_view name);
+double number_in(const Style& style, std::string_view name, double absent);
+/// The colour 0xRRGGBB, or nothing for "none".
+std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
+                                       std::optional<std::uint32_t> absent);
+
+/// The texts between separators, without empty ones.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+}  // namespace gearwright
