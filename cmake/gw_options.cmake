@@ -21,6 +21,11 @@ endif()
 
 function(gw_target target)
   gw_unity(${target})
+  if(MSVC)  # untested
+    target_compile_options(${target} PRIVATE /utf-8 /bigobj /permissive- /fp:precise)
+    target_compile_definitions(${target} PRIVATE NOMINMAX BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
+    return()
+  endif()
   # The message of a violated contract contains the file name relative to the source folder,
   # wherever that folder is.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
