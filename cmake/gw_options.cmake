@@ -21,6 +21,11 @@ endif()
 
 function(gw_target target)
   gw_unity(${target})
+  if(MSVC)  # untested
+    target_compile_options(${target} PRIVATE /utf-8 /bigobj /permissive- /fp:precise)
+    target_compile_definitions(${target} PRIVATE NOMINMAX BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
+    return()
+  endif()
   # The message of a violated contract contains the file name relative to the source folder,
   # wherever that folder is.
   target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
@@ -29,6 +34,9 @@ function(gw_target target)
   # Boost's functions of a double compute with doubles. By default they compute with long doubles,
   # which differ between systems.
   target_compile_definitions(${target} PRIVATE BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
+  # Eigen divides long sums into parts that fit into the cache. By default it asks the processor for its cache, so the last
+  # digits of `load` would depend on the processor.
+  target_compile_definitions(${target} PRIVATE EIGEN_NO_CPUID EIGEN_DEFAULT_L1_CACHE_SIZE=32768)
   if(WIN32)
     # Boost assumes these functions of C only on systems with POSIX, and computes its own elsewhere.
     target_compile_definitions(${target} PRIVATE BOOST_HAS_LOG1P BOOST_HAS_EXPM1)

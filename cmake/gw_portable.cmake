@@ -29,10 +29,9 @@ set(gw_libraries gw_z TBB::tbb NLopt::nlopt_cxx Threads::Threads hwy::hwy gw_zst
 file(GLOB_RECURSE gw_lanes ${PROJECT_SOURCE_DIR}/gearwright/*_simd.cpp)
 # Highway compiles these files once for each instruction set and chooses one at run time.
 if(WIN32)
-  # The program for Windows is one file of less than 12 MB. Numbers do not depend on the level of optimisation.
-  string(REPLACE "-O3" "-O2" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
   add_link_options(LINKER:--wrap=mbrtowc)  # base/system_windows.cpp
   add_link_options(LINKER:--no-insert-timestamp)  # the same input gives the same bytes
+  add_link_options(LINKER:--exclude-all-symbols)  # oneTBB would export its functions from the program
   # g++ aligns the stack on Windows to 16 bytes and moves wider vectors as if it were aligned to their
   # size (GCC bug 54412). The assembler replaces these moves by moves that permit any alignment.
   set_source_files_properties(${gw_lanes} PROPERTIES COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)

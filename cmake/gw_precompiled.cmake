@@ -27,7 +27,7 @@ endfunction()
 
 gw_precompiled(gw_precompiled)
 
-# The header of the rooms spec and job. Nearly all of their sources read JSON and a spec or its
+# The header of the rooms spec and job and of the program. Nearly all of their sources read JSON and a spec or its
 # solution, which takes a third of their time. Making the header takes 11 s.
 gw_precompiled(gw_precompiled_answers
   HEADERS <filesystem> <map> <nlohmann/json.hpp> "${PROJECT_SOURCE_DIR}/gearwright/job/solved_job.hpp"
@@ -35,3 +35,11 @@ gw_precompiled(gw_precompiled_answers
 # This header does not come from a compiler cache. `#pragma once` depends on the time stamp of a
 # file, so a header made for another checkout of the same text would be included twice.
 set_target_properties(gw_precompiled_answers PROPERTIES CXX_COMPILER_LAUNCHER "")
+
+# Compiles a target that reads and answers with the header above and for size. The numbers are computed in the other rooms. In
+# this way, its code has a third less bytes, and the catalogue a fifth; together 0.9 MB of the program for Windows.
+function(gw_compile_for_size target)
+  target_precompile_headers(${target} REUSE_FROM gw_precompiled_answers)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Os>)
+endfunction()
+target_compile_options(gw_precompiled_answers PRIVATE $<$<CONFIG:Release>:-Os>)

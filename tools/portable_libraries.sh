@@ -84,6 +84,17 @@ zlib() {
   plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
 }
 
+# A search uses levels 1 and 3, whose methods are fast and double_fast. The other methods, and the decoder, which only
+# reads the record of a finished search, are compiled for size.
+zstd() {
+  local from options="-DZSTD_LEGACY_SUPPORT=0 -DZSTD_DISABLE_ASM -DXXH_NAMESPACE=ZSTD_"
+  from=$(folder libzstd)/lib
+  cp "$from/zstd.h" "$into/include/"
+  plain_c zstd "-Os $options" "$from"/decompress/*.c "$from"/compress/zstd_{lazy,ldm,opt}.c
+  plain_c zstd "-O3 $options" "$from"/common/*.c "$from"/compress/{fse,huf,zstd}_compress.c "$from"/compress/hist.c \
+    "$from"/compress/zstd_{compress_literals,compress_sequences,compress_superblock,double_fast,fast}.c
+}
+
 # Compiles the elementary functions of musl. The headers are those of a 32-bit machine, because
 # there, as on Windows, the type with 64 bits is `long long`. __FP_FAST_FMA would change the last
 # bits on ARM.
@@ -115,7 +126,8 @@ mkdir -p "$into/lib" "$into/include" "$root/made/$target"
 with_cmake "$(folder fmtlib)" -DFMT_TEST=OFF -DFMT_DOC=OFF
 zlib
 with_cmake "$(folder onetbb)" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_FIND_PACKAGE=OFF
-with_cmake "$(folder nlopt)" -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
+# NLopt needs no speed, because its time is that of the function that it minimises.
+with_cmake "$(folder nlopt)" -DCMAKE_BUILD_TYPE=MinSizeRel -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
   -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF
 with_cmake "$(folder highway)" -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
   -DBUILD_TESTING=OFF
@@ -123,8 +135,7 @@ with_cmake "$(folder highway)" -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF 
 # contrib take minutes to compile, so they are not built.
 mkdir -p "$into/include/hwy/contrib"
 cp -r "$(folder highway)/hwy/contrib/math" "$into/include/hwy/contrib/"
-with_cmake "$(folder libzstd)/build/cmake" -DZSTD_BUILD_PROGRAMS=OFF -DZSTD_BUILD_SHARED=OFF -DZSTD_BUILD_STATIC=ON \
-  -DZSTD_LEGACY_SUPPORT=OFF
+zstd
 sqlite
 if [ "$target" = linux-x86_64 ]; then tomlplusplus; else elementary; fi
 echo "${packages[*]}" >"$into/complete"

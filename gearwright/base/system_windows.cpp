@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <clocale>
 #include <cstdlib>
 #include <cwchar>
 #include <utility>
 
 #include "gearwright/base/system.hpp"
 
+#ifdef __MINGW32__
 // libstdc++ converts a std::string to a path with mbrtowc, which uses the encoding of the C locale.
 // In msvcrt, this cannot be UTF-8, so the linker replaces mbrtowc by this function (--wrap,
 // cmake/gw_portable.cmake), which converts UTF-8 to UTF-16. For a character of two UTF-16 units, it
@@ -45,6 +47,7 @@ extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t
   }
   return lead == 0 ? 0 : bytes;
 }
+#endif
 
 namespace gearwright {
 
@@ -144,6 +147,9 @@ bool is_terminal(std::FILE* stream) { return ::_isatty(::_fileno(stream)) != 0; 
 std::string native_text(std::filesystem::path path) { return path.make_preferred().string(); }
 
 std::vector<std::string> start_program(int argc, char** argv) {
+#ifndef __MINGW32__
+  std::setlocale(LC_CTYPE, ".UTF-8");  // the C++ library of Microsoft then converts paths as UTF-8
+#endif
   for (std::FILE* stream : {stdin, stdout}) ::_setmode(::_fileno(stream), _O_BINARY);
   ::SetConsoleOutputCP(CP_UTF8);
   // The progress line is cleared by an escape sequence, which the console must be set to process.

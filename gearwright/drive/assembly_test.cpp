@@ -166,6 +166,11 @@ TEST(Rational, FractionsAreExactOrDoNotFit) {
   EXPECT_FALSE(large.fits());
   EXPECT_FALSE((large + third).fits());
   EXPECT_FALSE(large.numerator());
+  const Rational most(9'223'372'036'854'775'807), square = most * most;  // 126 bits
+  EXPECT_TRUE((square + square).fits());
+  EXPECT_TRUE((square * Rational(-2)).fits());
+  EXPECT_FALSE((square * Rational(4)).fits());
+  EXPECT_FALSE((square + square + square).fits());
   RationalMatrix rows{{1, 2, 3}, {2, 4, 6}, {1, 0, 1}};
   EXPECT_EQ(*rank_of(rows), 2u);
   const RationalMatrix kernel = left_kernel(rows);

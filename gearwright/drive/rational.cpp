@@ -11,9 +11,25 @@ namespace {
 
 using Wide = Rational::Wide;
 
+constexpr Wide kMost = 2 * ((Wide{1} << (8 * sizeof(Wide) - 2)) - 1) + 1;  ///< greatest number
+
+Wide magnitude(Wide n) { return n < 0 ? -n : n; }
+
+/// a·b; none if it is not in −kMost … kMost, where every number has its negative.
+std::optional<Wide> product(Wide a, Wide b) {
+  if (b != 0 && magnitude(a) > kMost / magnitude(b)) return std::nullopt;
+  return a * b;
+}
+
+/// a + b, as above.
+std::optional<Wide> sum(Wide a, Wide b) {
+  if (b > 0 ? a > kMost - b : a < -kMost - b) return std::nullopt;
+  return a + b;
+}
+
 Wide common_divisor(Wide a, Wide b) {
-  if (a < 0) a = -a;
-  if (b < 0) b = -b;
+  a = magnitude(a);
+  b = magnitude(b);
   while (b != 0) a = std::exchange(b, a % b);
   return a;
 }
@@ -78,12 +94,9 @@ Rational Rational::operator-() const {
 Rational operator+(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
   const Wide d = common_divisor(a.q_, b.q_);
-  Wide left, right, p, q;
-  if (__builtin_mul_overflow(a.p_, b.q_ / d, &left) ||
-      __builtin_mul_overflow(b.p_, a.q_ / d, &right) || __builtin_add_overflow(left, right, &p) ||
-      __builtin_mul_overflow(a.q_ / d, b.q_, &q))
-    return Rational::too_large();
-  return Rational::lowest(p, q);
+  const auto left = product(a.p_, b.q_ / d), right = product(b.p_, a.q_ / d);
+  const auto p = left && right ? sum(*left, *right) : std::nullopt, q = product(a.q_ / d, b.q_);
+  return p && q ? Rational::lowest(*p, *q) : Rational::too_large();
 }
 
 Rational operator*(const Rational& a, const Rational& b) {
@@ -92,11 +105,8 @@ Rational operator*(const Rational& a, const Rational& b) {
   // multiplication. The products are then in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
-  Wide p, q;
-  if (__builtin_mul_overflow(a.p_ / d, b.p_ / e, &p) ||
-      __builtin_mul_overflow(a.q_ / e, b.q_ / d, &q))
-    return Rational::too_large();
-  return Rational::lowest(p, q);
+  const auto p = product(a.p_ / d, b.p_ / e), q = product(a.q_ / e, b.q_ / d);
+  return p && q ? Rational::lowest(*p, *q) : Rational::too_large();
 }
 
 Rational operator/(const Rational& a, const Rational& b) {

@@ -1,7 +1,7 @@
 // Exact fractions of whole numbers. Overflow is a separate state and never gives a wrong number.
 //
-//   p/q in lowest terms, q > 0; q = 0 if a result did not fit into 127 bits
-//                                              theory: docs/theory/13-drives.md, [T13.3]
+//   p/q in lowest terms, q > 0; q = 0 if a result did not fit into 127 bits, or into 63 bits if the compiler has no wider
+//   integers                                   theory: docs/theory/13-drives.md, [T13.3]
 //
 // Like NaN, overflow passes to every fraction that is computed from it, so only the last result
 // must be checked.
@@ -14,7 +14,11 @@ namespace gearwright {
 
 class Rational {
  public:
+#ifdef __SIZEOF_INT128__
   __extension__ using Wide = __int128;
+#else
+  using Wide = long long;
+#endif
 
   Rational() = default;  ///< 0
   Rational(long long whole)

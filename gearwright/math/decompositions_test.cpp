@@ -78,6 +78,11 @@ TEST(Decompositions, least_squares_takes_the_shortest) {
   EXPECT_NEAR(x[1], 1.0, 8 * kEps);
 }
 
+TEST(Decompositions, sums_do_not_depend_on_the_cache_of_the_processor) {
+  // Eigen adds the parts of a long sum that fit into the first cache, and by default asks the processor for its size.
+  EXPECT_EQ(Eigen::l1CacheSize(), 32768);
+}
+
 TEST(DecompositionsDeathTest, shapes_are_contracts) {
   GW_EXPECT_VIOLATION(solve_linear(Eigen::MatrixXd::Zero(2, 3), Eigen::Vector2d::Zero()));
   GW_EXPECT_VIOLATION(least_squares(Eigen::MatrixXd::Zero(3, 2), Eigen::Vector2d::Zero()));
