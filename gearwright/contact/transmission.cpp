@@ -23,6 +23,12 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
+// True if the flanks overlap beside the line of action, as those of internal pairs on crossed axes
+// do [T4.35]. T then has a maximum at an edge on each side of the line.
+bool is_saddle(const ContactPair& pair) {
+  return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
+}
+
 // True if the teeth of a ring reach beyond the point at which the line of action touches the base
 // circle of the pinion. There, the hollow flank of the ring is more curved than that of the pinion,
 // and its tip is another maximum of T.
@@ -101,7 +107,7 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
   }
   if (crests_.size() < fields_.size()) crests_.clear();
   const auto &ones = pair.patches(1), &twos = pair.patches(2);
-  convex_ = is_convex(ones) && is_convex(twos) && !reaches_beyond_action(pair);
+  convex_ = is_convex(ones) && is_convex(twos) && !is_saddle(pair) && !reaches_beyond_action(pair);
   const int n_2 = static_cast<int>(twos.size());
   for (int f = 0; convex_ && f < static_cast<int>(fields_.size()); ++f) {
     auto& across = across_.emplace_back();
