@@ -131,7 +131,7 @@ Json GearValue::spec() const {
   const Json tree = inherit(model->spec).tree;
   const std::string table = which == 1 ? "gear1" : "gear2";
   Json own = tree.contains(table) ? tree[table] : Json::object();
-  const bool followed = model->spec.contains("gear2") && gear().involute() && !gear().cut_by;
+  const bool followed = model->spec.contains("gear2") && gear().straight_cutter();
   if (followed && !own.contains("profile_shift") && !own.contains("basic"))
     own["profile_shift"] = gear().spec.profile_shift;
   return own;

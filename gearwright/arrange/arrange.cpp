@@ -71,13 +71,12 @@ Result<bool> begin_gears(GivenPair& given) {
 }
 
 Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips) {
-  auto gear = make_gear(given.gear(which).cylindrical);
+  auto gear = make_gear_with_default_cutter(given.gear(which).cylindrical);
   if (!gear) {
     const Error error = of_distance(of_given_gear(gear.error(), given, which), given);
     return clear_tips ? of_clearance(error, given, which) : error;
   }
-  auto cut = gear->internal() ? cut_by_default(*gear) : std::nullopt;
-  return cut ? *std::move(cut) : std::move(gear).take();
+  return gear;
 }
 
 }  // namespace

@@ -262,10 +262,6 @@ std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arr
   return rated;
 }
 
-double normal_backlash(const Arranged& arranged) {
-  return arranged.pair->involute()->mesh.backlash.normal;
-}
-
 // The design as the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
@@ -303,7 +299,8 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
   Arranged arranged = std::move(made).take();
   DrawnDesign drawn;
   if (arranged.ends)
-    drawn.backlash = {normal_backlash(arranged.ends->upper), normal_backlash(arranged.ends->lower)};
+    drawn.backlash = {arranged.ends->upper.pair->normal_backlash(),
+                      arranged.ends->lower.pair->normal_backlash()};
   JudgedWith with;
   std::optional<RatedDrawing> rated;
   if (problem.rating) {

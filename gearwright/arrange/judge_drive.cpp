@@ -158,7 +158,7 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
       if (part.mesh == m) state.findings.push_back(part.finding);
     const Pair& pair = *made->geometry.pairs[m];
     state.contact_ratio = pair.contact_ratio_true();
-    if (pair.involute()) state.backlash = pair.involute()->mesh.backlash.normal;
+    state.backlash = pair.normal_backlash();
     return state;
   };
   std::vector<Finding> own;
@@ -204,10 +204,10 @@ std::string running(const Drive& drive) {
   std::optional<std::size_t> tight;  // the mesh with the least backlash
   double least = 0.0;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto backlash = mesh_backlash(drive.geometry, m);
-    if (!backlash || (tight && backlash->normal >= least)) continue;
+    const auto backlash = drive.geometry.normal_backlash(m);
+    if (!backlash || (tight && *backlash >= least)) continue;
     tight = m;
-    least = backlash->normal;
+    least = *backlash;
   }
   if (!tight) return text + " The teeth are not checked, because no module is given.";
   std::vector<const Rating*> ratings;
@@ -215,21 +215,24 @@ std::string running(const Drive& drive) {
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
   if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.4f} mm.", least);
-  const auto& pair = drive.geometry.pairs[*tight];
-  if (!pair) return text + " There is no backlash between the rack and its pinion.";
-  const CylindricalSpec& spec = pair->gear(1).spec;
-  const double recommended = recommended_backlash(pair->center_distance(), spec.normal_module);
-  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean
-  // of their present allowances, and j_n = j_bn/cos α_wn.
+  if (drive.geometry.racks[*tight])
+    return text + " There is no backlash between the rack and its pinion.";
+  const std::string& name = drive.graph.meshes[*tight].name;
+  const ParallelPair* pair = drive.geometry.involutes(*tight);
+  if (!pair) return text + fmt::format(" There is no backlash in the mesh {}.", name);
+  const CylindricalSpec& spec = pair->gears[0].spec;
+  const double recommended = recommended_backlash(pair->center_distance, spec.normal_module);
+  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean of their
+  // present allowances, and j_n = j_bn/cos α_wn.
   const double per_allowance =
-      2 * std::cos(spec.normal_pressure_angle.rad()) / pair->involute()->mesh.rack.angles.cos_alpha;
-  const double mean = (spec.thickness_allowance + pair->gear(2).spec.thickness_allowance) / 2;
+      2 * std::cos(spec.normal_pressure_angle.rad()) / pair->mesh.rack.angles.cos_alpha;
+  const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
   const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
   return text + fmt::format(
                     " There is no backlash. A thickness allowance of {} mm on all gears gives "
                     "{:.3f} mm in the mesh {}; {}.",
-                    format_number(allowance), least + per_allowance * (mean - allowance),
-                    drive.graph.meshes[*tight].name, recommendation(recommended));
+                    format_number(allowance), least + per_allowance * (mean - allowance), name,
+                    recommendation(recommended));
 }
 
 }  // namespace

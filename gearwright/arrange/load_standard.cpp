@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/rating/dynamic.hpp"
 #include "gearwright/rating/root.hpp"
@@ -123,7 +123,7 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   request.progress = nullptr;
   request.slices = std::min(fair_slices(gears[0], gears[1], request.regime), kMostSlices);
   const auto compliance = pair_compliance(gears[0], gears[1], request);
-  if (!compliance) return std::numeric_limits<double>::quiet_NaN();
+  if (!compliance) return kNoNumber;
   return mean_stiffness(bare_pair(task, gears[0], gears[1]), gears[0], gears[1], *compliance,
                         request, torque * wider);
 }

@@ -43,15 +43,10 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
 
 // Returns an error if loaded contact does not support teeth of this kind.
 std::optional<Error> not_made_for(const Gear& gear, int which) {
-  if (gear.involute() && !gear.tooth)
+  if (!gear.tooth)
     return Error{gear_field(which, "cut_by"), "",
                  "is missing; give a pinion cutter, because none of the default cutters generates "
                  "the whole flank of this internal gear",
-                 FailureKind::not_under_load};
-  if (gear.internal() && !gear.involute())
-    return Error{gear_field(which, "teeth"), std::to_string(gear.spec.teeth),
-                 "is an internal gear of circular arcs; teeth under load are computed for involute "
-                 "internal pairs only",
                  FailureKind::not_under_load};
   return std::nullopt;
 }

@@ -55,7 +55,7 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   if (made.groove_diameter) {
     const bool ring = half.internal();
     const double root = half.root_diameter;
-    if (ring ? !(*made.groove_diameter > root) : !(*made.groove_diameter < root)) {
+    if (!(half.side() * *made.groove_diameter < half.side() * root)) {
       return refused(
           "double_helical.groove_diameter", *made.groove_diameter, {root},
           ring ? "must be greater than the root diameter {} mm, because the groove of an "

@@ -67,8 +67,9 @@ std::optional<Cap> Cap::divide(const std::vector<Vec2>& lower, const std::vector
   cap.n_ = lower.size() - 1;
   cap.circle_ = circle;
   cap.pitch_ = columns_of(circle, cap.copies_);
-  auto of_lower = half_pitch_cap(lower, cap.pitch_, teeth < 0);
-  auto of_upper = lower == upper ? of_lower : half_pitch_cap(upper, cap.pitch_, teeth < 0);
+  const bool ring = teeth < 0;
+  auto of_lower = half_pitch_cap(lower, cap.pitch_, ring);
+  auto of_upper = lower == upper ? of_lower : half_pitch_cap(upper, cap.pitch_, ring);
   if (!of_lower || !of_upper) return std::nullopt;
   cap.half_ = {*std::move(of_lower), *std::move(of_upper)};
   return cap;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
@@ -162,7 +163,7 @@ std::vector<double> transmission_error(const ContactPair& pair, int positions) {
   Transmission transmission(pair);
   std::vector<double> te;
   for (const PairTouch& t : one_pitch(transmission, -0.5 * pair.pitch(), positions)) {
-    te.push_back(t.found() ? pair.turned() * t.te() : std::numeric_limits<double>::quiet_NaN());
+    te.push_back(t.found() ? pair.turned() * t.te() : kNoNumber);
   }
   return te;
 }
@@ -175,7 +176,7 @@ double peak_to_peak(const std::vector<double>& te) {
     least = std::min(least, v);
     greatest = std::max(greatest, v);
   }
-  return greatest >= least ? greatest - least : std::numeric_limits<double>::quiet_NaN();
+  return greatest >= least ? greatest - least : kNoNumber;
 }
 
 }  // namespace gearwright

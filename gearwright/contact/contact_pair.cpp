@@ -52,28 +52,26 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
     : place_(mount) {
   const Gear& g1 = *gear_1.gear;
   const Gear& g2 = *gear_2.gear;
-  GW_EXPECTS(!g1.internal() && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
-  internal_ = g2.internal();
+  GW_EXPECTS(g1.side() > 0.0 && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
+  internal_ = g2.side() < 0.0;
   alpha_n_ = g1.spec.normal_pressure_angle.rad();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
   ratio_ = z1 / z2;
   pitch_ = 2 * std::numbers::pi / z1;
-  rotation_sign_ = internal_ ? 1.0 : -1.0;
-  const double mirror = sign_if(internal_);
+  rotation_sign_ = -mirror();
   const auto& e = mount.errors;
   const double pi = std::numbers::pi;
   const bool right_1 = !mount.gear2_drives;
-  const bool right_2 = right_1 != internal_;
+  const bool right_2 = !g2.left_flank_works(mount.gear2_drives);
   for (int i = 0; i < 2; ++i) {
     const Gear& g = i == 0 ? g1 : g2;
-    slope_unit_[i] = mirror / (g.reference_diameter / 2 * g.spec.face_width);
+    slope_unit_[i] = mirror() / (g.reference_diameter / 2 * g.spec.face_width);
   }
-  add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror), mesh_azimuth(), internal_ ? 1.0 : -1.0,
-              right_1);
+  add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror()), mesh_azimuth(), -mirror(), right_1);
   // `apart` turns gear 2 so that, at rotation 0, teeth are in mesh at the middle of face 1.
-  const double apart = mirror * g2.twist() * (middle(2) - middle(1));
-  add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror), pi + pi / z2 + apart, -1.0, right_2);
+  const double apart = mirror() * g2.twist() * (middle(2) - middle(1));
+  add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror()), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();
   // Points of gear 1 that are farther than the angle reach_ from the mesh azimuth lie outside the
   // annulus of the mating gear's teeth.
@@ -104,7 +102,7 @@ ContactPair::ContactPair(const ContactGear& pinion, const RackGeometry& rack,
     : place_(mount), internal_(false), ratio_(1.0), rotation_sign_(-1.0) {
   const Gear& g = *pinion.gear;
   const ContactErrors& e = mount.errors;
-  GW_EXPECTS(g.involute() && !g.internal() && g.exists() && g.tooth);
+  GW_EXPECTS(g.side() > 0.0 && g.exists() && g.tooth);
   GW_EXPECTS(mount.axis_angle == Angle() && !mount.fillets && mount.middle[1] == mount.middle[0] &&
              e.helix_twist[1] == 0.0 && e.cutter_lead[1] == Angle());
   const double r = g.reference_diameter / 2;
@@ -160,11 +158,11 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     const Arc& arc = arcs[i];
     const Profile profile(arc, side, twist[0]);
     if (arc.name == ArcName::root_fillet)
-      root_end_[which] = std::exp(g.internal() ? profile.u_lo() : profile.u_hi());
+      root_end_[which] = std::exp(g.side() < 0.0 ? profile.u_lo() : profile.u_hi());
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
     const End tip = i + 1 == arcs.size() ? End::tip : End::seam;
-    const bool root_first = profile.grows() != g.internal();
+    const bool root_first = profile.grows() == (g.side() > 0.0);
     p.s_lo_end = root_first ? root : tip;
     p.s_hi_end = root_first ? tip : root;
     p.s_lo = profile.s_lo();
@@ -208,22 +206,19 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
 
 void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
-  const double mirror = sign_if(internal_);
   const double turned = sign_if(place_.gear2_drives);
-  tilt_ = detail::crossing_turn(mirror * e.crossing.rad()) *
+  tilt_ = detail::crossing_turn(mirror() * e.crossing.rad()) *
           detail::intersecting_turn(turned * e.intersecting.rad());
   // [T8.26]
   lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
-  const Mat3 shaft = detail::shaft_turn(mirror * place_.axis_angle.rad());
+  const Mat3 shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
   relative_.rotation = shaft * tilt_;
   relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
                     Vec3(0, 0, middle(2));
 }
 
 Vec3 ContactPair::direction_in_housing(const Vec3& v) const {
-  if (place_.gear2_drives && internal_) return {v.x(), v.y(), -v.z()};
-  if (place_.gear2_drives) return {v.x(), -v.y(), -v.z()};
-  return internal_ ? Vec3(v.x(), -v.y(), v.z()) : v;
+  return {v.x(), turned() * mirror() * v.y(), turned() * v.z()};
 }
 
 Vec3 ContactPair::in_housing(const Complex& w1, double z) const {

@@ -85,7 +85,6 @@ class ContactPair {
   double rotation_sign() const { return rotation_sign_; }  ///< gear 1 in N; −1 is clockwise
   double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
-  bool internal() const { return internal_; }
   bool is_rack() const { return rack_radius_ > 0.0; }
   /// The reference radius of the pinion of a rack, mm; 0 for two gears.
   double rack_radius() const { return rack_radius_; }
@@ -104,7 +103,8 @@ class ContactPair {
   Vec3 direction_in_housing(const Vec3& v) const;
   /// Rotates directions from the frame of gear 1, before mounting, to N.
   const Mat3& tilt() const { return tilt_; }
-  double mirror() const { return internal_ ? -1.0 : 1.0; }            ///< sign of y in N
+  /// The sign of y in N, which is the side σ of gear 2.
+  double mirror() const { return internal_ ? -1.0 : 1.0; }
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N
   /// z of the middle of a face, mm, in N.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }

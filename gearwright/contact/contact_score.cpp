@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // Angles (peak to peak) and mean positions (h, p) below these limits are rounding errors.
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
@@ -45,7 +43,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
   for (const PairTouch& t : touches) {
     if (!t.found()) {
       c.score.lost = true;
-      c.te.push_back(kNan);
+      c.te.push_back(kNoNumber);
       continue;
     }
     c.te.push_back(t.te());
@@ -69,7 +67,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
 void take_worst(ContactScore& worst, const ContactScore& s) {
   // NaN is set explicitly, because std::max of NaN and a number depends on their order.
   if (s.nothing_touches() || worst.nothing_touches()) {
-    worst.peak_to_peak = Angle::radians(kNan);
+    worst.peak_to_peak = Angle::radians(kNoNumber);
   } else {
     worst.peak_to_peak = std::max(worst.peak_to_peak, s.peak_to_peak);
   }

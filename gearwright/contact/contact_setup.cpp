@@ -110,9 +110,7 @@ Result<ContactSetup> ContactSetup::changed(const SetupChange& change) const {
     setup.place_.errors.cutter_lead[i] += change.cutter_lead[i];
     const ModificationAmounts& by = change.flank[i];
     if (by == ModificationAmounts{}) continue;
-    // True if the working flanks are the left ones. If gear 1 drives, the right flanks of external
-    // gears touch.
-    const bool left = change.left != (i == 1 && gears_[1]->internal());
+    const bool left = gears_[i]->left_flank_works(change.left);
     for (int side = 0; side < 2; ++side) {
       FlankModifications& m = setup.modifications_[i][side];
       for (const ModificationMember& one : kModifications)

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/contact/contact.hpp"
 
 namespace gearwright {
@@ -207,8 +208,7 @@ class Branches {
  private:
   // T of the first touch minus T of the second; NaN if one of them has no contact.
   static double ahead_in(const std::array<PairTouch, 2>& both) {
-    return both[0].found() && both[1].found() ? both[0].te() - both[1].te()
-                                              : std::numeric_limits<double>::quiet_NaN();
+    return both[0].found() && both[1].found() ? both[0].te() - both[1].te() : kNoNumber;
   }
   // Slope of T, rad per step.
   double slope(const PairTouch& touch) const {

@@ -7,14 +7,13 @@
 #include <numbers>
 #include <utility>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/math/lowest.hpp"
 
 namespace gearwright {
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 in_mirror(const Vec3& v) { return {v.x(), v.y(), -v.z()}; }
 
@@ -70,11 +69,11 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
     const ContactPoint& q = b.positions[i];
     ContactPoint both;
     both.rotation1 = p.rotation1;
-    both.point = both.normal = Vec3::Constant(kNone);
-    both.diameter = both.height = {kNone, kNone};
+    both.point = both.normal = Vec3::Constant(kNoNumber);
+    both.diameter = both.height = {kNoNumber, kNoNumber};
     if (p.kind == TouchKind::none || q.kind == TouchKind::none) {
       whole.contact_lost = true;
-      found.float_axial.push_back(kNone);
+      found.float_axial.push_back(kNoNumber);
     } else {
       both.te = (p.te + q.te) / 2;
       both.rotation2 = (p.rotation2 + q.rotation2) / 2;
@@ -126,7 +125,7 @@ class MeanError {
     };
     const double below = std::floor(x), above = std::ceil(x);
     const PairTouch &a = touch(below), &b = touch(above);
-    if (below == above) return a.found() ? pair.turned() * a.te() : kNone;
+    if (below == above) return a.found() ? pair.turned() * a.te() : kNoNumber;
     const bool one_branch = a.found() && b.found() && a.fields == b.fields &&
                             std::abs(b.phi - a.phi - pair.to_world(step_)) < 0.5 * step_;
     PairTouch leads;
@@ -139,7 +138,7 @@ class MeanError {
       if (t.found() && !(leads.found() && leads.te() > t.te())) leads = t;
     }
     if (!leads.found()) leads = half.transmission.at(pair.to_world(half.first + x * step_));
-    return leads.found() ? pair.turned() * leads.te() : kNone;
+    return leads.found() ? pair.turned() * leads.te() : kNoNumber;
   }
 
   long n_;
@@ -227,7 +226,7 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
         .positions = positions,
         .rotations = rotations_of_second(*mesh.gear_1, mesh.stagger, {}, positions, 1)};
     for (const ContactPoint& p : analyse_contact(*mesh.half[1], at).positions)
-      second.push_back(p.kind == TouchKind::none ? kNone : p.te.rad());
+      second.push_back(p.kind == TouchKind::none ? kNoNumber : p.te.rad());
   }
   for (std::size_t i = 0; i < te.size(); ++i) te[i] = (te[i] + second[i]) / 2;
   return te;

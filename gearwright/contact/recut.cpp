@@ -97,7 +97,7 @@ Arc recut(const Arc& arc, const Gear& gear, double delta_lambda) {
 
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda) {
   const CylindricalSpec& spec = gear.spec;
-  if (gear.cut_by || gear.internal() || spec.root_fillet || spec.tip_fillet) return std::nullopt;
+  if (gear.cut_by || spec.root_fillet || spec.tip_fillet) return std::nullopt;
   if (delta_lambda == 0.0) return gear.tooth->outline;
   const double m = spec.normal_module;
   const double shift = gear.involute() ? gear.reference().generating_profile_shift * m : 0.0;

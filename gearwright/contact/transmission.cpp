@@ -23,13 +23,19 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
+// True if the flanks overlap beside the line of action, as those of internal pairs on crossed axes
+// do [T4.35]. T then has a maximum at an edge on each side of the line.
+bool is_saddle(const ContactPair& pair) {
+  return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
+}
+
 // True if the teeth of a ring reach beyond the point at which the line of action touches the base
 // circle of the pinion. There, the hollow flank of the ring is more curved than the flank of the
 // pinion, and its tip is another maximum of T.
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
-  if (!pair.internal() || !one || !two) return false;
+  if (pair.mirror() > 0.0 || !one || !two) return false;
   double tip = kInfinity;
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -59,17 +65,17 @@ double reach_of(const ContactPair& pair, const FlankPatch& one, const FlankPatch
   const double hi = std::exp(one.u_hi);
   double least = 1.0;
   const auto take = [&](double rho1) {
-    const double rho2 = std::exp(pair.internal() ? two.u_lo : two.u_hi);
+    const double rho2 = std::exp(pair.mirror() < 0.0 ? two.u_lo : two.u_hi);
     const double cosine = pair.is_rack() ? (a - pair.diameter(2, two.u_hi)) / rho1
                                          : (a * a + rho1 * rho1 - rho2 * rho2) / (2 * a * rho1);
-    least = std::min(least, pair.internal() ? -cosine : cosine);
+    least = std::min(least, pair.mirror() * cosine);
   };
   if (!(a > 0.0)) return pair.reach();
   take(lo);
   take(hi);
   const double rho2 = std::exp(two.u_hi);
   const double flattest = !pair.is_rack() && a > rho2 ? std::sqrt(a * a - rho2 * rho2) : 0.0;
-  if (!pair.internal() && flattest > lo && flattest < hi) take(flattest);
+  if (pair.mirror() > 0.0 && flattest > lo && flattest < hi) take(flattest);
   return std::acos(std::max(-1.0, least));
 }
 
@@ -101,7 +107,7 @@ Transmission::Transmission(const ContactPair& pair, Progress* progress)
   }
   if (crests_.size() < fields_.size()) crests_.clear();
   const auto &ones = pair.patches(1), &twos = pair.patches(2);
-  convex_ = is_convex(ones) && is_convex(twos) && !reaches_beyond_action(pair);
+  convex_ = is_convex(ones) && is_convex(twos) && !is_saddle(pair) && !reaches_beyond_action(pair);
   const int n_2 = static_cast<int>(twos.size());
   for (int f = 0; convex_ && f < static_cast<int>(fields_.size()); ++f) {
     auto& across = across_.emplace_back();

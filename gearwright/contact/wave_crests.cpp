@@ -142,7 +142,7 @@ bool WaveCrests::make(const ContactPair& pair) {
   // base circles. The point of flank 1 at the pitch point has the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
-  const double sign = pair.internal() ? -1.0 : 1.0;
+  const double sign = pair.mirror();
   const double across_bases = a * a - std::pow(r_b2 + sign * r_b1, 2);
   if (!(across_bases > 0.0)) return false;
   const double action = std::sqrt(across_bases);

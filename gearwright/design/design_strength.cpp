@@ -118,11 +118,9 @@ Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row) 
     spec.face_width = row.face_width;
     if (row.tip_alteration != 0.0) spec.tip_diameter = tip_diameter(graph, row, i);
     spec.rack = rack_of(problem, t, i);
-    auto gear = make_gear(spec);
+    auto gear = make_gear_with_default_cutter(spec);
     if (!gear) return gear.error();
     gears[i] = std::move(gear).take();
-    if (!gears[i]->internal()) continue;
-    if (auto cut = cut_by_default(*gears[i])) gears[i] = std::move(cut);
   }
   const auto pair = mount(*std::move(gears[0]), *std::move(gears[1]),
                           PairSpec{.center_distance = row.center_distance});

@@ -28,9 +28,8 @@ GearShifts undercut_limits(const DriveGraph& graph) {
     spec.teeth = gear.teeth;
     spec.profile_shift = 0.0;
     const auto made = make_gear(spec);
-    if (!made || !made->involute() || !made->involute()->undercut_free_profile_shift) continue;
-    limits.back() =
-        *made->involute()->undercut_free_profile_shift - made->reference().generating_profile_shift;
+    const auto least = made ? made->undercut_free_shift() : std::nullopt;
+    if (least) limits.back() = *least - made->reference().generating_profile_shift;
   }
   return limits;
 }

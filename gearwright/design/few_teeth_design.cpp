@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <variant>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/generation/pinion_envelope.hpp"
@@ -228,8 +228,7 @@ class FewTeethSearch {
     if (p_.helix) return p_.helix->rad();
     const auto miss = [&](double beta) {
       const auto e = distance_at(beta, x1, x2);
-      return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance
-               : std::numeric_limits<double>::quiet_NaN();
+      return e ? *e + side_ * play_of(beta, x1, x2) - *p_.center_distance : kNoNumber;
     };
     // `miss` is the difference from the given centre distance. The search proceeds in steps of one
     // degree, because `miss` is NaN where the shifts have no backlash-free centre distance.

@@ -12,7 +12,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/angle.hpp"
@@ -129,25 +128,25 @@ class Designs {
 std::vector<double> roots(const std::function<std::optional<double>(double)>& f, double lo,
                           double hi) {
   std::vector<double> found;
-  const auto value = [&](double x) {
-    return f(x).value_or(std::numeric_limits<double>::quiet_NaN());
-  };
+  const auto value = [&](double x) { return f(x).value_or(kNoNumber); };
   const auto bracket = [&](double a, double b) {
     const Root root = find_root(value, a, b);
     if (root.found()) found.push_back(root.x);
   };
-  std::vector<double> x(kCells + 1), y(kCells + 1);
+  std::vector<double> x(kCells + 1);
+  std::vector<std::optional<double>> y(kCells + 1);
   for (int i = 0; i <= kCells; ++i) {
     x[i] = lo + (hi - lo) * i / kCells;
-    y[i] = value(x[i]);
+    y[i] = f(x[i]);
   }
   for (int i = 0; i < kCells; ++i) {
-    if (std::isnan(y[i]) || std::isnan(y[i + 1])) continue;
-    if (y[i] == 0.0 || (y[i] < 0.0) != (y[i + 1] < 0.0)) {
+    if (!y[i] || !y[i + 1]) continue;
+    const double here = *y[i], next = *y[i + 1];
+    if (here == 0.0 || (here < 0.0) != (next < 0.0)) {
       bracket(x[i], x[i + 1]);
-    } else if (i > 0 && !std::isnan(y[i - 1]) && std::abs(y[i]) <= std::abs(y[i - 1]) &&
-               std::abs(y[i]) <= std::abs(y[i + 1]) && (y[i] < 0.0) == (y[i - 1] < 0.0)) {
-      const double sign = y[i] < 0.0 ? -1.0 : 1.0;
+    } else if (i > 0 && y[i - 1] && std::abs(here) <= std::abs(*y[i - 1]) &&
+               std::abs(here) <= std::abs(next) && (here < 0.0) == (*y[i - 1] < 0.0)) {
+      const double sign = here < 0.0 ? -1.0 : 1.0;
       const auto [at, least] = boost::math::tools::brent_find_minima(
           [&](double s) { return sign * value(s); }, x[i - 1], x[i + 1], 40);
       if (least <= 0.0) {

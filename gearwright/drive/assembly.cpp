@@ -87,7 +87,7 @@ std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& grou
       for (const int sign : {-1, 1}) {
         DriveGraph other = graph;
         int& teeth = other.gears[g].teeth;
-        teeth += teeth < 0 ? -sign * change : sign * change;
+        teeth += graph.gears[g].is_ring() ? -sign * change : sign * change;
         if (std::abs(teeth) < 5 || check_graph(other)) continue;
         if (assembly_places(other, group) % group.count == 0)
           found.push_back(std::to_string(std::abs(teeth)));

@@ -45,13 +45,10 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
           "does not apply to drives with double-helical gears; extract the mesh as a pair with "
           "drive --take, and use the verb load, which computes both halves",
           mesh.name);
-    const auto& pair = drive.geometry.pairs[m];
-    if (!pair || !pair->involute() || !pair->parallel())
+    if (!drive.geometry.involutes(m))
       return not_loaded(
           "needs involute teeth in every mesh; give a normal module and profile shifts that fit",
           mesh.name);
-    if (pair->gear(1).internal())
-      return not_loaded("needs the external gear of an internal mesh as its first gear", mesh.name);
   }
   return std::nullopt;
 }

@@ -36,11 +36,9 @@ std::vector<std::optional<MeshEfficiency>> mesh_efficiencies(const DriveGraph& g
       list.back() = MeshEfficiency{*given, *given};
       continue;
     }
-    const auto& pair = geometry.pairs[m];
+    const ParallelPair* pair = geometry.involutes(m);
     const auto& rack = geometry.racks[m];
-    const auto eta = rack                       ? rack->efficiency
-                     : pair && pair->involute() ? pair->involute()->efficiency
-                                                : std::nullopt;
+    const auto eta = rack ? rack->efficiency : pair ? pair->efficiency : std::nullopt;
     if (eta && eta->gear1_drives && eta->gear2_drives)
       list.back() = MeshEfficiency{*eta->gear1_drives, *eta->gear2_drives};
   }
@@ -96,25 +94,24 @@ std::optional<CentralMesh> first_central(const DriveGraph& graph, const PlanetGr
     const bool b_rides = graph.body(b).carrier == group.carrier;
     if (a_rides == b_rides) continue;
     const DriveGear& central = a_rides ? b : a;
-    if ((central.teeth < 0) == ring) return CentralMesh{m, &central, a_rides ? &a : &b};
+    if (central.is_ring() == ring) return CentralMesh{m, &central, a_rides ? &a : &b};
   }
   return std::nullopt;
 }
 
 std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
                                     const CentralMesh& ring) {
-  const auto& one = drive.geometry.pairs[sun.mesh];
-  const auto& two = drive.geometry.pairs[ring.mesh];
-  if (sun.rider != ring.rider || !one || !two || !one->involute() || !two->involute())
-    return std::nullopt;
+  const ParallelPair* one = drive.geometry.involutes(sun.mesh);
+  const ParallelPair* two = drive.geometry.involutes(ring.mesh);
+  if (sun.rider != ring.rider || !one || !two) return std::nullopt;
   const DriveMesh& mesh = drive.graph.meshes[sun.mesh];
   const int which = &drive.graph.gear(mesh, 0) == sun.rider ? 1 : 2;
   // If the power flow is unknown, the sun is assumed to drive unless it is the output.
   bool sun_drives = drive.graph.output != sun.central->body;
   if (drive.flow && !drive.flow->self_locking() && drive.flow->driver[sun.mesh] >= 0)
     sun_drives = drive.flow->driver[sun.mesh] == 2 - which;
-  return sun_ring_phase(sun.rider->teeth, thickness_share(*one->involute(), which),
-                        thickness_share(*two->involute(), 1), sun_drives);
+  return sun_ring_phase(sun.rider->teeth, thickness_share(*one, which), thickness_share(*two, 1),
+                        sun_drives);
 }
 
 Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmonics) {
@@ -147,11 +144,10 @@ std::optional<double> play_at(const Drive& drive, std::size_t body) {
   for (std::size_t m = 0; m < loads.size(); ++m) {
     if (!loads[m].fits()) return std::nullopt;
     if (loads[m].zero()) continue;
-    const auto backlash = mesh_backlash(drive.geometry, m);
+    const auto backlash = transverse_base_backlash(drive.geometry, m);
     if (!backlash) return std::nullopt;
     const Gear& gear = *drive.geometry.gears[drive.graph.meshes[m].gears[0]];
-    sum += std::abs(loads[m].value()) * kTurn * backlash->transverse_base /
-           gear.reference().base_pitch_transverse;
+    sum += std::abs(loads[m].value()) * kTurn * *backlash / gear.reference().base_pitch_transverse;
   }
   return sum;
 }

@@ -135,7 +135,7 @@ class DriveCurves {
     const DriveMesh& mesh = drive_.graph.meshes[m];
     const auto& rack = drive_.geometry.racks[m];
     const double ratio = rack ? rack->true_contact_ratio() + rack->overlap_ratio
-                              : drive_.geometry.pairs[m]->involute()->contact_ratio_true();
+                              : drive_.geometry.pairs[m]->contact_ratio_true();
     return ratio >= 1.0 && errors == ContactErrors() &&
            !any_modification(drive_.graph.gear(mesh, 0).modifications) &&
            !any_modification(drive_.graph.gear(mesh, 1).modifications);

@@ -20,9 +20,9 @@ std::optional<PitchCylinder> pitch_cylinder(const Drive& drive, std::size_t mesh
     return PitchCylinder{r, std::tan(rack->pinion.reference().transverse_pressure_angle),
                          std::tan(rack->pinion.spec.helix_angle.rad())};
   }
-  const auto& pair = drive.geometry.pairs[mesh];
-  if (!pair || !pair->involute() || pair->involute()->crossed()) return std::nullopt;
-  const auto& side = pair->involute()->mesh.rack.sides[0];
+  const ParallelPair* pair = drive.geometry.involutes(mesh);
+  if (!pair) return std::nullopt;
+  const auto& side = pair->mesh.rack.sides[0];
   return PitchCylinder{side.pitch_radius, side.tan_transverse, side.tan_helix};
 }
 
@@ -62,8 +62,8 @@ std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body) {
       const auto axis = [&](std::size_t b) {
         return places->axis_of(drive, b, graph.bodies[b].count > 1 ? copy : 0);
       };
-      const double side = graph.gear(m, 1).teeth < 0 ? -1.0 : 1.0;  // a ring is around its mate
-      const Vec2 u = side * (axis(two) - axis(one)).normalized();
+      // A ring is around its mate.
+      const Vec2 u = graph.gear(m, 1).side() * (axis(two) - axis(one)).normalized();
       const Vec2 on_first = forces->tangential * Vec2(-u.y(), u.x()) - forces->separating * u;
       const double sign = one == body ? 1.0 : -1.0;
       force += sign * on_first;

@@ -10,7 +10,7 @@
 #include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/math/involute.hpp"
-#include "gearwright/pair/clearing_tip.hpp"
+#include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
@@ -114,14 +114,13 @@ std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
   if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   if (gear.double_helical) spec.face_width = (spec.face_width - gear.double_helical->gap) / 2;
-  auto made = make_gear(spec);
+  auto made = make_gear_with_default_cutter(spec);
   if (!made) {
     faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
                                                         gear.name, made.error().quoted())});
     return std::nullopt;
   }
-  auto cut = made->internal() ? cut_by_default(*made) : std::nullopt;
-  Gear finished = cut ? std::move(*cut) : std::move(made).take();
+  Gear finished = std::move(made).take();
   finished.bore = gear.bore;
   if (gear.double_helical) finished.gap = gear.double_helical->gap;
   return finished;
@@ -191,12 +190,11 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     for (const std::size_t side : {0, 1}) {
       const std::size_t g = graph.meshes[m].gears[side];
-      const auto& pair = made.pairs[m];
-      if (!pair || !pair->involute() || graph.gears[g].teeth < 0 || !free_tip(graph, g, made))
-        continue;
+      const ParallelPair* pair = made.involutes(m);
+      if (!pair || graph.gears[g].is_ring() || !free_tip(graph, g, made)) continue;
       const double module = graph.gears[g].spec->normal_module;
-      const double lower = pair->involute()->tip_shortening;
-      if (pair->mounted().tip_clearance[side] < kLeast * module && lower < 0.0)
+      const double lower = pair->tip_shortening;
+      if (pair->tip_clearance[side] < kLeast * module && lower < 0.0)
         turn_tip(graph, g, made.gears[g]->tip_diameter + 2 * lower, made);
     }
   }
@@ -209,12 +207,12 @@ void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const DriveGear& gear = graph.gears[g];
-    if (gear.teeth >= 0 || !free_tip(graph, g, made)) continue;
+    if (!gear.is_ring() || !free_tip(graph, g, made)) continue;
     std::optional<double> tip;
     for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
-      const auto& pair = made.pairs[m];
-      if (graph.meshes[m].gears[1] != g || !pair || !pair->involute()) continue;
-      const auto least = tip_that_clears(*pair->involute(), 2, kClear * gear.spec->normal_module);
+      const ParallelPair* pair = made.involutes(m);
+      if (graph.meshes[m].gears[1] != g || !pair) continue;
+      const auto least = tip_that_clears(*pair, 2, kClear * gear.spec->normal_module);
       if (least && (!tip || *least > *tip)) tip = least;
     }
     if (tip && *tip < made.gears[g]->root_diameter) turn_tip(graph, g, *tip, made);
@@ -358,14 +356,19 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
-std::optional<MeshBacklash> mesh_backlash(const DriveGeometry& geometry, std::size_t mesh) {
-  const auto& rack = geometry.racks[mesh];
-  const auto& pair = geometry.pairs[mesh];
-  if (!rack && !(pair && pair->involute())) return std::nullopt;
-  const Gear& first = rack ? rack->pinion : pair->gear(1);
-  const double base = rack ? rack->base_backlash() : pair->involute()->mesh.backlash.normal_base;
-  return MeshBacklash{rack ? rack->normal_backlash() : pair->normal_backlash(),
-                      base / std::cos(first.reference().base_helix_angle)};
+std::optional<double> DriveGeometry::normal_backlash(std::size_t mesh) const {
+  if (racks[mesh]) return racks[mesh]->normal_backlash();
+  return pairs[mesh] ? std::optional(pairs[mesh]->normal_backlash()) : std::nullopt;
+}
+
+std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh) {
+  const auto along = [](double normal_base, const Gear& first) {
+    return normal_base / std::cos(first.reference().base_helix_angle);
+  };
+  if (const auto& rack = geometry.racks[mesh]) return along(rack->base_backlash(), rack->pinion);
+  const ParallelPair* pair = geometry.involutes(mesh);
+  if (!pair) return std::nullopt;
+  return along(pair->mesh.backlash.normal_base, pair->gears[0]);
 }
 
 namespace {

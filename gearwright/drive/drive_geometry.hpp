@@ -33,6 +33,14 @@ struct DriveGeometry {
   std::vector<std::optional<Pair>> pairs;      ///< one for each mesh of two gears
   std::vector<std::optional<RackPair>> racks;  ///< one for each mesh with a rack
   std::vector<GeometryFault> faults;
+
+  /// The pair of a mesh of two involute gears; null for circular arcs, for a rack, and if the teeth
+  /// cannot be mounted. All axes of a drive are parallel.
+  const ParallelPair* involutes(std::size_t mesh) const {
+    return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
+  }
+  /// j_n of a mesh of any two gears, or of a pinion and its rack, mm; none without teeth.
+  std::optional<double> normal_backlash(std::size_t mesh) const;
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
@@ -76,15 +84,11 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
                                      const DriveGeometry& geometry, const Assembly& assembly,
                                      std::optional<GeometryFault>& fault);
 
-struct MeshBacklash {
-  double normal;           ///< j_n   mm
-  double transverse_base;  ///< j_bt  mm, along the transverse line of action
-};
-
-/// The backlash of a mesh of two gears, or of a pinion and its rack; none without involute teeth.
+/// j_bt, the backlash of a mesh along the transverse line of action, mm; none without involute
+/// teeth.
 ///
 /// Formula   [T2.24], [T2.37]; j_bt = j_n cos α_wn/cos β_b
-std::optional<MeshBacklash> mesh_backlash(const DriveGeometry& geometry, std::size_t mesh);
+std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh);
 
 /// Ratio of tooth thickness to pitch on the working pitch circle of gear 1 or 2 of a pair.
 ///

@@ -41,7 +41,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
     return wrong(fmt::format("both gears are on body {}, but a mesh needs gears on two bodies",
                              graph.body(a).name));
   if (a.rack) return wrong("names the rack first; the pinion must come first");
-  if (a.teeth < 0 && b.factor() < 0)
+  if (a.is_ring() && b.factor() < 0)
     return wrong(
         "neither gear is external, but a ring or a rack can mesh only with an external gear");
   if (a.teeth + b.teeth == 0 && !b.rack)
@@ -49,7 +49,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
         fmt::format("ring and gear have the same number of teeth, {}, and cannot turn relative to "
                     "each other; give the ring more teeth",
                     std::abs(a.teeth)));
-  if (const int sum = a.teeth + b.teeth; !b.rack && (a.teeth < 0 || b.teeth < 0) && sum > 0)
+  if (const int sum = a.teeth + b.teeth; !b.rack && (a.is_ring() || b.is_ring()) && sum > 0)
     return wrong(fmt::format(
         "the ring has fewer teeth than the gear inside it ({} and {}); give the ring more teeth",
         -std::min(a.teeth, b.teeth), std::max(a.teeth, b.teeth)));

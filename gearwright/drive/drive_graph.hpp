@@ -53,6 +53,8 @@ struct DriveGear {
   std::optional<Bore> bore{};                         ///< bore of the gear body, or rim of a ring
   std::optional<DoubleHelical> double_helical{};      ///< if set, b in `spec` includes the gap
 
+  bool is_ring() const { return teeth < 0; }
+  double side() const { return side_of(teeth); }  ///< σ  +1 external, −1 ring
   /// The coefficient of the gear in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
 };

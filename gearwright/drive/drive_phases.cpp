@@ -59,8 +59,7 @@ namespace {
 // The thickness of the tooth of one gear of a mesh, as a share of the pitch.
 double share_of(const Drive& drive, std::size_t m, int side) {
   const auto& rack = drive.geometry.racks[m];
-  return rack ? thickness_share(*rack)
-              : thickness_share(*drive.geometry.pairs[m]->involute(), side + 1);
+  return rack ? thickness_share(*rack) : thickness_share(*drive.geometry.involutes(m), side + 1);
 }
 
 // The time at which the loaded flank of a gear passes the pitch point of a mesh, in periods.
@@ -161,8 +160,7 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
   std::vector<MeshPhase> phases(graph.meshes.size());
   for (std::size_t m = 0; m < phases.size(); ++m) {
     MeshPhase& phase = phases[m];
-    const auto& pair = drive.geometry.pairs[m];
-    const bool teeth = drive.geometry.racks[m] || (pair && pair->involute());
+    const bool teeth = drive.geometry.racks[m] || drive.geometry.involutes(m);
     if (!teeth && to_output[m].zero()) continue;
     if (!teeth || !to_output[m].fits() || !to_input[m].fits()) return std::nullopt;
     const Gear& first = *drive.geometry.gears[graph.meshes[m].gears[0]];

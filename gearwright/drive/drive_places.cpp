@@ -60,9 +60,9 @@ class Placing {
         made_.radii.push_back(made_.true_scale && pair ? pair->rack.addendum : 1.0);
         continue;
       }
-      made_.radii.push_back(!made_.true_scale ? std::abs(teeth) / 2.0 + 1.0
-                            : teeth < 0       ? geometry.gears[g]->root_diameter / 2
-                                              : geometry.gears[g]->tip_diameter / 2);
+      made_.radii.push_back(!made_.true_scale           ? std::abs(teeth) / 2.0 + 1.0
+                            : graph_.gears[g].is_ring() ? geometry.gears[g]->root_diameter / 2
+                                                        : geometry.gears[g]->tip_diameter / 2);
     }
   }
 
@@ -201,7 +201,7 @@ class Placing {
       for (int k = 0; k < graph_.bodies[b.body].count; ++k) {
         const double apart =
             (made_.axis_of(drive_, a.body, i) - made_.axis_of(drive_, b.body, k)).norm();
-        const bool ring_a = a.teeth < 0, ring_b = b.teeth < 0;
+        const bool ring_a = a.is_ring(), ring_b = b.is_ring();
         const bool cut = ring_a && ring_b ? apart < r_a + r_b
                          : ring_a         ? apart + r_b > r_a && apart - r_b < r_a
                          : ring_b         ? apart + r_a > r_b && apart - r_a < r_b

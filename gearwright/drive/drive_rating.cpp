@@ -91,7 +91,7 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
   std::vector<std::optional<MeshRating>> ratings(drive.graph.meshes.size());
   for (std::size_t m = 0; m < ratings.size(); ++m) {
     const auto& pair = drive.geometry.pairs[m];
-    if (!carries(drive, m) || !pair || !pair->involute()) continue;
+    if (!carries(drive, m) || !drive.geometry.involutes(m)) continue;
     const auto of_mesh = [&](Error error) {
       error.rule = fmt::format("{} (mesh {})", error.rule, drive.graph.meshes[m].name);
       return error;

@@ -38,7 +38,7 @@ std::vector<std::optional<MeshContact>> mesh_contacts(const Drive& drive,
   if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return all;
   const auto phases = detail::phases_of(drive);
   for (std::size_t m = 0; phases && m < all.size(); ++m) {
-    if (!mesh_backlash(drive.geometry, m)) continue;
+    if (!transverse_base_backlash(drive.geometry, m)) continue;
     const bool gear2_drives = !(*phases)[m].first_drives;
     auto driving = contact_of(drive, m, errors(m), (*phases)[m], gear2_drives);
     auto other = contact_of(drive, m, errors(m), (*phases)[m], !gear2_drives);

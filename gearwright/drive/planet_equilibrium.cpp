@@ -108,8 +108,7 @@ Vec2 PlanetEquilibrium::push(std::size_t m, std::size_t planet, const MeshPhase&
   const auto outward = direction(drive_, m, mesh.gears[0]);
   GW_EXPECTS(outward.has_value());
   const double r_1 = pair.gear(1).base_radius(), r_2 = pair.gear(2).base_radius();
-  const double cos_w =
-      (pair.gear(2).internal() ? r_2 - r_1 : r_2 + r_1) / *drive_.geometry.distance[m];
+  const double cos_w = (r_2 + pair.gear(2).side() * r_1) / *drive_.geometry.distance[m];
   const double turns = turning(drive_, drive_.graph.gear(mesh, 0).body, m) < 0.0 ? -1.0 : 1.0;
   const double along = phase.first_drives ? turns * cos_w : -turns * cos_w;
   const Vec2 u = unit_at(*outward + set_.assembly.turns[planet].value());

@@ -106,16 +106,15 @@ std::optional<double> windup_variation(const Drive& drive) {
   for (std::size_t m = 0; m < phases->size(); ++m) {
     const MeshPhase& phase = (*phases)[m];
     if (phase.idle()) continue;
-    const auto& pair = drive.geometry.pairs[m];
-    const InvolutePair* involute = pair ? pair->involute() : nullptr;
-    if (!involute || !(involute->mesh.true_ratio > 0.0)) return std::nullopt;
-    const Mesh<double>& teeth = involute->mesh;
+    const ParallelPair* pair = drive.geometry.involutes(m);
+    if (!pair || !(pair->mesh.true_ratio > 0.0)) return std::nullopt;
+    const Mesh<double>& teeth = pair->mesh;
     WindupMesh& mesh = meshes.emplace_back();
     mesh.approach = (teeth.rho1_C - teeth.rho1_true_begin) / teeth.step;
     mesh.recess = (teeth.rho1_true_end - teeth.rho1_C) / teeth.step;
     mesh.overlap = teeth.overlap_ratio;
     place_in_time(mesh, phase);
-    const double face = std::min(involute->input.face_width[0], involute->input.face_width[1]);
+    const double face = std::min(pair->input.face_width[0], pair->input.face_width[1]);
     mesh.weight = phase.weight * phase.weight / (static_cast<double>(mesh.delays.size()) * face);
   }
   return windup_variation(meshes);
@@ -157,7 +156,7 @@ std::optional<double> windup_variation(const Drive& set, const StandardTeeth& te
     // drive_phases.cpp. The teeth are half a pitch thick. The sun and the ring are on opposite
     // sides of the planet.
     const double sense = detail::turning(set, planet.body, m) < 0.0 ? -1.0 : 1.0;
-    const double theta = (a_rides ? b : a).teeth < 0 ? 0.0 : 0.5;
+    const double theta = (a_rides ? b : a).is_ring() ? 0.0 : 0.5;
     const double passing =
         sense * planet.teeth * theta + (phase.first_drives == a_rides ? -0.25 : 0.25);
     phase.time = passing - first_passing.emplace(planet.teeth, passing).first->second;

@@ -62,8 +62,9 @@ struct PathPiece {
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
 /// An empty developed flank with the face from left to right, the root at the bottom and the tip at
-/// the top. It shows the limits of the usable part and a little of the tooth beyond them.
-Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, bool internal,
+/// the top. It shows the limits of the usable part and a little of the tooth beyond them. `side` is
+/// the side σ of the gear.
+Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which);
 
 /// The layers drawn on a flank; null ones are omitted.

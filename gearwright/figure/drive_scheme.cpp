@@ -111,7 +111,7 @@ class Scheme {
       std::string name = escaped(gear.name) + fmt::format(" {}", std::abs(gear.teeth));
       if (rides(gear.body) && graph_.bodies[gear.body].count > 1)
         name = fmt::format("{} × {}", graph_.bodies[gear.body].count, name);
-      if (gear.teeth < 0) {
+      if (gear.is_ring()) {
         const double r = radii_[g] + kApart;
         bar(y + r);
         if (graph_.is_fixed(gear.body)) {

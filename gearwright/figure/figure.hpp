@@ -10,17 +10,19 @@
 //   line or of an area.
 #pragma once
 
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/svg.hpp"
 
 namespace gearwright {
 
 /// A point of a mark that begins a new piece.
-inline const Vec2 kNewPiece = Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
+inline const Vec2 kNewPiece = Vec2::Constant(kNoNumber);
+inline bool is_new_piece(const Vec2& p) { return std::isnan(p.x()) || std::isnan(p.y()); }
 
 /// A value of an axis, and the words at this value as SVG markup.
 struct AxisName {

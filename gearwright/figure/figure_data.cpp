@@ -11,7 +11,7 @@ nlohmann::ordered_json figure_data(const Figure& figure) {
   using Json = nlohmann::ordered_json;
   const auto axis = [](const FigureAxis& a) { return Json{{"words", a.words}, {"unit", a.unit}}; };
   const auto point = [](const Vec2& p) {
-    return std::isnan(p.x()) || std::isnan(p.y()) ? Json{nullptr, nullptr} : Json{p.x(), p.y()};
+    return is_new_piece(p) ? Json{nullptr, nullptr} : Json{p.x(), p.y()};
   };
   Json curves = Json::array();
   Json bars = Json::array(), circles = Json::array(), points = Json::array();

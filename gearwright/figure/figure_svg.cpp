@@ -263,7 +263,7 @@ class Writer {
         bool on = false;
         const char* const end = m.kind == Kind::area ? "Z" : "";
         for (const Vec2& p : m.points) {
-          if (std::isnan(p.x()) || std::isnan(p.y())) {
+          if (is_new_piece(p)) {
             if (on) d += end;
             on = false;
             continue;

@@ -88,11 +88,10 @@ void add_way(Figure& f, const std::vector<PathPiece>& pieces, std::size_t which)
 }
 
 std::string side_words(const ContactScene& scene, std::size_t which) {
-  const bool ring = scene.gears[which]->internal();
-  const bool right =
-      which == 0 ? !scene.gear2_drives : scene.gear2_drives == scene.gears[1]->internal();
-  return fmt::format("{} flank{}", right ? "right" : "left",
-                     ring ? " of the internal gear (whose tip is at the smaller diameter)" : "");
+  const Gear& gear = *scene.gears[which];
+  return fmt::format(
+      "{} flank{}", gear.left_flank_works(scene.gear2_drives) ? "left" : "right",
+      gear.internal() ? " of the internal gear (whose tip is at the smaller diameter)" : "");
 }
 
 // Draws the gap in bands, with their values if nothing else is drawn on the flank.
@@ -195,11 +194,12 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene) {
   return pieces;
 }
 
-Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, bool internal,
+Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which) {
   const double z0 = extent.height.front(), z1 = extent.height.back();
   const double d0 = extent.diameter.front(), d1 = extent.diameter.back();
-  const double beyond = kBeyond * (d1 - d0);
+  const double root = side > 0.0 ? d0 : d1, tip = side > 0.0 ? d1 : d0;
+  const double beyond = side * kBeyond * (d1 - d0);
   const double real = (d1 - d0) / 2 / (z1 - z0);
   const double tall = std::clamp(real, kLowFlank, kHighFlank);
   Figure f{std::move(id),
@@ -208,8 +208,7 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
            "tip above.",
            {},
            {"along the face from its middle", "mm", z0, z1},
-           {"diameter", "mm", d0 - beyond, d1 + beyond}};
-  if (internal) std::swap(f.y.lo, f.y.hi);
+           {"diameter", "mm", root - beyond, tip + beyond}};
   f.tall = tall * (1 + 2 * kBeyond);
   f.caption =
       std::abs(tall / real - 1) < 0.02
@@ -220,8 +219,7 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
   f.bar({z0, d0}, {z1, d1}, "limit");
   const std::string n = std::to_string(which + 1);
   for (const auto& [d, symbol, word, up] :
-       {std::tuple(internal ? d0 : d1, "d_Fa" + n, "tip", true),
-        std::tuple(internal ? d1 : d0, "d_Ff" + n, "root", false)}) {
+       {std::tuple(tip, "d_Fa" + n, "tip", true), std::tuple(root, "d_Ff" + n, "root", false)}) {
     f.text({kInfinity, d}, symbol_svg(symbol), Anchor::start, "", {10.0, up ? 4.0 : 0.0});
     f.text({kInfinity, d}, "", Anchor::start, "tick", {10.0, up ? 23.0 : -19.0});
     f.marks.back().length = {d, 2};
@@ -236,7 +234,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   const bool gap_alone = layers.gap && !layers.pattern && !layers.way;
   Figure f = flank_frame((gap_alone ? "gap" : fmt::format("bearing{}", which + 1)) + scene.part,
                          gap_alone ? "Gap between the flanks" : fmt::format("Gear {}", which + 1),
-                         extent, scene.gears[which]->internal(), which);
+                         extent, scene.gears[which]->side(), which);
   const std::string proportions = std::move(f.caption);
   f.caption = gap_alone ? " on gear 1" : ", " + side_words(scene, which);
   if (layers.pattern) {
@@ -277,7 +275,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
 
 Figure small_pattern(std::string id, std::string title, const FlankRaster& pattern,
                      double marking) {
-  Figure f = flank_frame(std::move(id), std::move(title), pattern, false, 0);
+  Figure f = flank_frame(std::move(id), std::move(title), pattern, 1.0, 0);
   f.bare = true;
   std::erase_if(f.marks, [](const FigureMark& m) { return m.kind == FigureMark::Kind::text; });
   f.area(region_below(pattern, field_of(pattern), marking), "marked");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
@@ -16,7 +15,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 2> kOfGear{"curve g1", "curve g2 dash"};
 constexpr std::size_t kWaves = 3;  // number of harmonics in the Harris map
 
@@ -256,7 +254,10 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
   };
   add([](const LoadedTorque& t) { return t.peak_to_peak.arcsec(); }, "ink", "peak to peak");
   for (std::size_t h = 0; h < std::min(kWaves, quiet->harmonics.size()); ++h)
-    add([h](const LoadedTorque& t) { return t.harmonics.empty() ? kNaN : t.harmonics[h].arcsec(); },
+    add(
+        [h](const LoadedTorque& t) {
+          return t.harmonics.empty() ? kNoNumber : t.harmonics[h].arcsec();
+        },
         curve_style(h), fmt::format("order {} of the mesh frequency", h + 1));
   return fitted(std::move(f), true);
 }

@@ -146,7 +146,7 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const FlankRaster raster = pressure_raster(scene, which);
   Figure f =
       flank_frame(fmt::format("pressure{}{}", which + 1, scene.part),
-                  fmt::format("Gear {}", which + 1), raster, scene.gears[which]->internal(), which);
+                  fmt::format("Gear {}", which + 1), raster, scene.gears[which]->side(), which);
   f.caption = fmt::format(" at {}. The shades show the greatest pressure during a mesh in N/mm². ",
                           torque_words(t)) +
               f.caption;
@@ -212,7 +212,7 @@ Figure ellipse_figure(const LoadScene& scene, std::size_t which) {
   const double half = gear.spec.face_width / 2;
   Figure f =
       flank_frame(fmt::format("ellipses{}{}", which + 1, scene.part),
-                  fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, false, which);
+                  fmt::format("Gear {}", which + 1), {{lo, hi}, {-half, half}, {}}, 1.0, which);
   f.caption = fmt::format(
                   " at {}. The contact ellipses belong to one tooth during its mesh, and the line "
                   "joins their centres. ",

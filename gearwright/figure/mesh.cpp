@@ -69,8 +69,7 @@ Bounds about_pitch_point(const InvolutePair& pair) {
 Bounds about_overlap(const MeshScene& s) {
   const double a = s.pair->center_distance;
   const double r_1 = s.gears[0]->actual_tip_radius(), r_2 = s.gears[1]->actual_tip_radius();
-  const auto [from, to] =
-      s.gears[1]->internal() ? std::minmax(-r_1, a - r_2) : std::minmax(r_1, a - r_2);
+  const auto [from, to] = std::minmax({s.pair->side() * r_1, a - r_2});
   const Vec2 middle((from + to) / 2, 0.0);
   return with_room({middle, middle}, 1.2 * (to - from));
 }
@@ -270,7 +269,7 @@ std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair) {
     const Gear& gear = pair.gears[i];
     return gear.reference().base_tooth_thickness / gear.reference().base_diameter;
   };
-  const double sigma = !pair.gears[1].internal() ? 1.0 : -1.0;
+  const double sigma = pair.side();
   const double psi_1 = base_half(0) - inv_w;
   const double psi_2 = base_half(1) - sigma * inv_w;
   return {psi_1, -sigma * (kPi / std::abs(pair.input.gears[1].teeth) - psi_2)};
@@ -279,7 +278,7 @@ std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair) {
 double turn_per_pitch(const MountedGears& pair, std::size_t i) {
   GW_EXPECTS(!pair.crossed() && i < 2);
   const double one = 360.0 / std::abs(pair.gears[i].spec.teeth);
-  return i == 0 || pair.gears[1].internal() ? one : -one;
+  return i == 0 ? one : -pair.side() * one;
 }
 
 }  // namespace gearwright

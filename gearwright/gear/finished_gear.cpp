@@ -58,7 +58,7 @@ std::string without_undercut(const Gear& gear) {
         "at {:.4f}°.",
         arcs->flank_begin.deg(), arcs->undercut_limit->deg());
   }
-  const auto free_shift = gear.involute()->undercut_free_profile_shift;
+  const auto free_shift = gear.undercut_free_shift();
   if (!free_shift) return "the pinion cutter reaches below the involute.";
   const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // rounded up
   return fmt::format("a profile shift of at least {:.4f} avoids undercut.", shift);
@@ -169,7 +169,6 @@ double greatest(const Gear& gear, const Arc& arc) {
 // The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if it is at
 // most 1e-9 modules. It is accurate to rounding if δ has only one maximum on each arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
-  GW_EXPECTS(gear.involute() && gear.exists());
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;
   bool any = false;

@@ -135,6 +135,14 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
 
 }  // namespace
 
+const StraightRack* Gear::straight_cutter() const {
+  return cut_by ? nullptr : std::get_if<StraightRack>(&spec.rack);
+}
+
+std::optional<double> Gear::undercut_free_shift() const {
+  return involute() ? involute()->undercut_free_profile_shift : std::nullopt;
+}
+
 const ReferenceGeometry<double>& Gear::reference() const {
   GW_EXPECTS(involute() != nullptr);
   return involute()->reference;

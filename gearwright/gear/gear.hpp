@@ -94,8 +94,17 @@ struct Gear {
 
   bool internal() const { return spec.teeth < 0; }
   double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
+  /// True if the left flanks of this gear touch its mate. They do on an external gear if gear 2 of
+  /// the pair drives, and on an internal gear if gear 1 drives.
+  bool left_flank_works(bool gear2_drives) const { return gear2_drives == (side() > 0.0); }
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
+  /// The straight rack that cuts the teeth; null for circular arcs and for a pinion cutter.
+  const StraightRack* straight_cutter() const;
+  /// The rack of circular arcs that cuts the teeth; null for an involute gear.
+  const RackOfArcs* arc_cutter() const { return arcs() ? &arcs()->rack : nullptr; }
+  /// The least x_E without undercut; none for circular arcs and for a pinion cutter.
+  std::optional<double> undercut_free_shift() const;
   /// The reference geometry.   Domain: an involute gear (contract), also for base_radius()
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }

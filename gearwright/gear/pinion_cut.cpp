@@ -176,7 +176,7 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
 }  // namespace
 
 std::optional<Gear> cut_by_default(const Gear& ring) {
-  GW_EXPECTS(ring.internal() && !ring.tooth);
+  GW_EXPECTS(!ring.tooth);
   const int z = -ring.spec.teeth;
   for (const double share : {0.5, 0.6, 0.4, 0.7, 0.8, 0.3, 0.2, 0.1}) {
     const int z_0 = static_cast<int>(share * z);
@@ -193,6 +193,13 @@ std::optional<Gear> cut_by_default(const Gear& ring) {
     }
   }
   return std::nullopt;
+}
+
+Result<Gear> make_gear_with_default_cutter(const CylindricalSpec& spec) {
+  auto gear = make_gear(spec);
+  if (!gear || gear->tooth) return gear;
+  auto cut = cut_by_default(*gear);
+  return cut ? *std::move(cut) : std::move(gear).take();
 }
 
 }  // namespace gearwright

@@ -46,4 +46,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec)
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);
 
+/// Makes the gear. The tooth of an internal gear is cut by the default cutter, if there is one.
+///
+/// Errors    as make_gear()
+Result<Gear> make_gear_with_default_cutter(const CylindricalSpec& spec);
+
 }  // namespace gearwright

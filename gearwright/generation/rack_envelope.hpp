@@ -32,6 +32,12 @@ struct RackMotion {
 /// The envelope of a circular piece of the edge; the parameter is the normal angle τ of the normal
 /// section.
 ///
+/// The functions have a body each, because one jet for all of them is slower and less accurate. At
+/// 20 000 random circles against 50 digits, the tangent and the curvature of at(), which follow from
+/// F, have errors of at most 6e-16 rad and 9e-16. Those of polar_jet() have 4e-14 rad and 2e-13,
+/// because its first derivative cancels near a cusp. point(), polar_angle() and log_radius() are as
+/// accurate as polar_jet() and take two thirds of its time (20 ns instead of 30 ns).
+///
 /// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9], so the radius is monotone
 ///           between zeros of F, and a zero of F is a cusp
 ///       (2) dθ/d|W| does not depend on the circle's radius

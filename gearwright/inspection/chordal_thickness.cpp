@@ -56,7 +56,7 @@ ToothArc<double> tooth_arc(const Gear& gear, double diameter) {
   arc.helix_angle = std::atan(diameter / g.base_diameter * std::tan(g.base_helix_angle));
   arc.radius = diameter / 2;
   arc.tip_radius = gear.actual_tip_radius();
-  arc.internal = gear.internal();
+  arc.side = gear.side();
   return arc;
 }
 

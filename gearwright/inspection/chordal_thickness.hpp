@@ -26,11 +26,11 @@ namespace gearwright {
 /// A tooth on one cylinder.
 template <class T>
 struct ToothArc {
-  T half_angle{};         ///< θ_t  rad
-  T helix_angle{};        ///< ψ    rad, signed
-  T radius{};             ///< r    mm
-  T tip_radius{};         ///< r_a  mm
-  bool internal = false;  ///< true for an internal gear, whose tip lies inside r
+  T half_angle{};   ///< θ_t  rad
+  T helix_angle{};  ///< ψ    rad, signed
+  T radius{};       ///< r    mm
+  T tip_radius{};   ///< r_a  mm
+  T side{1};        ///< σ    −1 for an internal gear, whose tip lies inside r
 };
 
 template <class T>
@@ -111,8 +111,7 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
   ChordalThickness<T> c;
   c.chord = T(2) * tooth.radius * sin(theta) * sqrt(T(1) + rise * rise);
   c.height = T(2) * tooth.radius * half_sine * half_sine;
-  c.tip_to_chord = tooth.internal ? T((tooth.radius - tooth.tip_radius) - c.height)
-                                  : T((tooth.tip_radius - tooth.radius) + c.height);
+  c.tip_to_chord = tooth.side * ((tooth.tip_radius - tooth.radius) + c.height);
   c.caliper_angle = atan(rise);
   c.half_angle_used = theta;
   return c;

@@ -51,15 +51,14 @@ std::optional<ActiveFlank> active_flank(const InvolutePair& pair, int which) {
 
 ContactPlace UsableFlank::place(double diameter) const {
   if (contains(diameter)) return ContactPlace::usable;
-  if (internal ? diameter > root_end : !(diameter >= root_end)) return ContactPlace::below_flank;
-  return (internal ? diameter >= tip : diameter <= tip) ? ContactPlace::on_tip_rounding
-                                                        : ContactPlace::beyond_tip;
+  if (!(side * diameter >= side * root_end)) return ContactPlace::below_flank;
+  return side * diameter <= side * tip ? ContactPlace::on_tip_rounding : ContactPlace::beyond_tip;
 }
 
 std::optional<UsableFlank> usable_flank(const Gear& gear) {
   if (!gear.involute() || !gear.exists()) return std::nullopt;
   const double d_b = gear.reference().base_diameter;
-  UsableFlank flank{0.0, 2 * gear.tip_form_radius(), 2 * gear.actual_tip_radius(), gear.internal()};
+  UsableFlank flank{0.0, 2 * gear.tip_form_radius(), 2 * gear.actual_tip_radius(), gear.side()};
   if (gear.internal()) {
     const bool cut = gear.tooth && gear.tooth->form_radius;
     flank.root_end = cut ? 2 * *gear.tooth->form_radius : gear.root_diameter;

@@ -32,10 +32,10 @@ struct UsableFlank {
   double root_end;  ///< d_Ff  mm; the root diameter for an internal gear without a tooth
   double tip_end;   ///< d_Fa  mm
   double tip;       ///< mm, diameter at which the tooth ends
-  bool internal;
+  double side;      ///< σ of the gear
 
-  double least() const { return internal ? tip_end : root_end; }
-  double greatest() const { return internal ? root_end : tip_end; }
+  double least() const { return side > 0.0 ? root_end : tip_end; }
+  double greatest() const { return side > 0.0 ? tip_end : root_end; }
   double middle() const { return (root_end + tip_end) / 2; }
   bool contains(double diameter) const { return diameter >= least() && diameter <= greatest(); }
   ContactPlace place(double diameter) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -96,8 +95,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
     // If contact is lost within the bracket, no root is found.
-    constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
-    const auto or_lost = [&](double d) { return slope(d).value_or(kLost); };
+    const auto or_lost = [&](double d) { return slope(d).value_or(kNoNumber); };
     const Root root = find_root(or_lost, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
   }

@@ -43,7 +43,7 @@ std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& c, boo
   if (c.is(CutterSetting::tool_setting))
     return fmt::format("gear{}.rack.center_b", *setup.convex_gear());
   if (c.is(CutterSetting::cutter_lead)) return fmt::format("errors.{}", entry_of(c).key);
-  const bool left = gear2_drives != (c.gear == 2 && setup.gear(2).internal());
+  const bool left = setup.gear(c.gear).left_flank_works(gear2_drives);
   return fmt::format("gear{}.modifications.{}{}", c.gear,
                      !c.slope() ? ""
                      : left     ? "left_"

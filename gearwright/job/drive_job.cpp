@@ -202,7 +202,7 @@ Verdict judge(const DriveJob& job) {
   const auto& contacts = job.drive.contacts;
   bool unknown = false;
   for (std::size_t m = 0; m < contacts.size(); ++m)
-    unknown = unknown || (mesh_backlash(job.drive.geometry, m) && !contacts[m]);
+    unknown = unknown || (transverse_base_backlash(job.drive.geometry, m) && !contacts[m]);
   if (unknown) verdict.not_judged.emplace_back("contact");
   const auto& ratings = job.drive.ratings;
   for (std::size_t m = 0; m < ratings.size(); ++m)

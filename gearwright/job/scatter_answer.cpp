@@ -241,8 +241,9 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
 // from this point.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
-  if (!pair.arcs() || pair.arcs()->contacts.empty()) return {};
-  return {pair.arcs()->first_contact().at.theta, kProfileEnd};
+  const ArcPair* arcs = pair.arcs();
+  if (!arcs || arcs->contacts.empty()) return {};
+  return {arcs->first_contact().at.theta, kProfileEnd};
 }
 
 Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& input) {

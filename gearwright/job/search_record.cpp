@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/output_file.hpp"
 
 namespace gearwright {
@@ -129,9 +129,7 @@ struct Writer {
   void operator()(std::int64_t v) const { packer->word(static_cast<std::uint64_t>(v)); }
   void operator()(int v) const { (*this)(static_cast<std::int64_t>(v)); }
   void operator()(bool v) const { (*this)(static_cast<std::int64_t>(v)); }
-  void operator()(const std::optional<double>& v) const {
-    (*this)(v.value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
+  void operator()(const std::optional<double>& v) const { (*this)(v.value_or(kNoNumber)); }
 };
 
 struct Reader {

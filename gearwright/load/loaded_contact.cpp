@@ -136,7 +136,7 @@ LoadedContact LoadedTurn::result() const {
     if (shafts && t.face_load.size() > 0) t.shafts = shafts->under(t.face_load);
     if (perfect_share_[k].empty()) continue;
     const double perfect = greatest_of(perfect_share_[k]);
-    t.transverse_load_factor = perfect > 0.0 ? t.max_share / perfect : LoadedPosition::kNone;
+    t.transverse_load_factor = perfect > 0.0 ? t.max_share / perfect : kNoNumber;
   }
   return result;
 }

@@ -13,11 +13,11 @@
 #include <array>
 #include <atomic>
 #include <complex>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/contact/contact_point.hpp"
 #include "gearwright/load/shaft_yield.hpp"
 
@@ -48,27 +48,25 @@ struct LoadedPair {
 };
 /// Values are NaN if no teeth touch or the forces do not converge.
 struct LoadedPosition {
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
   Angle rotation1{};
-  Angle te = Angle::radians(kNone);           ///< loaded TE
-  Angle unloaded_te = Angle::radians(kNone);  ///< TE at which the teeth first touch
-  double approach = kNone;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
-  double force = kNone;                       ///< ΣF  N, normal force, for point contact only
-  double tangent = kNone;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
+  Angle te = Angle::radians(kNoNumber);           ///< loaded TE
+  Angle unloaded_te = Angle::radians(kNoNumber);  ///< TE at which the teeth first touch
+  double approach = kNoNumber;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
+  double force = kNoNumber;                       ///< ΣF  N, normal force, for point contact only
+  double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
   /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
-  double stiffness = kNone;
+  double stiffness = kNoNumber;
   std::vector<LoadedPair>
-      pairs{};                  ///< loaded pairs or points, from the start to the end of contact
-  double max_pressure = kNone;  ///< MPa
+      pairs{};  ///< loaded pairs or points, from the start to the end of contact
+  double max_pressure = kNoNumber;  ///< MPa
   double max_width_ratio =
-      kNone;  ///< greatest half width of the contact divided by the radius R of the gap
+      kNoNumber;  ///< greatest half width of the contact divided by the radius R of the gap
   TouchKind kind =
       TouchKind::none;      ///< kind of contact at the greatest pressure; none without a result
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
   std::array<double, 2> root_stress{
-      kNone, kNone};  ///< MPa, greatest principal stress at the root of each gear
+      kNoNumber, kNoNumber};  ///< MPa, greatest principal stress at the root of each gear
   int iterations = 0;
 
   bool solved() const { return kind != TouchKind::none; }
@@ -79,20 +77,20 @@ struct LoadedPosition {
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
-  Angle peak_to_peak = Angle::radians(LoadedPosition::kNone);
+  Angle peak_to_peak = Angle::radians(kNoNumber);
   /// Empty if the caller gave rotations or if a position is not solved, because harmonics require a
   /// whole pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
     /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
-    double mean = LoadedPosition::kNone, min = LoadedPosition::kNone, max = LoadedPosition::kNone;
+    double mean = kNoNumber, min = kNoNumber, max = kNoNumber;
   };
   Stiffness stiffness, without_twist, tangent;
-  double max_pressure = LoadedPosition::kNone;
+  double max_pressure = kNoNumber;
   double max_share = 0.0;  ///< greatest load share of one tooth pair
   /// K_Hα: `max_share` divided by the greatest share of the pair without errors [T12.19]
   double transverse_load_factor = 1.0;
-  std::array<double, 2> max_root_stress{LoadedPosition::kNone, LoadedPosition::kNone};
+  std::array<double, 2> max_root_stress{kNoNumber, kNoNumber};
   double face_load_factor = 1.0;  ///< K_Hβ: greatest value of `face_load` divided by its mean
   double max_width_ratio = 0.0;
   bool edge_carries = false;
@@ -107,7 +105,7 @@ struct LoadedTorque {
   /// compressed while neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
   /// The value of `least_root_stress` at the point with the greatest `root_stress`, MPa.
-  std::array<double, 2> least_at_max{LoadedPosition::kNone, LoadedPosition::kNone};
+  std::array<double, 2> least_at_max{kNoNumber, kNoNumber};
 };
 
 struct LoadedContact {

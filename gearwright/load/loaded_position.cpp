@@ -206,7 +206,7 @@ double PositionSolver::greatest_share(Position& at, double torque) const {
   if (at.rows.empty()) return 0.0;
   at.problem.moment = torque * ratio_;
   const ContactSolution x = solve_contact(at.problem);
-  if (!x.found()) return LoadedPosition::kNone;
+  if (!x.found()) return kNoNumber;
   const VectorXd& load = x.line_load;
   VectorXd of_pair = VectorXd::Zero(static_cast<Index>(at.pairs.size()));
   for (std::size_t i = 0; i < at.rows.size(); ++i)

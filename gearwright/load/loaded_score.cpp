@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -19,10 +20,7 @@ std::vector<LoadedScore> loaded_scores(const LoadedContact& contact) {
   return scores;
 }
 
-LoadedScore no_score() {
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  return {Angle::radians(kNaN), kNaN, std::nullopt, false};
-}
+LoadedScore no_score() { return {Angle::radians(kNoNumber), kNoNumber, std::nullopt, false}; }
 
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b) {
   const auto worse = [](double x, double y) { return std::isnan(x) || x > y ? x : y; };

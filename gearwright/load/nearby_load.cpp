@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/load/loaded_position.hpp"
 
 namespace gearwright {
 
-namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                        const PairCompliance& compliance, const LoadRequest& request,
@@ -55,7 +51,7 @@ NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
                                             static_cast<Eigen::Index>(change.size()));
   q.gap.array() -= (at.turn * e).array() * q.arm.array();
   const ContactSolution x = solve_contact(q, at.start[torque]);
-  if (!x.found()) return {kNone, kNone, {}};
+  if (!x.found()) return {kNoNumber, kNoNumber, {}};
   // p_Hertz² by [T12.12] and [T12.13]
   const double square =
       (x.line_load.array() / q.radius.array()).maxCoeff() * q.reduced_modulus / std::numbers::pi;
@@ -66,13 +62,13 @@ NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
 
 NearbyLoad::Span NearbyLoad::span(std::span<const double> change, bool slopes) const {
   const std::vector<double> none(slopes ? change.size() : 0, 0.0);
-  if (!complete_) return {kNone, none};
+  if (!complete_) return {kNoNumber, none};
   Span worst{-1.0, none};
   for (std::size_t k = 0; k < moments_.size(); ++k) {
     Loaded least{}, greatest{};
     for (const Position& at : positions_) {
       Loaded here = loaded(at, k, change, slopes);
-      if (std::isnan(here.te)) return {kNone, none};
+      if (std::isnan(here.te)) return {kNoNumber, none};
       worst.max_pressure = std::max(worst.max_pressure, here.pressure);
       const bool first = &at == &positions_.front();
       if (first || here.te > greatest.te) greatest = here;

@@ -358,7 +358,7 @@ LoadedPosition PointSolver::solve(PointPosition& at, double torque, Angle rotati
 double PointSolver::greatest_share(PointPosition& at, double torque) {
   if (at.places.empty()) return 0.0;
   const Shared x = share(at, torque);
-  if (!x.sharing.found) return LoadedPosition::kNone;
+  if (!x.sharing.found) return kNoNumber;
   double most = 0.0;
   for (std::size_t i = 0; i < at.places.size(); ++i) {
     double of_pair = 0.0;

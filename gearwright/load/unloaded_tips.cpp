@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/load/loaded_position.hpp"
 #include "gearwright/math/involute.hpp"
@@ -83,7 +84,7 @@ double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   if (at.rows.empty()) return std::numeric_limits<double>::infinity();
   at.problem.moment = moment;
   const ContactSolution x = solve_contact(at.problem);
-  if (!x.found()) return std::numeric_limits<double>::quiet_NaN();
+  if (!x.found()) return kNoNumber;
   for (std::size_t i = 0; i < at.rows.size(); ++i) {
     const auto [pair, slice] = at.rows[i];
     if (at.pairs[static_cast<std::size_t>(pair)].pair != 0 || slice != tip.slice) continue;

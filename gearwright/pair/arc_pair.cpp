@@ -14,11 +14,11 @@ namespace gearwright {
 namespace {
 
 std::vector<WorkingArc> working(const Gear& gear, double side) {
-  GW_EXPECTS(gear.arcs() != nullptr);
+  GW_EXPECTS(gear.arc_cutter() != nullptr);
   const double m = gear.spec.normal_module;
   const double thinner = gear.spec.thickness_allowance / 2;
   std::vector<WorkingArc> list;
-  for (const RackArc& arc : gear.arcs()->rack.arcs) {
+  for (const RackArc& arc : gear.arc_cutter()->arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     // [T7.1], [T7.2], solved for the working arc.
     const double middle = side > 0.0 ? 0.0 : kPi / 2;
@@ -100,7 +100,7 @@ ArcMeshInput mesh_of(const Gear& convex, const Gear& concave, const WorkingArc& 
 
 // True if a working arc of the gear's rack contains the normal angle θ.
 bool has_angle(const Gear& gear, double side, Angle theta) {
-  for (const RackArc& arc : gear.arcs()->rack.arcs) {
+  for (const RackArc& arc : gear.arc_cutter()->arcs) {
     if (arc.cuts != ArcName::flank || !arc.working || !(side * arc.radius > 0.0)) continue;
     const auto [lo, hi] = std::minmax({arc.begin, arc.end});
     if (theta >= lo && theta <= hi) return true;

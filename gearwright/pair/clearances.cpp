@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/math/involute.hpp"
+
 namespace gearwright {
 
 std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
                                      const std::array<double, 2>& root_radius,
-                                     double center_distance, bool internal) {
+                                     double center_distance, double side) {
   const double a = center_distance;
-  if (internal) return {root_radius[1] - a - tip_radius[0], tip_radius[1] - a - root_radius[0]};
+  if (side < 0.0) return {root_radius[1] - a - tip_radius[0], tip_radius[1] - a - root_radius[0]};
   return {a - tip_radius[0] - root_radius[1], a - tip_radius[1] - root_radius[0]};
 }
 
@@ -21,6 +23,28 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
     if (rho[i] >= -kNoCollision * normal_base_pitch(input.gears[0]))
       radii[i] = std::hypot(input.gears[i].radius, std::max(0.0, rho[i]));
   return radii;
+}
+
+std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin) {
+  const auto t = static_cast<std::size_t>(tip - 1);
+  const auto other = 1 - t;
+  const auto start = [&](std::size_t i) {
+    const auto form = pair.gears[i].root_form_radius();
+    const double base = pair.gears[i].base_radius();
+    return roll_length(std::max(form.value_or(base), base) + margin, base);
+  };
+  const auto& mesh = pair.mesh;
+  const double rho = tip == 2 ? mesh.rho2(start(0))
+                              : leaf::rho_1_where(mesh.base_tangent_distance, mesh.sigma,
+                                                  start(1) / mesh.base_cosine_ratio);
+  if (!(rho > 0.0)) return std::nullopt;
+  const double radius = std::hypot(pair.gears[t].base_radius(), rho);
+  const double now = pair.gears[t].actual_tip_radius();
+  const bool shorter = pair.gears[t].side() * (radius - now) < 0.0;
+  // An internal gear without an outline has no known start of its flank.
+  if (!shorter || (pair.gears[other].internal() && !pair.gears[other].root_form_radius()))
+    return std::nullopt;
+  return 2 * radius;
 }
 
 }  // namespace gearwright

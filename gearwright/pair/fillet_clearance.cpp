@@ -58,16 +58,15 @@ std::vector<Corner> tip_corners(const Gear& mate) {
 }
 
 struct Orbit {
-  double a, u, play;  // play = η
-  enum Kind { external, in_ring, ring } kind;
-  double half_space;  // π/z
+  double a, u, play;       // play = η
+  double side, mate_side;  // σ of the gear with the fillet, and of the gear with the corner
+  double half_space;       // π/z
 
   // The corner in the frame of the tooth beside the space, mirrored to the side y > 0 of that tooth.
   Vec2 place(const Corner& c, double w) const {
     const double kappa = c.half_angle + play;
-    const double phi = (kind == external ? kappa + w : kappa - w) / u;
-    const Complex turn = std::polar(c.radius, w);
-    const Complex from_axis = kind == external ? a - turn : kind == in_ring ? turn - a : turn + a;
+    const double phi = (kappa + side * mate_side * w) / u;
+    const Complex from_axis = mate_side * (a - side * std::polar(c.radius, w));
     const Complex p = std::polar(1.0, phi - half_space) * from_axis;
     return {p.real(), -p.imag()};
   }
@@ -124,13 +123,11 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
   const Gear& mate = pair.gears[2 - which];
   if (!gear.tooth) return std::nullopt;  // an internal gear without a cutter
   const double a = pair.center_distance;
-  const Orbit::Kind kind = gear.internal()   ? Orbit::ring
-                           : mate.internal() ? Orbit::in_ring
-                                             : Orbit::external;
   const double play =
       (which == 1 ? pair.mesh.backlash.rotation[1] : pair.mesh.backlash.rotation[0]) / 2;
   const double z = std::abs(gear.spec.teeth);
-  const Orbit orbit{a, z / std::abs(mate.spec.teeth), play, kind, std::numbers::pi / z};
+  const double side = gear.side(), mate_side = mate.side();
+  const Orbit orbit{a, z / std::abs(mate.spec.teeth), play, side, mate_side, std::numbers::pi / z};
   const auto clearance_of = [&](const Corner& corner) {
     std::optional<double> least;
     for (const Arc& arc : gear.tooth->outline.arcs) {
@@ -138,17 +135,17 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
       // The corner is below the upper end of the arc if cos w is greater than c.
       const double r = arc.end_point.norm();
       const double deep = a * a + corner.radius * corner.radius - r * r;
-      const double c = (kind == Orbit::ring ? -deep : deep) / (2 * a * corner.radius);
+      const double c = side * deep / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
       // Only the half of the path towards this fillet is examined. In an internal gear, the pinion's
       // corner can reach the fillet on both halves, so the whole path is examined.
-      const double from = kind == Orbit::ring ? -w_end : 0.0;
+      const double from = side < 0.0 ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);
-        return signed_distance(arc, orbit.place(corner, kind == Orbit::external ? -w : w));
+        return signed_distance(arc, orbit.place(corner, -side * mate_side * w));
       };
-      const auto [lo, hi, at_node] = least_node(gap, kind == Orbit::ring ? 48 : 24);
+      const auto [lo, hi, at_node] = least_node(gap, side < 0.0 ? 48 : 24);
       const double found =
           std::min(at_node, boost::math::tools::brent_find_minima(gap, lo, hi, kHalfDigits).second);
       if (!least || found < *least) least = found;

@@ -97,10 +97,10 @@ void find_form_clearance(InvolutePair& p) {
 void find_tip_clearance(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];
-  p.tip_clearance = tip_clearances({g1.actual_tip_radius(), g2.actual_tip_radius()},
-                                   {g1.root_diameter / 2, g2.root_diameter / 2}, p.center_distance,
-                                   g2.internal());
-  if (g2.internal())
+  p.tip_clearance =
+      tip_clearances({g1.actual_tip_radius(), g2.actual_tip_radius()},
+                     {g1.root_diameter / 2, g2.root_diameter / 2}, p.center_distance, p.side());
+  if (p.side() < 0.0)
     for (int i : {0, 1}) p.tip_clearance[i] -= nearer_at_ends(p, i + 1);
   for (int i : {0, 1}) {
     if (std::abs(p.tip_clearance[i]) <= noise(p)) {

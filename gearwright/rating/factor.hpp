@@ -7,8 +7,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
+
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -29,7 +30,8 @@ struct Factor {
   const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has only one form
 };
 
-inline constexpr Factor kNoFactor{std::numeric_limits<double>::quiet_NaN(), "", ""};
+/// A factor without a value.
+inline constexpr Factor kNoFactor{kNoNumber, "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 
 /// A factor of pinion and wheel, or of gear 1 and gear 2.

@@ -83,7 +83,7 @@ Result<RatedPair> rated(const ParallelPair& pair, const std::array<double, 2>& b
   RatedPair r;
   const Gear& first = pair.gears[0];
   const Gear& second = pair.gears[1];
-  r.exchanged = !second.internal() && second.spec.teeth < first.spec.teeth;
+  r.exchanged = std::abs(second.spec.teeth) < first.spec.teeth;
   r.normal_module = first.spec.normal_module;
   r.alpha_n = first.spec.normal_pressure_angle.rad();
   r.beta = std::abs(first.spec.helix_angle.rad());

@@ -189,8 +189,8 @@ Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
 }  // namespace
 
 std::vector<Vec2> rack_half_tooth(const Gear& gear) {
-  GW_EXPECTS(gear.arcs() != nullptr);
-  const RackOfArcs& rack = gear.arcs()->rack;
+  GW_EXPECTS(gear.arc_cutter() != nullptr);
+  const RackOfArcs& rack = *gear.arc_cutter();
   const double m = gear.spec.normal_module;
   const double thinner = gear.spec.thickness_allowance / 2;
   std::vector<Vec2> points{{-rack.dedendum * m, kPi * m / 2}};

@@ -86,8 +86,8 @@ class Pictures {
   std::vector<std::size_t> drawn_order(const DriveSection& section) const {
     std::vector<std::size_t> order = section.gears;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return graph_.gears[layout_.gears[a].gear].teeth < 0 &&
-             graph_.gears[layout_.gears[b].gear].teeth > 0;
+      return graph_.gears[layout_.gears[a].gear].is_ring() &&
+             !graph_.gears[layout_.gears[b].gear].is_ring();
     });
     return order;
   }
@@ -234,7 +234,7 @@ class Pictures {
     for (const bool ring : {true, false}) {
       for (const std::size_t i : {other, planet}) {
         const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
-        if ((gear.teeth < 0) != ring) continue;
+        if (gear.is_ring() != ring) continue;
         const Vec2 at = i == planet ? Vec2(0.0, along.norm()) : Vec2(Vec2::Zero());
         add_gear(f, i, height, at, upright, ratio(gear.body) - carried);
       }

@@ -56,16 +56,14 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
        {"Protuberance angle", "α_pr", "°", [](const StraightRack& r) {
           return r.protuberance != 0.0 ? std::optional(r.protuberance_angle.deg()) : std::nullopt;
         }}}};
-  const auto rack_of = [](const Gear& g) {
-    return g.cut_by || !g.involute() ? nullptr : &g.spec.straight_rack();
-  };
-  if (std::none_of(gears.begin(), gears.end(), [&](const Gear* g) { return rack_of(*g); })) return;
+  if (std::none_of(gears.begin(), gears.end(), [](const Gear* g) { return g->straight_cutter(); }))
+    return;
   table.group("Basic rack, in normal modules");
   for (const Row& row : kRows) {
     std::vector<std::string> values;
     bool any = false;
     for (const Gear* g : gears) {
-      const StraightRack* rack = rack_of(*g);
+      const StraightRack* rack = g->straight_cutter();
       const std::optional<double> v = rack ? row.value(*rack) : std::nullopt;
       values.push_back(v ? given(*v) : none());
       any = any || v;
@@ -78,12 +76,14 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
 // the range of the normal angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
-  for (const Gear* g : gears) most = std::max(most, g->arcs() ? g->arcs()->rack.arcs.size() : 0);
+  for (const Gear* g : gears)
+    most = std::max(most, g->arc_cutter() ? g->arc_cutter()->arcs.size() : 0);
   if (most == 0) return;
   table.group("Basic rack of arcs, in normal modules, starting at the tip of the cutter");
   const auto row = [&](const char* words, const char* symbol, const char* unit, const auto& value) {
     std::vector<std::string> values;
-    for (const Gear* g : gears) values.push_back(g->arcs() ? value(g->arcs()->rack) : none());
+    for (const Gear* g : gears)
+      values.push_back(g->arc_cutter() ? value(*g->arc_cutter()) : none());
     table.row(words, symbol, unit, values);
   };
   row("Addendum", "h_a*", "", [](const RackOfArcs& r) { return given(r.addendum); });

@@ -169,8 +169,7 @@ std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
 }  // namespace
 
 bool root_is_worth_a_picture(const Gear& gear) {
-  if (!has_outline(gear) || gear.internal() || gear.cut_by || !has_flank(gear)) return false;
-  if (!gear.involute()) return false;
+  if (!has_outline(gear) || !gear.straight_cutter() || !has_flank(gear)) return false;
   return gear.spec.root_fillet || gear.undercut || gear.spec.teeth <= kFewTeeth;
 }
 

@@ -243,9 +243,8 @@ Figure tooth_figure(const Gear& gear, const std::string& shape, const std::strin
 }
 
 bool shift_is_worth_a_picture(const Gear& gear) {
-  if (gear.internal() || gear.cut_by || !has_outline(gear) || gear.spec.teeth > kMaxTeeth)
-    return false;
-  if (!gear.involute()) return false;
+  if (!has_outline(gear) || !gear.straight_cutter()) return false;
+  if (gear.spec.teeth > kMaxTeeth) return false;
   return gear.spec.root_fillet || gear.undercut;
 }
 

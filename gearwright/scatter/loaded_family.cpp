@@ -1,8 +1,8 @@
 #include "gearwright/scatter/loaded_family.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/load/loaded_score.hpp"
 #include "gearwright/scatter/spread.hpp"
@@ -10,8 +10,6 @@
 namespace gearwright {
 
 namespace {
-
-constexpr double kNoScore = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<LoadedScore> member_under_load(const ContactSetup& drawn, const ScatterTask& task,
                                            const LoadedFamily& load, const std::vector<double>& x) {
@@ -57,13 +55,13 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
     LoadedSpread of{load.request.torques[k], {}, {}, {}, {}, {}};
     const auto spread = [&](auto value) {
       std::vector<double> values;
-      for (const auto& s : scores) values.push_back(s.empty() ? kNoScore : value(s[k]));
+      for (const auto& s : scores) values.push_back(s.empty() ? kNoNumber : value(s[k]));
       return spread_of(task, values, load.samples);
     };
     of.peak_to_peak = spread([](const LoadedScore& s) { return s.peak_to_peak.rad(); });
     of.max_pressure = spread([](const LoadedScore& s) { return s.max_pressure; });
     of.face_load_factor =
-        spread([](const LoadedScore& s) { return s.face_load_factor.value_or(kNoScore); });
+        spread([](const LoadedScore& s) { return s.face_load_factor.value_or(kNoNumber); });
     const auto share = [&](auto is) {
       return probability_of(std::count_if(scores.begin(), scores.end(), is),
                             static_cast<std::int64_t>(scores.size()), task.confidence);

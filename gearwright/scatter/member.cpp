@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/continuous.hpp"
@@ -18,7 +19,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
                                                    // of 0
 
@@ -36,7 +36,6 @@ MemberSetup::MemberSetup(const ContactSetup& setup, const Deviation& deviation) 
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness) {
   if (thickness[0] == 0.0 && thickness[1] == 0.0) return 0.0;
   const Gear& g2 = setup.gear(2);
-  GW_EXPECTS(setup.gear(1).involute() && g2.involute());
   const double lever = std::abs(g2.base_radius()) * std::cos(g2.reference().base_helix_angle);
   double along_normal = 0.0;
   for (const int which : {1, 2}) {
@@ -74,7 +73,7 @@ class FlankTouches {
   double te(std::size_t position) const {
     double sum = 0.0;
     for (const auto& touches : touches_)
-      sum += touches[position].found() ? touches[position].te() : kNan;
+      sum += touches[position].found() ? touches[position].te() : kNoNumber;
     return sum / static_cast<double>(touches_.size());
   }
   // The places of contact of the half with the greater values, and the mean share of edges.
@@ -92,14 +91,14 @@ class FlankTouches {
   // Peak to peak of the continuous curve; NaN if contact is lost.
   double span() {
     for (std::size_t i = 0; i < touches_[0].size(); ++i)
-      if (std::isnan(te(i))) return kNan;
+      if (std::isnan(te(i))) return kNoNumber;
     if (touches_.size() == 1) {
       extremes_ = continuous_extremes(transmissions_[0], touches_[0]);
       return without_rounding(extremes_->span());
     }
     const auto positions = static_cast<int>(touches_[0].size());
     const auto span = continuous_span(mesh_, std::max(kLeastSpanPositions, positions));
-    return span ? without_rounding(span->rad()) : kNan;
+    return span ? without_rounding(span->rad()) : kNoNumber;
   }
   double long_period(const ContactSetup& setup, const Deviation& deviation) {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
@@ -123,7 +122,7 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   GW_EXPECTS(request.positions >= 2 && !(request.stagger && deviation.uneven_pitch()));
   using Q = ScatterQuantity;
   FamilyMember m;
-  m.value.fill(kNan);
+  m.value.fill(kNoNumber);
   const auto set = [&](Q q, double value) { m.value[static_cast<std::size_t>(q)] = value; };
   const MemberSetup setup(drawn, deviation);
   FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives);

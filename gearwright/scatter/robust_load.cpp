@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/center_search.hpp"
@@ -177,8 +177,7 @@ std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const S
   begin_stage(judged.progress, "computing the samples under load",
               static_cast<std::int64_t>(family.x.size()));
   const auto scores = scores_under_load(setup, judged, load, family.x);
-  auto spread = spread_of(judged, loaded_peaks(scores, std::numeric_limits<double>::quiet_NaN()),
-                          load.samples);
+  auto spread = spread_of(judged, loaded_peaks(scores, kNoNumber), load.samples);
   if (!spread) return std::nullopt;
   family.peak_to_peak = std::move(*spread);
   family.loaded = spreads_under_load(judged, load, scores);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/scatter/linear_share.hpp"
@@ -84,8 +84,7 @@ std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t 
                          std::size_t from, std::size_t count) {
   std::vector<double> values;
   for (std::size_t i = from; i < from + count; ++i)
-    values.push_back(samples[i].member.lost ? std::numeric_limits<double>::quiet_NaN()
-                                            : samples[i].member.value[quantity]);
+    values.push_back(samples[i].member.lost ? kNoNumber : samples[i].member.value[quantity]);
   return values;
 }
 

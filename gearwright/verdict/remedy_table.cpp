@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/pair/clearing_tip.hpp"
+#include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/remedy.hpp"
 
@@ -122,11 +122,10 @@ int gear_of(Whose whose, int own) {
 // The smallest profile shift without undercut. The profile shift and the thickness allowance
 // together set the position of the cutter, so the effect of the allowance is subtracted.
 std::optional<double> shift_without_undercut(const Gear& gear) {
-  const InvoluteTeeth* involute = gear.involute();
-  if (!gear.undercut || involute == nullptr || !involute->undercut_free_profile_shift)
-    return std::nullopt;
+  const auto least = gear.undercut_free_shift();
+  if (!gear.undercut || !least) return std::nullopt;
   const CylindricalSpec& s = gear.spec;
-  return *involute->undercut_free_profile_shift -
+  return *least -
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 

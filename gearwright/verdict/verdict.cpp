@@ -76,7 +76,7 @@ std::string running(const ArcPair& pair) {
       backlash_words(pair.backlash_normal, pair.center_distance, pair.gears[0].spec.normal_module));
 }
 
-bool uncut_ring(const Gear* gear) { return gear->internal() && !gear->tooth; }
+bool uncut_ring(const Gear* gear) { return !gear->tooth; }
 
 constexpr const char* kNoCutter =
     " The cutter of the internal gear is not given, so its root fillet is not checked.";

@@ -1,7 +1,9 @@
 """Tests the meshes of a drive as pairs. The spec that `drive --take` prints has the numbers of the drive.
 For a double-helical mesh, these are the numbers of one half."""
+import json
 import math
 import re
+import tomllib
 import unittest
 
 from cli import SOURCE, Run
@@ -208,6 +210,25 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         tight = Run("drive", self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.2, efficiency'), "--json")
         self.assertEqual(tight.json["verdict"]["level"], "red")
         self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")
+
+    def test_circular_arcs_have_a_backlash(self):
+        """The headline of a drive whose teeth are circular arcs states their backlash along the normal, as that of
+        the pair does."""
+        arcs = tomllib.loads((SOURCE / "examples/circular_arc_drive.toml").read_text())
+        gears = [{key: value for key, value in arcs[f"gear{i}"].items() if key != "bore"} for i in (1, 2)]
+        for distance in (696.9, 696.8444):
+            mesh = {"name": "m", "gears": ["p", "w"], "center_distance_mm": distance}
+            drive = {"fixed": [], "input": "in", "output": "out", "body": [{"name": "in"}, {"name": "out"}],
+                     "gear": [{"name": "p", "body": "in", "profile_shift": 0, **gears[0]},
+                              {"name": "w", "body": "out", "profile_shift": 0, **gears[1]}],
+                     "mesh": [mesh]}
+            answer = Run("drive", json.dumps({"drive": drive}), "--json", name="drive.json").json
+            pair = Run("pair", json.dumps({"gear1": gears[0], "gear2": gears[1],
+                                           "pair": {"center_distance_mm": distance}}), "--json",
+                       name="pair.json").json["pair"]
+            normal = pair["backlash"]["normal_base_mm"]
+            said = f"The least backlash is {normal:.4f} mm." if normal >= 5e-5 else "There is no backlash in the mesh m."
+            self.assertIn(said, answer["verdict"]["headline"])
 
     def test_a_rack_drives(self):
         """If a rack drives, its speed is the pitch line velocity of the pinion. Its force has the lever arm

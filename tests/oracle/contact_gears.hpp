@@ -10,6 +10,7 @@
 
 #include "gearwright/contact/contact_pair.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
+#include "gearwright/pair/mounted_gears.hpp"
 #include "tests/oracle/brute_flanks.hpp"
 #include "tests/oracle/five_equation.hpp"
 
@@ -95,6 +96,15 @@ inline ContactSet contact_set(const tca::ArcPair& pair) {
                contact_mount(pair.mounting)};
   s.mount.errors.helix_twist = {static_cast<double>(pair.lead_1.twist),
                                 static_cast<double>(pair.lead_2.twist)};
+  return s;
+}
+
+/// The gears of a mounted pair, without errors.
+inline ContactSet contact_set(const MountedGears& pair, bool gear2_drives) {
+  ContactSet s{pair.gears, {}, {}};
+  s.mount.center_distance = pair.center_distance;
+  s.mount.axis_angle = pair.axis_angle();
+  s.mount.gear2_drives = gear2_drives;
   return s;
 }
 

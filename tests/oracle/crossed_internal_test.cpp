@@ -11,8 +11,7 @@
 #include <numbers>
 #include <optional>
 
-#include "gearwright/contact/contact_point.hpp"
-#include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/contact/contact.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
 #include "tests/oracle/contact_gears.hpp"
 #include "tests/property/random_crossed.hpp"
@@ -22,28 +21,6 @@ namespace {
 
 using property::CrossedSpecs;
 using property::Random;
-
-std::optional<CrossedPair> drawn(Random& random, double play, CrossedSpecs& specs) {
-  specs = property::random_crossed_internal(random);
-  const auto plain = property::mounted(specs, play);
-  if (!plain || !plain->flanks_meet()) return std::nullopt;
-  const auto ring = cut_by_default(plain->gears[1]);
-  if (!ring || !ring->root_form_radius() || !plain->gears[0].root_form_radius())
-    return std::nullopt;
-  auto pair = mount_as<CrossedPair>(plain->gears[0], *ring,
-                                    {plain->center_distance, plain->shaft_angle, {}});
-  if (!pair) return std::nullopt;
-  return std::move(pair).take();
-}
-
-ContactSet set_of(const CrossedPair& p, bool gear2_drives) {
-  ContactSet s;
-  s.gears = p.gears;
-  s.mount.center_distance = p.center_distance;
-  s.mount.axis_angle = p.axis_angle();
-  s.mount.gear2_drives = gear2_drives;
-  return s;
-}
 
 // Applies a lead crowning of C, mm, to a gear, in the engine and in the search.
 void crown(ContactSet& s, BrutePair& brute, int i, double C) {
@@ -95,7 +72,7 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
   double worst = 0.0;
   for (int i = 0; i < 400 && pairs < 60; ++i) {
     CrossedSpecs specs;
-    const auto p = drawn(random, i % 2 ? 0.0 : 0.05, specs);
+    const auto p = property::crossed_pair_with_ring(random, i % 2 ? 0.0 : 0.05, specs);
     if (!p || !(p->mesh.true_ratio > 0.3)) continue;
     // At a base circle the surface ends, so differences cannot be computed.
     if (!(p->mesh.rho1_true_begin > 0.2 * specs.first.normal_module)) continue;
@@ -103,7 +80,7 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
     ++pairs;
     const double size = p->input.gears[1].radius;
     for (const bool gear2_drives : {false, true}) {
-      ContactSet set = set_of(*p, gear2_drives);
+      ContactSet set = contact_set(*p, gear2_drives);
       const BrutePair plain = brute_pair(set);
       const BruteContact brute(plain);
       const double half_play = p->mesh.backlash.rotation[1] / 2;
@@ -128,7 +105,7 @@ TEST(CrossedInternal, flanks_are_tangent_on_the_line_and_overlap_beside_it) {
           if (!needed || part != (gear == 0 ? kFirst : kLast)) continue;
           for (const double more : {0.98, 1.02}) {
             BrutePair other = plain;
-            ContactSet unused = set_of(*p, gear2_drives);
+            ContactSet unused = contact_set(*p, gear2_drives);
             crown(unused, other, gear, more * *needed);
             const Differences c = differences(BruteContact(other), at, 2e-5 * size);
             EXPECT_EQ(c.determinant > 0.0, more > 1.0) << "gear " << gear + 1;
@@ -153,11 +130,11 @@ TEST(CrossedInternal, contact_ratio_is_the_rotation_between_the_ends) {
   int pairs = 0;
   for (int i = 0; i < 200 && pairs < 40; ++i) {
     CrossedSpecs specs;
-    const auto p = drawn(random, 0.0, specs);
+    const auto p = property::crossed_pair_with_ring(random, 0.0, specs);
     if (!p || !(p->mesh.rho1_A > 0.0)) continue;
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
-    const BrutePair brute = brute_pair(set_of(*p, false));
+    const BrutePair brute = brute_pair(contact_set(*p, false));
     const OnLine A = on_line(*p, brute, p->mesh.rho1_A), E = on_line(*p, brute, p->mesh.rho1_E);
     const double pitch = 2 * std::numbers::pi / p->gears[0].spec.teeth;
     EXPECT_NEAR(
@@ -180,11 +157,11 @@ Tally compare(std::uint64_t seed, int pairs, int sections, int radii) {
   Tally tally;
   for (int i = 0; i < 20 * pairs && tally.pairs < pairs; ++i) {
     CrossedSpecs specs;
-    const auto p = drawn(random, 0.02, specs);
+    const auto p = property::crossed_pair_with_ring(random, 0.02, specs);
     if (!p || !(p->mesh.true_ratio > 0.8)) continue;
     SCOPED_TRACE(property::describe(specs));
     ++tally.pairs;
-    ContactSet set = set_of(*p, random.chance(0.4));
+    ContactSet set = contact_set(*p, random.chance(0.4));
     const auto sign = [&random] { return random.chance(0.5) ? 1.0 : -1.0; };
     if (random.chance(0.6)) {
       const double size = random.logarithmic(1e-2, 1.0);
@@ -250,12 +227,12 @@ TEST(CrossedInternal, edges_lead_by_no_more_than_the_saddle) {
   double most = 0.0;
   for (int i = 0; i < 400 && pairs < 60; ++i) {
     CrossedSpecs specs;
-    const auto p = drawn(random, 0.1, specs);
+    const auto p = property::crossed_pair_with_ring(random, 0.1, specs);
     if (!p || !p->interference.empty() || !(p->mesh.true_ratio > 1.0)) continue;
     if (!p->needed_crowning[0] || !p->needed_crowning[1]) continue;
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
-    const ContactSet set = set_of(*p, false);
+    const ContactSet set = contact_set(*p, false);
     const ContactPair contact = set.pair();
     ContactRequest request;
     for (int j = 0; j < 8; ++j)
@@ -287,7 +264,7 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
   int pairs = 0;
   for (int i = 0; i < 4000 && pairs < 20; ++i) {
     CrossedSpecs specs;
-    auto p = drawn(random, 0.03, specs);
+    auto p = property::crossed_pair_with_ring(random, 0.03, specs);
     if (!p) continue;
     const int spur = specs.first.helix_angle.rad() == 0.0 ? 0 : 1;
     const auto k = static_cast<std::size_t>(spur);
@@ -305,7 +282,7 @@ TEST(CrossedInternal, a_crowned_spur_gear_keeps_the_ratio) {
       continue;  // a greater crowning is not a modification
     SCOPED_TRACE(property::describe(specs));
     ++pairs;
-    ContactSet set = set_of(*at_least, i % 2 == 0);
+    ContactSet set = contact_set(*at_least, i % 2 == 0);
     BrutePair unused = brute_pair(set);
     crown(set, unused, spur, crowning);
     ContactRequest request;
@@ -327,7 +304,7 @@ TEST(CrossedInternal, tips_come_closest_at_the_ends_of_the_faces) {
   int pairs = 0;
   for (int i = 0; i < 200 && pairs < 40; ++i) {
     CrossedSpecs specs;
-    const auto p = drawn(random, 0.0, specs);
+    const auto p = property::crossed_pair_with_ring(random, 0.0, specs);
     if (!p) continue;
     SCOPED_TRACE(property::describe(specs));
     ++pairs;

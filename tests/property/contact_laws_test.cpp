@@ -162,8 +162,7 @@ TEST(ContactLaws, crossed_involutes_keep_to_the_line_of_action) {
 // If a pair of teeth is followed through its range, its contact is the same as from a search
 // without a start value. The curve does not depend on the number of positions.
 TEST(ContactLaws, positions_are_rotations) {
-  over_pairs(26, 40, {}, [](const ModifiedPair& p, Random&) {
-    const ContactPair pair = p.set.pair();
+  over_contacts(26, 40, [](const ContactPair& pair) {
     const auto followed = over_a_pitch(pair, 32);
     std::vector<Angle> rotations;
     for (std::size_t i = 0; i < followed.positions.size(); i += 4)
@@ -180,8 +179,7 @@ TEST(ContactLaws, positions_are_rotations) {
 // The errors do not rotate with the gears, so every pitch repeats the first one, with the tooth
 // numbers increased by one.
 TEST(ContactLaws, pitches_repeat) {
-  over_pairs(27, 30, {}, [](const ModifiedPair& p, Random&) {
-    const ContactPair pair = p.set.pair();
+  over_contacts(27, 30, [](const ContactPair& pair) {
     const auto r = over_a_pitch(pair, 10, 3);
     ASSERT_EQ(r.positions.size(), 30u);
     for (std::size_t i = 10; i < 30; ++i) {
@@ -201,8 +199,8 @@ TEST(ContactLaws, pitches_repeat) {
 
 // Same input, same bits.
 TEST(ContactLaws, twice_is_the_same) {
-  over_pairs(28, 20, {}, [](const ModifiedPair& p, Random&) {
-    const auto a = over_a_pitch(p.set.pair(), 16), b = over_a_pitch(p.set.pair(), 16);
+  over_contacts(28, 20, [](const ContactPair& pair) {
+    const auto a = over_a_pitch(pair, 16), b = over_a_pitch(pair, 16);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_TRUE(same_bits(a.positions[i].te.rad(), b.positions[i].te.rad()));
       EXPECT_EQ(a.positions[i].point, b.positions[i].point);
@@ -276,17 +274,20 @@ TEST(ContactLaws, pieces_meet) {
 TEST(ContactLaws, scaling_by_two_is_exact) {
   Wanted want;
   want.modifications = false;
-  over_pairs(31, 20, want, [](const ModifiedPair& p, Random&) {
-    CylindricalSpec one = p.set.gears[0].spec, two = p.set.gears[1].spec;
-    if (two.teeth < 0) return;
-    for (CylindricalSpec* s : {&one, &two})
+  over_sets(31, 20, 20, want, [](const ContactSet& set, Random&) {
+    CylindricalSpec one = set.gears[0].spec, two = set.gears[1].spec;
+    for (CylindricalSpec* s : {&one, &two}) {
       s->normal_module *= 2, s->face_width *= 2, s->thickness_allowance *= 2;
-    ContactSet twice{
-        {std::move(make_gear(one)).take(), std::move(make_gear(two)).take()}, {}, p.set.mount};
+      if (s->tip_diameter) *s->tip_diameter *= 2;
+    }
+    const auto made = [](const CylindricalSpec& s) {
+      return std::move(make_gear_with_default_cutter(s)).take();
+    };
+    ContactSet twice{{made(one), made(two)}, {}, set.mount};
     auto& e = twice.mount.errors;
     twice.mount.center_distance *= 2, e.center_distance *= 2, e.axial *= 2;
     e.helix_twist[0] /= 2, e.helix_twist[1] /= 2;
-    const auto a = over_a_pitch(p.set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
+    const auto a = over_a_pitch(set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-15);
       // On a gear of twice the size, a nanometre is half as large in relation to the gear.
@@ -306,6 +307,7 @@ ContactSet mirrored_hands(const ContactSet& set) {
   auto& e = other.mount.errors;
   e.crossing = -e.crossing, e.intersecting = -e.intersecting, e.axial = -e.axial;
   e.helix_twist = {-e.helix_twist[0], -e.helix_twist[1]};
+  other.mount.axis_angle = -set.mount.axis_angle;
   return other;
 }
 
@@ -313,9 +315,9 @@ ContactSet mirrored_hands(const ContactSet& set) {
 TEST(ContactLaws, mirroring_both_hands) {
   Wanted want;
   want.modifications = false;
-  over_pairs(32, 30, want, [](const ModifiedPair& p, Random&) {
-    const auto a = over_a_pitch(p.set.pair(), 8);
-    const auto b = over_a_pitch(mirrored_hands(p.set).pair(), 8);
+  over_sets(32, 30, 30, want, [](const ContactSet& set, Random&) {
+    const auto a = over_a_pitch(set.pair(), 8);
+    const auto b = over_a_pitch(mirrored_hands(set).pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-14);
       const Vec3 &r = a.positions[i].point, &q = b.positions[i].point;
@@ -331,15 +333,15 @@ TEST(ContactLaws, mirroring_both_hands) {
 TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   Wanted want;
   want.modifications = false;
-  over_pairs(33, 40, want, [](const ModifiedPair& p, Random& random) {
-    ContactSet other = p.set;
-    other.mount.gear2_drives = !p.set.mount.gear2_drives;
-    other.mount.errors.intersecting = -p.set.mount.errors.intersecting;
-    other.mount.errors.axial = -p.set.mount.errors.axial;
+  over_sets(33, 40, 40, want, [](const ContactSet& set, Random& random) {
+    ContactSet other = set;
+    other.mount.gear2_drives = !set.mount.gear2_drives;
+    other.mount.errors.intersecting = -set.mount.errors.intersecting;
+    other.mount.errors.axial = -set.mount.errors.axial;
     std::vector<Angle> rotations, back;
     for (int i = 0; i < 5; ++i) rotations.push_back(Angle::radians(random.uniform(-0.2, 0.2)));
     for (const Angle r : rotations) back.push_back(-r);
-    const auto a = at_rotations(p.set.pair(), rotations), b = at_rotations(other.pair(), back);
+    const auto a = at_rotations(set.pair(), rotations), b = at_rotations(other.pair(), back);
     for (int i = 0; i < 5; ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), -b.positions[i].te.rad(), 1e-14);
       EXPECT_EQ(a.positions[i].kind, b.positions[i].kind);

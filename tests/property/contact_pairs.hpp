@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/pair/rack_pair.hpp"
 #include "tests/oracle/modified_involutes.hpp"
 #include "tests/oracle/numbers.hpp"
+#include "tests/property/random_crossed.hpp"
 
 namespace gearwright::property {
 
@@ -70,6 +74,72 @@ void over_pairs(std::uint64_t seed, int pairs, Wanted want, Law law) {
     }
   }
   EXPECT_EQ(held, pairs);
+}
+
+/// A random pair on crossed axes with errors of mounting, internal or external. The contact ratio
+/// exceeds 1. Returns nothing if the draw does not give such a pair.
+inline std::optional<ContactSet> random_crossed_set(Random& random, bool internal) {
+  CrossedSpecs specs;
+  std::optional<CrossedPair> p;
+  if (internal) {
+    p = crossed_pair_with_ring(random, 0.05, specs);
+  } else {
+    specs = random_crossed(random, 3.0);
+    p = mounted(specs, 0.2 * random.unit());
+  }
+  if (!p || !p->gears[0].root_form_radius() || !p->gears[1].root_form_radius()) return std::nullopt;
+  if (!(p->mesh.true_ratio > 1.05)) return std::nullopt;
+  ContactSet set = contact_set(*p, random.chance(0.4));
+  auto& e = set.mount.errors;
+  e.center_distance = 0.02 * p->side() * random.unit();
+  e.crossing = Angle::radians(random.uniform(-1e-4, 1e-4));
+  e.intersecting = Angle::radians(random.uniform(-1e-4, 1e-4));
+  e.axial = random.uniform(-0.05, 0.05);
+  return set;
+}
+
+/// Checks the law over the gears of over_pairs() and of `crossed` pairs on crossed axes, half of them
+/// internal. No flank on crossed axes is modified.
+template <class Law>
+void over_sets(std::uint64_t seed, int pairs, int crossed, const Wanted& want, Law law) {
+  over_pairs(seed, pairs, want, [&](const ModifiedPair& p, Random& random) { law(p.set, random); });
+  Random random(seed);
+  int held = 0;
+  for (int i = 0; held < crossed && i < 20 * crossed; ++i) {
+    const auto set = random_crossed_set(random, held % 2 == 0);
+    if (!set) continue;
+    ++held;
+    law(*set, random);
+    if (::testing::Test::HasFailure()) {
+      ADD_FAILURE() << "crossed axes, seed " << seed << ", draw " << i << ", teeth "
+                    << set->gears[0].spec.teeth << " and " << set->gears[1].spec.teeth;
+      return;
+    }
+  }
+  EXPECT_EQ(held, crossed);
+}
+
+/// Checks the law over the contacts of over_sets() and of pinions with racks, a third as many.
+template <class Law>
+void over_contacts(std::uint64_t seed, int pairs, Law law) {
+  over_sets(seed, pairs, pairs, {}, [&](const ContactSet& set, Random&) { law(set.pair()); });
+  Random random(seed);
+  for (int i = 0; i < pairs / 3 && !::testing::Test::HasFailure(); ++i) {
+    CylindricalSpec spec = random_pair(random, false).first;
+    spec.profile_shift = std::abs(spec.profile_shift);
+    const auto pinion = make_gear(spec);
+    ASSERT_TRUE(pinion && pinion->root_form_radius());
+    const auto rack = mount_rack(*pinion, {});
+    ASSERT_TRUE(rack);
+    ContactMount mount;
+    mount.center_distance = rack->center_distance;
+    mount.gear2_drives = random.chance(0.4);
+    mount.errors.center_distance = 0.02 * spec.normal_module * random.unit();
+    mount.errors.crossing = Angle::radians(random.uniform(-1e-4, 1e-4));
+    mount.errors.intersecting = Angle::radians(random.uniform(-1e-4, 1e-4));
+    law(ContactPair({&rack->pinion, {}}, rack->rack, mount));
+    if (::testing::Test::HasFailure()) ADD_FAILURE() << "a rack and" << describe(spec);
+  }
 }
 
 }  // namespace gearwright::property

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/property/random_spec.hpp"
 
@@ -98,6 +99,22 @@ inline std::optional<CrossedPair> mounted(const CrossedSpecs& s, double play = 0
   auto pair = mount_as<CrossedPair>(
       std::move(g1).take(), std::move(g2).take(),
       {tight->center_distance + side_of(s.second.teeth) * play, tight->shaft_angle, 0.05});
+  if (!pair) return std::nullopt;
+  return std::move(pair).take();
+}
+
+/// A random internal pair on crossed axes, whose ring is cut by its default cutter. Returns nothing
+/// if the flanks do not meet.
+inline std::optional<CrossedPair> crossed_pair_with_ring(Random& random, double play,
+                                                         CrossedSpecs& specs) {
+  specs = random_crossed_internal(random);
+  const auto plain = mounted(specs, play);
+  if (!plain || !plain->flanks_meet()) return std::nullopt;
+  const auto ring = cut_by_default(plain->gears[1]);
+  if (!ring || !ring->root_form_radius() || !plain->gears[0].root_form_radius())
+    return std::nullopt;
+  auto pair = mount_as<CrossedPair>(plain->gears[0], *ring,
+                                    {plain->center_distance, plain->shaft_angle, {}});
   if (!pair) return std::nullopt;
   return std::move(pair).take();
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -131,8 +132,7 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   if (!job_.pair) return absent_input("gear2", "; the chart shows the profile shifts of two gears");
   if (!job_.pair->involute())
     return Error{"gear1.rack.kind", "", "has circular arcs, which have no profile shifts"};
-  const bool swapped =
-      !job_.gears[1].internal() && job_.gears[1].spec.teeth < job_.gears[0].spec.teeth;
+  const bool swapped = std::abs(job_.gears[1].spec.teeth) < job_.gears[0].spec.teeth;
   const auto problem = problem_of(job_, swapped);
   if (!problem) return problem.error();
   const Search search(*problem);
