@@ -48,7 +48,7 @@ const Quantities<ArcContact>& ellipse_quantities() {
   using A = ArcContact;
   return define("pair.arc_contacts ellipse", [](Quantities<A>& q) {
     q.number("marking_mm", "thickness of the marking compound", "δ",
-             "the ellipse is computed for this thickness", [](const A&) { return Value(kMarking); })
+             "the ellipse is computed for this thickness", [](const A&) { return kMarking; })
         .doors(kJson);
     q.number("semi_major_mm", "semi-major axis of the contact ellipse", "",
              "null if the flanks interfere in this direction",
@@ -78,9 +78,8 @@ void add_all(Quantities<C>& q) {
   const auto at = [](auto get) {
     return [get](const C& c) -> decltype(auto) { return std::invoke(get, c.contact->at); };
   };
-  q.whole("convex_gear", "gear with the convex flank", "", "1 or 2", [](const C& c) {
-     return c.contact->convex_gear;
-   }).always();
+  q.whole("convex_gear", "gear with the convex flank", "", "1 or 2",
+          [](const C& c) { return c.contact->convex_gear; });
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
            at(&ArcContact::theta));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
@@ -89,24 +88,20 @@ void add_all(Quantities<C>& q) {
              return theta ? Value(theta->deg()) : Value();
            });
   q.number("point_mm", "point of contact at rotation 0", "x, y, z", "in the housing frame",
-           at(&ArcContact::point))
-      .list({3});
-  q.term("normal", "unit vector that points out of gear 1", at(&ArcContact::normal))
-      .list({3})
-      .doors(kJson);
+           at(&ArcContact::point));
+  q.term("normal", "unit vector that points out of gear 1", at(&ArcContact::normal)).doors(kJson);
   q.number("contact_diameter_mm", "diameter of contact", "", "per gear", [](const C& c) {
      const ArcContact& a = c.contact->at;
-     return Value(by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave));
+     return by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave);
    }).per_gear();
   q.number("rotation2_offset_deg", "rotation of gear 2 at the contact", "",
            "angle by which gear 2 is ahead when these flanks touch [T7.18]",
            [](const C& c) {
              const Angle offset = c.contact->at.rotation_offset;
-             return Value((convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg());
+             return (convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg();
            })
       .doors(kJson);
-  q.record<tensor_quantities>("curvature_per_mm", "curvatures of both flanks", std::identity{})
-      .doors(kJson);
+  q.record<tensor_quantities>("curvature_per_mm", "curvatures of both flanks").doors(kJson);
   q.term("gap_curvature_per_mm", "k1 ≤ k2; k1 is 0 or negative if the flanks interfere",
          at(&ArcContact::gap))
       .words("relative curvatures")
@@ -122,7 +117,8 @@ void add_all(Quantities<C>& q) {
            }));
   q.number("line_contact_radius_difference_mm",
            "difference of the transverse radii for line contact", "", "[T7.10]",
-           at(&ArcContact::line_contact_difference));
+           at(&ArcContact::line_contact_difference))
+      .or_null();
 }
 
 }  // namespace

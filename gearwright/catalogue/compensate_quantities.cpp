@@ -16,9 +16,9 @@ constexpr const char* kLead = "Lead angle that removes the slope of the transmis
 const Quantities<Scenario>& scenario_quantities() {
   using S = Scenario;
   return define("compensate.scenarios", [](Quantities<S>& q) {
-    q.text("errors", "errors of the scenario, in words", &S::errors).always();
-    q.record<score_quantities>("before", "scores without corrections", &S::before).always();
-    q.record<score_quantities>("after", "scores with the corrections", &S::after).always();
+    q.text("errors", "errors of the scenario, in words", &S::errors);
+    q.record<score_quantities>("before", "scores without corrections", &S::before);
+    q.record<score_quantities>("after", "scores with the corrections", &S::after);
   });
 }
 
@@ -51,8 +51,7 @@ const Quantities<SettingAnswer>& setting_quantities() {
     q.number("first_order_mm", "change of the position b of the arc centre, to first order", "Δb_F",
              "[T8.21]", &S::first_order)
         .digits(6);
-    q.record<angle_quantities>("pressure_angle_deg", "pressure angles at the contact",
-                               std::identity{});
+    q.record<angle_quantities>("pressure_angle_deg", "pressure angles at the contact");
     q.number("tooth_thickness_change_mm", "change of the normal tooth thickness", "",
              "for the exact setting only [T8.23]", &S::thickness_change)
         .digits(6);
@@ -85,9 +84,9 @@ const Quantities<LeadAnswer>& lead_quantities() {
 const Quantities<AimedLoad>& load_quantities_of_aim() {
   using L = AimedLoad;
   return define("compensate.under_load", [](Quantities<L>& q) {
-    q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); }).always();
-    q.record<loaded_score_quantities>("before", "without corrections", &L::before).always();
-    q.record<loaded_score_quantities>("after", "with the corrections", &L::after).always();
+    q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); });
+    q.record<loaded_score_quantities>("before", "without corrections", &L::before);
+    q.record<loaded_score_quantities>("after", "with the corrections", &L::after);
   });
 }
 
@@ -96,16 +95,12 @@ bool loaded(const V& v) { return under_load(v.aim); }
 void add_all(Quantities<V>& q) {
   q.groups({kSetting, kLead});
   q.record<correction_quantities>("corrections", "corrections that were found", &V::corrections)
-      .list({0})
-      .always()
       .doors(kJson);
   q.record<score_quantities>("before", "worst scores over all scenarios, without corrections",
                              &V::before)
-      .always()
       .doors(kJson);
   q.record<score_quantities>("after", "worst scores over all scenarios, with the corrections",
                              &V::after)
-      .always()
       .doors(kJson);
   q.word("aim", "minimised quantity", "value of the key `aim`",
          [](const V& v) {
@@ -117,7 +112,6 @@ void add_all(Quantities<V>& q) {
   q.record<load_quantities_of_aim>(
        "under_load", "one entry for each torque, with the worst scores over all scenarios",
        &V::loads)
-      .list({0})
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "no correction needed",
@@ -128,8 +122,6 @@ void add_all(Quantities<V>& q) {
            "value of the key `centering_arcsec`, or its default [T8.24]", &V::centering)
       .doors(kJson);
   q.record<scenario_quantities>("scenarios", "each scenario with its scores", &V::scenarios)
-      .list({0})
-      .always()
       .doors(kJson);
   q.under(kSetting);
   q.record<setting_quantities>("tool_setting", "setting for racks F and P; null for other gears",
@@ -155,14 +147,12 @@ const Quantities<CompensateView>& compensate_quantities() { return define<add_al
 const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;
   return define("compensate.corrections", [](Quantities<C>& q) {
-    q.text("key", "key of the correction, as in the spec", &C::key).always();
-    q.number("value", "value", "", "in the unit of the correction", &C::value).always();
-    q.text("unit", "unit of the value, spelled as in keys", &C::unit).always();
-    q.text("spec_key", "key of the corrected spec that contains the correction", &C::spec_key)
-        .always();
+    q.text("key", "key of the correction, as in the spec", &C::key);
+    q.number("value", "value", "", "in the unit of the correction", &C::value);
+    q.text("unit", "unit of the value, spelled as in keys", &C::unit);
+    q.text("spec_key", "key of the corrected spec that contains the correction", &C::spec_key);
     q.flag("at_bound", "at the end of the searched range",
-           "true if a greater correction might be better", &C::at_bound)
-        .always();
+           "true if a greater correction might be better", &C::at_bound);
   });
 }
 
@@ -170,11 +160,9 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
   using S = LoadedScore;
   return define("compensate loaded score", [](Quantities<S>& q) {
     q.term("peak_to_peak_arcsec", "computed as in `load`", &S::peak_to_peak)
-        .words("loaded transmission error, peak to peak")
-        .always();
+        .words("loaded transmission error, peak to peak");
     q.term("max_pressure_MPa", "Hertz pressure; a lower bound if an edge carries load",
-           &S::max_pressure)
-        .always();
+           &S::max_pressure);
     q.term("face_load_factor", "computed as in `load`", &S::face_load_factor).when([](const S& s) {
       return s.face_load_factor.has_value();
     });
@@ -193,14 +181,17 @@ const Quantities<ContactScore>& score_quantities() {
         .otherwise("no contact");
     q.number("contact_along_face", "contact offset along the face", "",
              "mean position, ±1 at the ends [T8.24]", &S::along_face)
+        .or_null()
         .unit(Unit::percent)
         .digits(1);
     q.number("contact_along_profile", "contact offset along the profile", "",
              "mean position, ±1 at the ends [T8.24]", &S::along_profile)
+        .or_null()
         .unit(Unit::percent)
         .digits(1);
     q.number("edge_share", "positions with an edge in contact", "",
              "share of the positions of a pitch at which an edge touches, 0 to 1", &S::edge_share)
+        .or_null()
         .unit(Unit::percent)
         .digits(1);
     q.term("contact_lost", "somewhere", &S::lost).doors(kJson);

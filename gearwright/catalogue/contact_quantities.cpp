@@ -22,14 +22,16 @@ bool touches(const P& p) { return p.kind != TouchKind::none; }
 template <class F>
 auto at_place(F get) {
   return [get](const P& p) {
-    return touches(p) && !std::isnan(p.diameter[0]) ? Value(std::invoke(get, p)) : Value();
+    return touches(p) && !std::isnan(p.diameter[0]) ? std::optional(std::invoke(get, p))
+                                                    : std::nullopt;
   };
 }
 
 // A getter for a quantity that exists only at a position with contact.
 template <class F>
 auto touching(F get) {
-  return [get](const P& p) { return touches(p) ? Value(std::invoke(get, p)) : Value(); };
+  return
+      [get](const P& p) { return touches(p) ? std::optional(std::invoke(get, p)) : std::nullopt; };
 }
 
 // is_rack is true if gear 2 is a rack, and is_gear if it is not. The results for a rack are travels
@@ -45,42 +47,37 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
   using E = ContactEllipse;
   return define("contact.positions ellipse", [](Quantities<E>& q) {
     q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
-    q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor).always();
+    q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor);
     q.number("angle_deg", "direction of the major axis", "",
              "angle about the flank normal, from the projection of axis 1 to the major axis",
-             &E::angle)
-        .always();
+             &E::angle);
   });
 }
 
 const Quantities<ContactRidge>& ridge_quantities() {
   using R = ContactRidge;
   return define("contact.positions ridge", [](Quantities<R>& q) {
-    q.term("gear", "gear whose flank has the ridge", &R::gear).always();
+    q.term("gear", "gear whose flank has the ridge", &R::gear);
     q.number("along_per_mm", "curvature of the gap along the ridge", "",
-             "the curvature is the same on both sides", &R::along)
-        .always();
+             "the curvature is the same on both sides", &R::along);
     q.number("slope", "slopes of the gap", "",
              "slopes away from the ridge, first towards the smaller diameter (for an end relief, "
              "towards the smaller height), then in the other direction",
              [](const R& r) {
                return ValueList{r.side[0].slope, r.side[1].slope};
              })
-        .list({2})
-        .always();
+        .list({2});
     q.term("gap_curvature_per_mm",
            "curvatures of the gap on both sides of the ridge, in the same order",
            [](const R& r) {
              return ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)};
            })
-        .list({2, 2})
-        .always();
+        .list({2, 2});
   });
 }
 
 void add_position(Quantities<P>& q) {
-  q.under("");
-  q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1).always();
+  q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1);
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
            touching([](const P& p) { return p.rotation2.deg(); }))
       .when(is_gear);
@@ -108,12 +105,9 @@ void add_position(Quantities<P>& q) {
          touching([](const P& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
-  q.term("point_mm", "in the housing frame", at_place(&P::point))
-      .words("point of contact")
-      .list({3});
+  q.term("point_mm", "in the housing frame", at_place(&P::point)).words("point of contact");
   q.term("normal", "unit vector in the housing frame that points out of gear 1",
-         at_place(&P::normal))
-      .list({3});
+         at_place(&P::normal));
   q.number("diameter_mm", "diameter of contact", "", "per gear; null for a rack",
            at_place([](const P& p) {
              return ValueList{Value(p.diameter[0]), p.rack ? Value() : Value(p.diameter[1])};
@@ -156,21 +150,18 @@ const Quantities<ContactResult>& non_working_quantities() {
         ValueList list;
         for (const P& p : r.positions)
           list.push_back(touches(p) ? Value(std::invoke(get, p)) : Value());
-        return Value(std::move(list));
+        return list;
       };
     };
     q.term("transmission_error_arcsec", "at each position",
            each([](const P& p) { return p.te.arcsec(); }))
-        .list({0})
         .when(is_gear)
         .doors(kJson);
     q.term("transmission_error_um", "at each position",
            each([](const P& p) { return travel_um(p.rack, p.te); }))
-        .list({0})
         .when(is_rack)
         .doors(kJson);
     q.term("kind", "at each position", each([](const P& p) { return to_string(p.kind); }))
-        .list({0})
         .doors(kJson);
     q.term("peak_to_peak_arcsec", "over the positions with contact", &R::peak_to_peak)
         .words("transmission error of the non-working flanks, peak to peak")
@@ -217,12 +208,10 @@ struct RasterView {
 const Quantities<RasterView>& raster_quantities() {
   using R = RasterView;
   return define("contact.pattern gear", [](Quantities<R>& q) {
-    q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const R& r) {
-       return r.raster->diameter;
-     }).list({0});
-    q.number("height_mm", "heights", "", "heights of the columns", [](const R& r) {
-       return r.raster->height;
-     }).list({0});
+    q.number("diameter_mm", "diameters", "", "diameters of the rows",
+             [](const R& r) { return r.raster->diameter; });
+    q.number("height_mm", "heights", "", "heights of the columns",
+             [](const R& r) { return r.raster->height; });
     q.number("gap_mm", "gap", "",
              "least normal gap during the mesh at each point; null at points that the mating gear "
              "never passes",
@@ -236,7 +225,7 @@ const Quantities<RasterView>& raster_quantities() {
                  }
                  rows.push_back(std::move(row));
                }
-               return Value(std::move(rows));
+               return rows;
              })
         .list({0, 0});
     q.number("marked", "marked share of the flank", "",
@@ -253,11 +242,9 @@ const Quantities<RasterView>& raster_quantities() {
 const Quantities<V>& pattern_quantities() {
   return define("contact.pattern", [](Quantities<V>& q) {
     const auto gear = [](std::size_t i) {
-      return [i](const V& v) {
-        return Value(raster_quantities().of({&(*v.pattern)[i], v.marking}));
-      };
+      return [i](const V& v) { return raster_quantities().of({&(*v.pattern)[i], v.marking}); };
     };
-    q.record<raster_quantities>("gear1", "the flank of gear 1", gear(0)).always();
+    q.record<raster_quantities>("gear1", "the flank of gear 1", gear(0));
     q.record<raster_quantities>("gear2", "the flank of gear 2; absent for a rack", gear(1))
         .when(of_gear);
   });
@@ -266,13 +253,11 @@ const Quantities<V>& pattern_quantities() {
 const Quantities<V>& map_quantities() {
   return define("contact.map", [](Quantities<V>& q) {
     q.word("x", "error of x", "key of [errors]", [](const V& v) { return v.map_axes[0]; });
-    q.number("x_values", "values of x", "", "in the unit of the key", [](const V& v) {
-       return v.map->x;
-     }).list({0});
+    q.number("x_values", "values of x", "", "in the unit of the key",
+             [](const V& v) { return v.map->x; });
     q.word("y", "error of y", "key of [errors]", [](const V& v) { return v.map_axes[1]; });
-    q.number("y_values", "values of y", "", "in the unit of the key", [](const V& v) {
-       return v.map->y;
-     }).list({0});
+    q.number("y_values", "values of y", "", "in the unit of the key",
+             [](const V& v) { return v.map->y; });
     q.term("peak_to_peak_arcsec", "one row for each y; null if no teeth touch",
            [](const V& v) {
              ValueList rows;
@@ -282,7 +267,7 @@ const Quantities<V>& map_quantities() {
                  line.push_back(std::isnan(te) ? Value() : Value(te * kArcsecPerRad));
                rows.push_back(std::move(line));
              }
-             return Value(std::move(rows));
+             return rows;
            })
         .words("peak to peak")
         .list({0, 0});
@@ -293,14 +278,11 @@ void add_all(Quantities<V>& q) {
   q.record<position_quantities>(
        "positions", "one entry for each rotation, in the given order",
        [](const V& v) -> const auto& { return v.working->positions; })
-      .list({0})
-      .always()
       .doors(kJson);
   q.under(kContact);
-  q.term("peak_to_peak_arcsec", "over the positions with contact",
-         [](const V& v) { return v.working->peak_to_peak; })
-      .when(of_gear)
-      .always();
+  q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
+     return v.working->peak_to_peak;
+   }).when(of_gear);
   q.term("peak_to_peak_um", "over the positions with contact, along the rack", [](const V& v) {
      return travel_um(v.working->rack, v.working->peak_to_peak);
    }).when(of_rack);
@@ -322,27 +304,21 @@ void add_all(Quantities<V>& q) {
   q.number("mean_slope", "mean slope of the transmission error", "",
            "least-squares slope over the rotation of gear 1, rad per rad",
            [](const V& v) { return v.working->mean_slope; })
+      .or_null()
       .when(of_gear)
       .doors(kJson);
   q.term("harmonics_arcsec",
          "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and at most as many as "
          "`positions` can resolve [T8.18]; empty if `rotation1_deg` is given or contact is lost",
-         [](const V& v) {
-           ValueList list;
-           for (const Angle h : v.working->harmonics) list.push_back(h.arcsec());
-           return Value(std::move(list));
-         })
-      .list({0})
+         [](const V& v) { return v.working->harmonics; })
       .when(of_gear)
-      .always()
       .doors(kJson);
   q.term("harmonics_um", "as `harmonics_arcsec`, but for the travel of a rack",
          [](const V& v) {
            ValueList list;
            for (const Angle h : v.working->harmonics) list.push_back(travel_um(v.working->rack, h));
-           return Value(std::move(list));
+           return list;
          })
-      .list({0})
       .when(of_rack)
       .doors(kJson);
   q.term("contact_lost", "true if no tooth pair touches at some position",
@@ -377,14 +353,14 @@ void add_all(Quantities<V>& q) {
              ValueList list;
              for (const double mm : *v.float_axial)
                list.push_back(std::isnan(mm) ? Value() : Value(mm * kUmPerMm));
-             return Value(std::move(list));
+             return list;
            })
-      .list({0})
       .when([](const V& v) { return v.float_axial != nullptr; })
       .doors(kJson);
   q.number("axial_float_peak_to_peak_um", "axial movement of the floating gear, peak to peak", "",
            "over the positions with contact",
-           [](const V& v) { return Value(kUmPerMm * peak_to_peak(*v.float_axial)); })
+           [](const V& v) { return kUmPerMm * peak_to_peak(*v.float_axial); })
+      .or_null()
       .when([](const V& v) { return v.float_axial != nullptr; });
   q.record<contact_quantities>(
        "halves",
@@ -397,13 +373,11 @@ void add_all(Quantities<V>& q) {
   q.record<pattern_quantities>(
        "pattern",
        "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
-       "`halves`",
-       std::identity{})
+       "`halves`")
       .when([](const V& v) { return v.pattern != nullptr; })
       .doors(kJson);
   q.record<map_quantities>("map",
-                           "peak-to-peak transmission error over the two errors of [contact.map]",
-                           std::identity{})
+                           "peak-to-peak transmission error over the two errors of [contact.map]")
       .when([](const V& v) { return v.map != nullptr; })
       .doors(kJson);
 }

@@ -47,23 +47,18 @@ const Quantities<V>& region_quantities() {
           "counter-clockwise, each {constraint, points}; a straight edge has two points (x1, x2), "
           "a curve 25 or more",
           [](const V& v) { return v.edges(); })
-        .when([](const V& v) { return static_cast<bool>(v.edges); })
-        .list({0});
-    q.number("lo", "middle of the region at the least Σx", "", "[x1, x2]",
-             [](const V& v) { return v.row->lo; })
-        .list({2})
-        .always()
-        .column("lo_x#");
-    q.number("hi", "middle of the region at the greatest Σx", "", "[x1, x2]",
-             [](const V& v) { return v.row->hi; })
-        .list({2})
-        .always()
-        .column("hi_x#");
-    q.term("area", "modules²", [](const V& v) { return v.row->area; }).always().column("area");
+        .list({0})
+        .when([](const V& v) { return static_cast<bool>(v.edges); });
+    q.number("lo", "middle of the region at the least Σx", "", "[x1, x2]", [](const V& v) {
+       return v.row->lo;
+     }).column("lo_x#");
+    q.number("hi", "middle of the region at the greatest Σx", "", "[x1, x2]", [](const V& v) {
+       return v.row->hi;
+     }).column("hi_x#");
+    q.term("area", "modules²", [](const V& v) { return v.row->area; }).column("area");
     q.number("shift_sum", "sums of the profile shifts", "Σx", "[least, greatest]",
              [](const V& v) { return v.row->sums; })
         .ends()
-        .always()
         .column("shift_sum_#");
   });
 }
@@ -71,11 +66,9 @@ const Quantities<V>& region_quantities() {
 void add_numbers(Quantities<V>& q) {
   q.add(Type::index, "trial", "number of the trial", "", "in the order of the search",
         [](const V& v) { return v.row->trial.index; })
-      .always()
       .column("trial")
       .doors(kJson);
   q.number("module_mm", "normal module", "m_n", "", [](const V& v) { return v.row->trial.module; })
-      .always()
       .column("module_mm")
       .digits(3);
   q.term("teeth", "[z1, z2]; negative for an internal gear",
@@ -83,21 +76,18 @@ void add_numbers(Quantities<V>& q) {
            return std::array{v.row->trial.z1, v.row->trial.z2};
          })
       .per_gear()
-      .always()
       .column("z#");
   q.term("helix_angle_deg", "> 0 right hand",
          [](const V& v) {
            const auto& helix = v.row->trial.helix;
-           return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
+           return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
          })
       .per_gear()
-      .always()
       .column("helix#_deg")
       .digits(kFewDigits)
       .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
   q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
           [](const V& v) { return v.row->trial.rack + 1; })
-      .always()
       .column("rack")
       .when([](const V& v) { return v.problem->racks.size() > 1; });
 }
@@ -105,7 +95,6 @@ void add_numbers(Quantities<V>& q) {
 void add_place(Quantities<V>& q) {
   q.term("profile_shift", "[x1, x2]", [](const V& v) { return v.row->shift; })
       .per_gear()
-      .always()
       .column("x#")
       .digits(4);
   q.word("point", "position of the profile shifts in the region",
@@ -113,20 +102,16 @@ void add_place(Quantities<V>& q) {
          "a point in the middle of the region, used if the line misses the region",
          [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
-      .always()
       .column("point")
       .greater_first();
-  q.term("center_distance_mm", "centre distance of the design as mounted",
-         [](const V& v) { return v.row->center_distance; })
-      .always()
-      .column("center_distance_mm");
+  q.term("center_distance_mm", "centre distance of the design as mounted", [](const V& v) {
+     return v.row->center_distance;
+   }).column("center_distance_mm");
   q.number("ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return v.row->ratio; })
-      .always()
       .column("ratio")
       .digits(4);
   q.number("ratio_error", "gear ratio minus its target", "Δu", "the target is `target_ratio`",
            [](const V& v) { return v.row->ratio - v.problem->target_ratio; })
-      .always()
       .digits(4);
 }
 
@@ -134,7 +119,6 @@ void add_contact(Quantities<V>& q) {
   q.number("contact_ratio", "transverse contact ratio", "ε_α",
            "by Eq. 10, or for crossed axes AE/p_bn",
            [](const V& v) { return v.row->contact_ratio; })
-      .always()
       .column("contact_ratio")
       .greater_first()
       .digits(kFewDigits);
@@ -142,17 +126,15 @@ void add_contact(Quantities<V>& q) {
            "for the part of the path on the usable flanks, which begin at ρ_F of [T9.1]; for "
            "crossed gears, the limits of the faces are ignored",
            [](const V& v) { return v.row->contact_ratio_true; })
-      .always()
       .column("contact_ratio_true")
       .greater_first()
       .digits(kFewDigits);
   q.term("overlap_ratio", "0 on crossed axes", [](const V& v) { return v.row->overlap_ratio; })
-      .always()
       .column("overlap_ratio")
       .greater_first()
       .digits(kFewDigits)
       .shown([](const V& v) { return is_parallel(v) && v.row->overlap_ratio != 0.0; });
-  const auto angle = [](const V& v) { return Value(tidy_degrees(v.row->working_angle)); };
+  const auto angle = [](const V& v) { return tidy_degrees(v.row->working_angle); };
   q.term("working_normal_pressure_angle_deg", "crossed axes only", angle)
       .when(is_crossed)
       .digits(kFewDigits);
@@ -161,7 +143,6 @@ void add_contact(Quantities<V>& q) {
       .digits(kFewDigits);
   q.number("working_angle_deg", "working pressure angle", "",
            "transverse, or for crossed axes normal", angle)
-      .always()
       .column("working_angle_deg")
       .doors(kColumns);
 }
@@ -170,12 +151,11 @@ void add_limits(Quantities<V>& q) {
   q.number("backlash_normal_mm", "normal backlash, shortest distance of the flanks", "j_bn",
            "`backlash.normal_base_mm` of the pair",
            [](const V& v) { return v.row->backlash_normal; })
-      .always()
       .column("backlash_normal_mm");
   q.term("backlash_mm",
          "[least, greatest] at the ends of the tolerances; only for designs with thickness "
          "allowances or with a tolerance of the centre distance",
-         [](const V& v) { return Value(v.row->backlash_ends); })
+         [](const V& v) { return v.row->backlash_ends; })
       .ends()
       .column("backlash_#_mm")
       .when([](const V& v) {
@@ -183,9 +163,8 @@ void add_limits(Quantities<V>& q) {
       })
       .digits(kFewDigits);
   q.number("tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
-           [](const V& v) { return Value(v.row->tip_thickness); })
+           [](const V& v) { return v.row->tip_thickness; })
       .per_gear()
-      .always()
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
@@ -194,7 +173,6 @@ void add_limits(Quantities<V>& q) {
          "gear 1",
          [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
-      .always()
       .column("tip_clearance#_mm")
       .greater_first()
       .digits(kFewDigits);
@@ -209,15 +187,11 @@ void add_limits(Quantities<V>& q) {
   q.number("tip_alteration_mm", "tip alteration", "k m_n",
            "applied tip alteration; 0 without `shorten_tips`",
            [](const V& v) { return v.row->tip_alteration; })
-      .always()
       .column("tip_alteration_mm")
       .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`",
-                      [](const V& v) {
-                        return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
-                      })
-      .always()
-      .doors(kJson);
+  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`", [](const V& v) {
+     return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
+   }).doors(kJson);
   for (const std::size_t gear : {0, 1}) {
     for (const std::size_t end : {0, 1}) {
       const std::string name = "sliding" + std::to_string(gear + 1) + (end == 0 ? "_A" : "_E");
@@ -296,6 +270,7 @@ void add_ranks(Quantities<V>& q) {
            "mass in kg times (b/d_1)^`cost_exponent` [T9.18], to compare designs of one kind; only "
            "with `objective` = `cost`",
            [](const V& v) { return relative_cost(*v.problem, *v.row); })
+      .or_null()
       .column("relative_cost")
       .when([](const V& v) { return v.problem->ranks_by(Objective::cost); })
       .digits(kFewDigits);
@@ -322,9 +297,7 @@ void add_all(Quantities<V>& q) {
       .digits(4)
       .shown([](const V& v) { return v.row->area > 0.0; });  // with an exact centre distance, the
                                                              // region is a line
-  q.record<region_quantities>("region", "profile shifts that satisfy every limit", std::identity{})
-      .always()
-      .doors(kJson);
+  q.record<region_quantities>("region", "profile shifts that satisfy every limit").doors(kJson);
   q.add(Type::map, "objective", "objective", "",
         "value of the criterion, or one value for each criterion", objective)
       .doors(kJson);
@@ -335,19 +308,18 @@ void add_point(Quantities<ShiftPoint>& q) {
   const auto column = [&q](const char* name, Type type, auto get) -> Quantity<P>& {
     return q.add(type, name, name, "", "", get).column(name).doors(kColumns);
   };
-  column("trial", Type::index, &P::trial).always();
-  column("x#", Type::number, &P::shift).per_gear().always();
-  column("center_distance_mm", Type::number, &P::center_distance).always();
-  column("working_angle_deg", Type::number, [](const P& p) {
-    return tidy_degrees(p.working_angle);
-  }).always();
-  column("contact_ratio", Type::number, &P::contact_ratio).always();
-  column("contact_ratio_true", Type::number, &P::contact_ratio_true).always();
+  column("trial", Type::index, &P::trial);
+  column("x#", Type::number, &P::shift).per_gear();
+  column("center_distance_mm", Type::number, &P::center_distance);
+  column("working_angle_deg", Type::number,
+         [](const P& p) { return tidy_degrees(p.working_angle); });
+  column("contact_ratio", Type::number, &P::contact_ratio);
+  column("contact_ratio_true", Type::number, &P::contact_ratio_true);
   column("sliding_max", Type::number, &P::sliding);
-  column("tip_thickness#_mm", Type::number, &P::tip_thickness).per_gear().always();
-  column("tip_clearance#_mm", Type::number, &P::tip_clearance).per_gear().always();
-  column("backlash_normal_mm", Type::number, &P::backlash_normal).always();
-  column("interference", Type::flag, &P::interference).always();
+  column("tip_thickness#_mm", Type::number, &P::tip_thickness).per_gear();
+  column("tip_clearance#_mm", Type::number, &P::tip_clearance).per_gear();
+  column("backlash_normal_mm", Type::number, &P::backlash_normal);
+  column("interference", Type::flag, &P::interference);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 Value micrometres(const std::optional<double>& mm) { return mm ? Value(*mm * kUmPerMm) : Value(); }
 
 template <class Of>
-Value of_planets(const PlanetShares& shares, const Of& of) {
+ValueList of_planets(const PlanetShares& shares, const Of& of) {
   ValueList list;
   for (std::size_t i = 0; i < shares.share.size(); ++i) list.emplace_back(of(i));
   return list;
@@ -23,32 +23,24 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
   using V = PlanetSharesView;
   return define("drive.load.set", [](Quantities<V>& q) {
     q.text("carrier", "name of the carrier", [](const V& v) {
-       return v.drive->graph.bodies[v.drive->sets[v.shares->set].group.carrier].name;
-     }).always();
+      return v.drive->graph.bodies[v.drive->sets[v.shares->set].group.carrier].name;
+    });
     q.number("mesh_load_factor", "mesh load factor", "K_γ",
              "number of planets times the greatest share [T13.26]",
-             [](const V& v) { return v.shares->mesh_load_factor; })
-        .always();
+             [](const V& v) { return v.shares->mesh_load_factor; });
     q.number("share_mean", "mean share of each planet", "",
              "load of a planet divided by the load of all planets, averaged over a period",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->mean(i); });
-             })
-        .always()
-        .list({0});
+             });
     q.number("share_max", "greatest share of each planet", "", "greatest value within a period",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->greatest(i); });
-             })
-        .always()
-        .list({0});
+             });
     q.number("share_min", "least share of each planet", "",
-             "least value within a period; 0 if the planet loses contact",
-             [](const V& v) {
+             "least value within a period; 0 if the planet loses contact", [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least(i); });
-             })
-        .always()
-        .list({0});
+             });
     q.number("shares", "shares of the planets", "",
              "share of each planet at each position of the period",
              [](const V& v) {
@@ -56,7 +48,6 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
                  return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());
                });
              })
-        .always()
         .list({0, 0})
         .doors(kJson);
     q.text("floating", "name of the body that floats; null if no body floats",
@@ -95,25 +86,18 @@ namespace {
 const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
   using C = LoadedDrive::Curve;
   return define("drive.load.curve", [](Quantities<C>& q) {
-    q.number("frequency_ratio", "teeth per turn of the input", "", "", &C::frequency_ratio)
-        .always();
+    q.number("frequency_ratio", "teeth per turn of the input", "", "", &C::frequency_ratio);
     const auto seconds = [](const std::vector<double>& radians) {
       ValueList list;
       for (const double r : radians) list.emplace_back(Angle::radians(r).arcsec());
-      return Value(list);
+      return list;
     };
     q.number("loaded_arcsec", "rotation error under load", "",
              "deviation of the output from its mean rotation at each position of the period",
-             [seconds](const C& c) { return seconds(c.loaded); })
-        .unit(Unit::arcsec)
-        .always()
-        .list({0});
+             [seconds](const C& c) { return seconds(c.loaded); });
     q.number("rigid_arcsec", "rotation error of rigid teeth", "",
              "as `loaded_arcsec`, but for rigid teeth and equal shares",
-             [seconds](const C& c) { return seconds(c.rigid); })
-        .unit(Unit::arcsec)
-        .always()
-        .list({0});
+             [seconds](const C& c) { return seconds(c.rigid); });
   });
 }
 
@@ -121,17 +105,13 @@ const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
 
 const Quantities<Drive>& drive_load_quantities() {
   return define("drive.load", [](Quantities<Drive>& q) {
-    q.number("torque_Nm", "torque on the input", "T", "", [](const Drive& d) {
-       return d.loaded->torque;
-     }).always();
+    q.number("torque_Nm", "torque on the input", "T", "",
+             [](const Drive& d) { return d.loaded->torque; });
     q.number("output_arcsec_peak_to_peak", "transmission error of the output under load", "",
              "greatest value minus least value; for several mesh frequencies, the sum of these "
              "differences",
-             [](const Drive& d) {
-               return Value(Angle::radians(d.loaded->error.peak_to_peak).arcsec());
-             })
-        .unit(Unit::arcsec)
-        .always();
+             [](const Drive& d) { return Angle::radians(d.loaded->error.peak_to_peak).arcsec(); })
+        .unit(Unit::arcsec);
     q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
              "value in `transmission_error`",
              [](const Drive& d) -> Value {
@@ -142,8 +122,6 @@ const Quantities<Drive>& drive_load_quantities() {
     q.record<drive_error_line_quantities>(
          "lines", "harmonics of the mesh frequencies under load",
          [](const Drive& d) { return error_lines(d.loaded->error); })
-        .always()
-        .list({0})
         .doors(kJson);
     q.number("mesh_load_factor", "greatest mesh load factor", "K_γ",
              "greatest value over all sets [T13.26]; null without planets", mesh_load_factor)
@@ -158,14 +136,10 @@ const Quantities<Drive>& drive_load_quantities() {
                                           list.push_back({&d, &s});
                                         return list;
                                       })
-        .always()
-        .list({0})
         .doors(kJson);
     q.record<loaded_curve_quantities>(
          "curves", "rotation error over a period of each mesh frequency",
          [](const Drive& d) -> const auto& { return d.loaded->curves; })
-        .always()
-        .list({0})
         .doors(kJson);
   });
 }

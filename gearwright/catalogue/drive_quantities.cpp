@@ -26,7 +26,7 @@ Value rating_of(const DriveMeshView& v) {
 
 // The records of all elements of a list, with the names of the elements.
 template <class View, class List>
-Value by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
+ValueMap by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
   for (std::size_t i = 0; i < list.size(); ++i)
     map.emplace_back(list[i].name, Value(quantities.of({&d, i})));
@@ -34,7 +34,7 @@ Value by_name(const Quantities<View>& quantities, const Drive& d, const List& li
 }
 
 // The profile shifts of the gears with teeth, by the names of the gears.
-Value shifts_of(const Drive& d) {
+ValueMap shifts_of(const Drive& d) {
   ValueMap map;
   for (std::size_t g = 0; g < d.graph.gears.size(); ++g)
     if (const auto& x = d.geometry.shift[g]) map.emplace_back(d.graph.gears[g].name, Value(*x));
@@ -85,12 +85,9 @@ const Quantities<DriveError>& drive_error_quantities() {
         .unit(Unit::arcsec);
     q.number("output_peak_to_peak_um", "transmission error of the rack", "",
              "transmission error along the travel of an output that is a rack",
-             [](const E& e) { return travel(kUmPerMm * e.peak_to_peak, e.lever); })
-        .unit(Unit::um);
+             [](const E& e) { return travel(kUmPerMm * e.peak_to_peak, e.lever); });
     q.record<drive_error_line_quantities>("lines", "harmonics of the mesh frequencies [T13.22]",
                                           error_lines)
-        .always()
-        .list({0})
         .doors(kJson);
   });
 }
@@ -116,9 +113,8 @@ void add_motion(Quantities<Drive>& q) {
       .fraction()
       .doors(kJson | kListing)
       .shown([](const Drive& d) { return d.motion.ratio && !d.motion.ratio->whole(); });
-  q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]", [](const Drive& d) {
-     return d.motion.freedom;
-   }).always();
+  q.whole("degrees_of_freedom", "degrees of freedom", "f", "[T13.2]",
+          [](const Drive& d) { return d.motion.freedom; });
   q.whole("period_input_turns", "period", "",
           "turns of the input after which all bodies are again in their initial positions [T13.5]",
           [](const Drive& d) -> Value {
@@ -180,8 +176,7 @@ void add_all(Quantities<Drive>& q) {
       "that moves the output, no geometry, lost contact, several pinions on one rack, an error of "
       "the teeth of a rack, or a measured gear that is loaded on the flank without readings",
       &Drive::error);
-  q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`",
-                                  std::identity{})
+  q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`")
       .when([](const Drive& d) { return d.loaded.has_value(); })
       .doors(kJson);
   q.record<drive_quantities>(
@@ -196,9 +191,8 @@ void add_all(Quantities<Drive>& q) {
 const Quantities<DriveErrorLine>& drive_error_line_quantities() {
   using L = DriveErrorLine;
   return define("drive.transmission_error.line", [](Quantities<L>& q) {
-    q.number("frequency_ratio", "waves per turn of the input", "", "", [](const L& l) {
-       return Value(l.line->frequency_ratio);
-     }).always();
+    q.number("frequency_ratio", "waves per turn of the input", "", "",
+             [](const L& l) { return l.line->frequency_ratio; });
     q.number("arcsec", "amplitude", "", "amplitude of the rotation of the output; null for a rack",
              [](const L& l) {
                return l.lever ? Value() : Value(Angle::radians(l.line->amplitude).arcsec());
@@ -210,11 +204,10 @@ const Quantities<DriveErrorLine>& drive_error_line_quantities() {
   });
 }
 
-Value error_lines(const DriveError& error) {
-  ValueList lines;
-  for (const DriveError::Line& line : error.lines)
-    lines.push_back(Value(drive_error_line_quantities().of({&line, error.lever})));
-  return Value(std::move(lines));
+std::vector<DriveErrorLine> error_lines(const DriveError& error) {
+  std::vector<DriveErrorLine> lines;
+  for (const DriveError::Line& line : error.lines) lines.push_back({&line, error.lever});
+  return lines;
 }
 
 const Quantities<DriveBodyView>& drive_body_quantities() {
@@ -287,9 +280,8 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
     q.text("frame", "name of the carrier in whose frame the gears roll, or `housing`",
            [](const V& v) {
              const auto frame = v.drive->graph.frame(v.drive->graph.meshes[v.mesh]);
-             return Value(frame ? v.drive->graph.bodies[*frame].name : std::string("housing"));
-           })
-        .always();
+             return frame ? v.drive->graph.bodies[*frame].name : std::string("housing");
+           });
     q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
              [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
     q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {

@@ -30,7 +30,7 @@ struct DriveErrorLine {
   std::optional<double> lever;
 };
 const Quantities<DriveErrorLine>& drive_error_line_quantities();
-Value error_lines(const DriveError& error);
+std::vector<DriveErrorLine> error_lines(const DriveError& error);
 
 /// A drive under load: `drive.load` of a result.
 ///

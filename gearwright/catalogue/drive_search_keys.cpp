@@ -10,15 +10,10 @@ namespace {
 
 using Problem = DriveSearchProblem;
 
-constexpr ListOrder kDriveBandOrder{
-    .sentence =
-        "is an empty band, because no number lies between {} and {}; write the least value first"};
-constexpr KeyList kDriveBand{.most = 2, .single = true, .order = kDriveBandOrder};
-
 Key band(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
          std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
-      .with_list(kDriveBand)
+      .with_list(kBand)
       .with_form("a whole number, or a band [least, greatest]");
 }
 
@@ -69,7 +64,7 @@ const KeyTable& drive_search_keys() {
                  "given; a set with two suns; or a train of pairs"),
        Key::number("ratio", "i", {}, &Problem::ratio, kRequired,
                    "signed ratio n_in/n_out; a band includes its ends")
-           .with_list(kDriveBand)
+           .with_list(kBand)
            .with_form("a number, or a band [least, greatest]"),
        Key::number("target_ratio", "", {}, &Problem::target_ratio, "the middle of the band `ratio`",
                    "target of the objective `ratio`"),

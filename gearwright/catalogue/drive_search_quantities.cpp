@@ -50,9 +50,7 @@ void add_found(Quantities<F>& q) {
           stages_of)
       .list({0, 2})
       .doors(kJson);
-  q.whole("planets", "number of planets", "N", "", [](const F& f) {
-     return Value(static_cast<long long>(f.candidate.planets));
-   }).always();
+  q.whole("planets", "number of planets", "N", "", [](const F& f) { return f.candidate.planets; });
   q.number("ratio", "ratio", "i", "n_in/n_out", [](const F& f) {
      return of_drive(f, "ratio");
    }).always();
@@ -70,12 +68,11 @@ void add_found(Quantities<F>& q) {
            "this rotation [T13.33], for perfect teeth with the same stiffness per length of the "
            "contact line; if there is no geometry, gears without profile shift and overlap are "
            "assumed; only with `objective` = `noise`",
-           [](const F& f) { return Value(f.candidate.noise); });
+           [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
            "diameter over the planets and over the root circles of the rings, without the rims of "
            "the rings and without profile shifts; for a train, sum of the centre distances",
-           [](const F& f) { return Value(f.candidate.size); })
-      .always();
+           [](const F& f) { return f.candidate.size; });
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
   q.add(Type::map, "profile_shift", "profile shifts", "x", "per gear; null without geometry",
@@ -101,78 +98,64 @@ void add_found(Quantities<F>& q) {
            [](const F& f) { return f.candidate.face_width; });
   q.number("safety_flank", "safety against pitting", "S_H",
            "least value of all meshes; null if designs are not rated",
-           [](const F& f) { return Value(least_safety(f.drive, &Rating::S_H)); });
+           [](const F& f) { return least_safety(f.drive, &Rating::S_H); });
   q.number("safety_root", "safety against root breakage", "S_F",
            "least value of all meshes; null if designs are not rated",
-           [](const F& f) { return Value(least_safety(f.drive, &Rating::S_F)); });
+           [](const F& f) { return least_safety(f.drive, &Rating::S_F); });
 }
 
 template <std::size_t N, class T>
-Value counts(const std::array<std::string_view, N>& names, const std::array<T, N>& numbers) {
+ValueMap counts(const std::array<std::string_view, N>& names, const std::array<T, N>& numbers) {
   ValueMap map;
   for (std::size_t i = 0; i < N; ++i)
     map.emplace_back(std::string(names[i]), static_cast<long long>(numbers[i]));
-  return Value(std::move(map));
+  return map;
 }
 
 void add_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
-  q.word("kind", "kind", "kind of the drives", [](const S& s) {
-     return Value(std::string(kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]));
-   }).always();
+  q.word("kind", "kind", "kind of the drives",
+         [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
   q.add(Type::index, "tested", "tested", "", "number of sets of tooth numbers and planets",
-        [](const S& s) { return Value(static_cast<long long>(s.result->tested)); })
-      .always();
+        [](const S& s) { return s.result->tested; });
   q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
-        [](const S& s) { return Value(static_cast<long long>(s.result->found.size())); })
-      .always();
+        [](const S& s) { return s.result->found.size(); });
   q.add(Type::map, "rejected", "rejected", "",
         "number of sets that each limit ruled out; a set counts for the first limit that rules it "
         "out, in the order `ratio`, `assembly`, `neighbours`, `phasing`",
         [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
-      .always()
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
         "number of feasible sets whose teeth were computed; the best sets are computed first, "
         "until the list is long enough",
-        [](const S& s) { return Value(static_cast<long long>(s.designs->computed)); })
-      .always();
+        [](const S& s) { return s.designs->computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because by an estimate from 64 rated "
         "trains of the same module they cannot have the required safeties",
-        [](const S& s) { return Value(static_cast<long long>(s.designs->hopeless)); })
-      .always();
+        [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of other feasible sets that were not computed, because at most 20 000 sets of each "
         "module are computed; 0 if the list is long enough",
-        [](const S& s) { return Value(static_cast<long long>(s.designs->beyond_limit)); })
-      .always();
+        [](const S& s) { return s.designs->beyond_limit; });
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close to each other with their profile shifts), "
         "`safety`, `verdict` (amber or red)",
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
-      .always()
       .doors(kJson);
   q.number("face_load_factor", "face load factor", "K_Hβ",
            "default of rated searches; only if `[rating]` has no `face_load_factor`",
-           [](const S& s) { return Value(s.default_face_load); })
+           [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
   q.add(Type::index, "pareto", "Pareto front", "",
         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-        [](const S& s) {
-          return Value(ValueList(s.designs->pareto.begin(), s.designs->pareto.end()));
-        })
-      .list({0})
-      .always()
+        [](const S& s) { return s.designs->pareto; })
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
        "drives in order, the best first, at most the number of `--top`; all have a green verdict, "
        "and their numbers equal the results of the verb drive",
        [](const S& s) -> const auto& { return s.designs->list; })
-      .list({0})
-      .always()
       .doors(kJson);
 }
 

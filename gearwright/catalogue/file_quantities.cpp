@@ -7,12 +7,12 @@ namespace gearwright {
 const Quantities<FileView>& file_quantities() {
   using F = FileView;
   return define("file", [](Quantities<F>& q) {
-    q.text("file", "name of the file", &F::file).always();
-    q.text("what", "content of the file", &F::what).always();
+    q.text("file", "name of the file", &F::file);
+    q.text("what", "content of the file", &F::what);
     q.number("max_deviation_um", "maximum deviation", "",
              "greatest distance from the exact surface or outline",
              [](const F& f) { return f.deviation ? Value(kUmPerMm * *f.deviation) : Value(); });
-    q.text("note", "remarks on the file", &F::note).always();
+    q.text("note", "remarks on the file", &F::note);
   });
 }
 
@@ -23,19 +23,11 @@ const Quantities<ArcView>& outline_quantities() {
            "name of the arc; the arcs are listed from the middle of the space to the middle of the "
            "tooth",
            [](const A& a) { return to_string(a.arc->name); })
-        .always()
         .one_of({"root_land", "root_fillet", "flank", "tip_fillet", "tip_land"});
     q.number("points", "points", "",
              "[x, y] in `unit` on the side y > 0; the centre line of the tooth is the x axis",
-             [](const A& a) {
-               const auto points = sample(*a.arc, a.points);
-               return Value(ValueList(points.begin(), points.end()));
-             })
-        .list({0, 2})
-        .always();
-    q.text("unit", "unit of the points, spelled as in keys", [](const A&) {
-       return Value("mm");
-     }).always();
+             [](const A& a) { return sample(*a.arc, a.points); });
+    q.text("unit", "unit of the points, spelled as in keys", [](const A&) { return "mm"; });
   });
 }
 

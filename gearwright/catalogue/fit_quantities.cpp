@@ -7,24 +7,15 @@ namespace {
 const Quantities<BranchView>& branch_quantities() {
   using B = BranchView;
   return define("fit.branches", [](Quantities<B>& q) {
-    q.term("helix_angle_deg", "per gear", [](const B& b) { return b.branch.helix; })
-        .per_gear()
-        .always();
-    q.term("profile_shift", "per gear",
-           [](const B& b) {
-             return std::array{b.branch.shift[0], b.branch.shift[1]};
-           })
-        .per_gear()
-        .always();
-    q.term("center_distance_mm", "of this branch", [](const B& b) {
-       return b.branch.center_distance;
-     }).always();
-    q.term("shaft_angle_deg", "of this branch", [](const B& b) {
-       return b.branch.shaft_angle;
-     }).always();
-    q.term("working_normal_pressure_angle_deg", "of this branch", [](const B& b) {
-       return b.branch.working_normal_pressure_angle;
-     }).always();
+    q.term("helix_angle_deg", "per gear", [](const B& b) { return b.branch.helix; }).per_gear();
+    q.term("profile_shift", "per gear", [](const B& b) {
+       return std::array{b.branch.shift[0], b.branch.shift[1]};
+     }).per_gear();
+    q.term("center_distance_mm", "of this branch",
+           [](const B& b) { return b.branch.center_distance; });
+    q.term("shaft_angle_deg", "of this branch", [](const B& b) { return b.branch.shaft_angle; });
+    q.term("working_normal_pressure_angle_deg", "of this branch",
+           [](const B& b) { return b.branch.working_normal_pressure_angle; });
     q.add(Type::map, "spec", "spec", "", "the complete spec of this branch", &B::spec)
         .always()
         .doors(kJson);
@@ -54,11 +45,9 @@ const Quantities<FitView>& fit_quantities() {
   return define("fit", [](Quantities<V>& q) {
     q.under("Answers");
     q.record<branch_quantities>(
-         "branches",
-         "solutions in the order of |β_1|, or in the order of α_wn if the gears are known",
-         &V::branches)
-        .list({0})
-        .always();
+        "branches",
+        "solutions in the order of |β_1|, or in the order of α_wn if the gears are known",
+        &V::branches);
     q.text("reason", "reason why there is no solution; null if there is a solution",
            [](const V& v) { return v.fit->branches.empty() ? Value(v.fit->reason) : Value(); });
     q.under("Nearest");

@@ -21,18 +21,12 @@ void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const c
            "diameter at which contact with the mating gear ends, if contact is limited to the "
            "usable flanks of both gears [T10.28]; absent without a mating gear",
            [at](const R& r) { return (*r.active.*at).diameter; })
-      .unit(Unit::mm)
-      .always()
       .when(mounted);
   q.number(key("_roll_length_mm").c_str(), at_it("roll length").c_str(), length, "[T10.22]",
            [at](const R& r) { return (*r.active.*at).length; })
-      .unit(Unit::mm)
-      .always()
       .when(mounted);
   q.number(key("_roll_angle_deg").c_str(), at_it("roll angle").c_str(), "", "[T10.22]",
            [at](const R& r) { return deg((*r.active.*at).angle); })
-      .unit(Unit::deg)
-      .always()
       .when(mounted);
 }
 
@@ -42,12 +36,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
   using T = FlankToleranceValues;
   return define("measure.tolerances", [](Quantities<T>& q) {
     const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
-                        double T::*member) {
-      q.number(key, words, symbol, meaning, [member](const T& t) { return t.*member; })
-          .unit(Unit::um)
-          .always()
-          .digits(1);
-    };
+                        auto member) { q.number(key, words, symbol, meaning, member).digits(1); };
     um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard requires",
        &T::single_pitch);
     um("cumulative_pitch_um", "cumulative pitch, total", "F_pT", "", &T::cumulative_pitch);
@@ -58,36 +47,28 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     um("helix_form_um", "helix form", "f_fβT", "", &T::helix_form);
     um("helix_slope_um", "helix slope", "f_HβT", "±", &T::helix_slope);
     um("runout_um", "runout", "F_rT", "", &T::runout);
-    q.number("radial_composite_um", "radial composite, total", "F_i″",
-             "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite)
-        .digits(1);
-    q.number("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
-             "null beyond d = 1000 mm or m_n = 10 mm", &T::tooth_radial_composite)
-        .digits(1);
-    const auto perhaps = [&](const char* key, const char* words, const char* symbol,
-                             const char* meaning, std::optional<double> T::*member) {
-      q.number(key, words, symbol, meaning, [member](const T& t) { return t.*member; })
-          .unit(Unit::um)
-          .digits(1);
-    };
-    perhaps("base_pitch_um", "base pitch", "f_pb",
-            "±, f_pt cos α_t [T10.31]; null for circular arcs", &T::base_pitch);
-    perhaps("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
-            "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "
-            "2013, whose formula could not be confirmed",
-            &T::sector_pitch);
-    perhaps("single_flank_composite_um", "single flank composite, total", "F_i′",
-            "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "
-            "mating gear, or for the edition of 2013, which requires a design value",
-            &T::single_flank);
-    perhaps("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
-            "null under the same conditions as the total", &T::tooth_single_flank);
-    perhaps("axis_deviation_um", "crossing of the axes", "f_Σβ",
-            "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
-            "without `bearing_span_mm`",
-            &T::axis_deviation);
-    perhaps("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-            "null under the same conditions as the crossing", &T::axis_inclination);
+    um("radial_composite_um", "radial composite, total", "F_i″",
+       "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite);
+    um("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
+       "null beyond d = 1000 mm or m_n = 10 mm", &T::tooth_radial_composite);
+    um("base_pitch_um", "base pitch", "f_pb", "±, f_pt cos α_t [T10.31]; null for circular arcs",
+       &T::base_pitch);
+    um("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
+       "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "
+       "2013, whose formula could not be confirmed",
+       &T::sector_pitch);
+    um("single_flank_composite_um", "single flank composite, total", "F_i′",
+       "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "
+       "mating gear, or for the edition of 2013, which requires a design value",
+       &T::single_flank);
+    um("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
+       "null under the same conditions as the total", &T::tooth_single_flank);
+    um("axis_deviation_um", "crossing of the axes", "f_Σβ",
+       "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
+       "without `bearing_span_mm`",
+       &T::axis_deviation);
+    um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
+       "null under the same conditions as the crossing", &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {
@@ -95,12 +76,8 @@ const Quantities<EvaluationRanges>& range_quantities() {
   return define("measure.flank", [](Quantities<R>& q) {
     const auto place = [&](const char* length, const char* angle, const char* words,
                            const char* roll, const char* symbol, RollPlace R::*at) {
-      q.number(length, words, symbol, "[T10.22]", [at](const R& r) { return (r.*at).length; })
-          .unit(Unit::mm)
-          .always();
-      q.number(angle, roll, "", "[T10.22]", [at](const R& r) { return deg((r.*at).angle); })
-          .unit(Unit::deg)
-          .always();
+      q.number(length, words, symbol, "[T10.22]", [at](const R& r) { return (r.*at).length; });
+      q.number(angle, roll, "", "[T10.22]", [at](const R& r) { return deg((r.*at).angle); });
     };
     place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
           "roll angle at d_Ff", "L_Ff", &R::root_form);
@@ -112,14 +89,12 @@ const Quantities<EvaluationRanges>& range_quantities() {
     add_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
     q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
              "by ISO 1328-1: the usable profile without 5 % at its tip [T10.23]", &R::profile)
-        .ends()
-        .always();
+        .ends();
     q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",
              "from the middle of the face, without 5 % of the face or one module at each end, "
              "whichever is less [T10.23]",
              &R::helix)
-        .ends()
-        .always();
+        .ends();
   });
 }
 

@@ -14,18 +14,14 @@ void add_halves(Quantities<Halves>& q) {
   using H = Halves;
   q.under(kHalves);
   q.number("half_face_width_mm", "face width of one half", "b_B", "(b − gap)/2 [T2.42]",
-           &H::half_face_width)
-      .always();
-  q.number("gap_mm", "gap between the halves", "", "as in the spec", [](const H& h) {
-     return h.given.gap;
-   }).always();
+           &H::half_face_width);
+  q.number("gap_mm", "gap between the halves", "", "as in the spec",
+           [](const H& h) { return h.given.gap; });
   q.number("apex_to_half_mm", "distance of a half from the apex", "",
            "gap/2, because the two helices of one tooth meet in the middle plane",
-           [](const H& h) { return h.given.gap / 2; })
-      .always();
+           [](const H& h) { return h.given.gap / 2; });
   q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as in the spec",
-           [](const H& h) { return h.given.stagger_pitches; })
-      .always();
+           [](const H& h) { return h.given.stagger_pitches; });
   q.number("groove_diameter_mm", "groove diameter", "",
            "diameter of the gear within the gap, as given, or the root diameter minus m_n/2 (plus "
            "m_n/2 for an internal gear); null without a gap",
@@ -35,8 +31,7 @@ void add_halves(Quantities<Halves>& q) {
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
            "1/(2 tan |β|); by this axial shift a floating gear distributes an index error between "
            "the halves [T2.44]",
-           &H::axial_shift_per_index_error)
-      .always();
+           &H::axial_shift_per_index_error);
 }
 
 }  // namespace
@@ -68,12 +63,12 @@ auto angle(double Reference::*rad) {
   return [rad](const Reference& r) { return Angle::radians(r.*rad); };
 }
 
-Value kind(const Gear& g) {
+const char* kind(const Gear& g) {
   if (!has_involutes(g)) return "circular_arc";
   return g.cut_by && !g.cut_by->by_default ? "generated" : "involute";
 }
 
-Value hand(const Gear& g) {
+const char* hand(const Gear& g) {
   const double beta = g.spec.helix_angle.rad();
   return beta > 0.0 ? "right" : beta < 0.0 ? "left" : "spur";
 }
@@ -91,64 +86,54 @@ Value reference_thickness(const Gear& g) {
                     g.flanks);
 }
 
-bool has_keyway(const Gear& g) { return g.bore && g.bore->keyway_width > 0.0; }
-
 Value neck_thickness(const Gear& g) {
   if (!g.tooth || !g.tooth->neck_half_angle || !g.tooth->neck_radius) return {};
   return 2 * *g.tooth->neck_radius * std::sin(g.tooth->neck_half_angle->rad());
 }
 
-const FilletArc* fillet(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
-  return g.tooth && (*g.tooth).*which ? &*((*g.tooth).*which) : nullptr;
+template <auto member>
+auto maybe(const Gear& g) {
+  return g.*member ? &*(g.*member) : nullptr;
 }
-
-Value fillet_radius(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
-  const FilletArc* arc = fillet(g, which);
-  return arc ? Value(arc->radius) : Value();
+template <auto member>
+const FilletArc* fillet(const Gear& g) {
+  return g.tooth && (*g.tooth).*member ? &*((*g.tooth).*member) : nullptr;
 }
-
-Value fillet_span(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
-  const FilletArc* arc = fillet(g, which);
-  return arc ? Value(arc->span.deg()) : Value();
-}
-
-Value fillet_center(const Gear& g, std::optional<FilletArc> GeneratedTooth::*which) {
-  const FilletArc* arc = fillet(g, which);
-  return arc ? Value(arc->distance) : Value();
+const Bore* keyway(const Gear& g) {
+  return g.bore && g.bore->keyway_width > 0.0 ? &*g.bore : nullptr;
 }
 
 void add_all(Quantities<Gear>& q) {
   q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
   using G = Gear;
-  constexpr auto kRoot = &GeneratedTooth::root_fillet;
-  constexpr auto kTip = &GeneratedTooth::tip_fillet;
   auto of_reference = q.part(reference_of);
   auto of_teeth = q.part(involute_of);
   auto of_arcs = q.part(arcs_of_gear);
   auto of_involute_gear = q.part(involute_gear);
+  auto of_cutter = q.part(maybe<&G::cut_by>);
+  auto of_root = q.part(fillet<&GeneratedTooth::root_fillet>);
+  auto of_tip = q.part(fillet<&GeneratedTooth::tip_fillet>);
+  auto of_bulge = q.part(maybe<&G::tip_bulge>);
+  auto of_keyway = q.part(keyway);
 
   q.under(kTeeth);
-  q.term("teeth", "negative for an internal gear", [](const G& g) {
-     return g.spec.teeth;
-   }).always();
+  q.term("teeth", "negative for an internal gear", [](const G& g) { return g.spec.teeth; });
   q.word("kind", "kind of teeth",
          "`generated` if the spec has `cut_by`; for `circular_arc` teeth, pressure angles, base "
          "quantities and profile shifts are null",
          kind)
-      .always()
       .one_of({"involute", "generated", "circular_arc"})
       .doors(kJson);
   q.under(kCutter);
-  q.whole("cutter_teeth", "number of teeth of the cutter", "z_0", "null without a pinion cutter",
-          [](const G& g) { return g.cut_by ? Value(g.cut_by->cutter_teeth) : Value(); });
-  q.number("generating_center_distance_mm", "generating centre distance", "E",
-           "centre distance of gear and pinion cutter when the tooth is finished; null without a "
-           "pinion cutter",
-           [](const G& g) { return g.cut_by ? Value(g.cut_by->distance) : Value(); });
+  of_cutter.whole("cutter_teeth", "number of teeth of the cutter", "z_0",
+                  "null without a pinion cutter", &PinionCutting::cutter_teeth);
+  of_cutter.number("generating_center_distance_mm", "generating centre distance", "E",
+                   "centre distance of gear and pinion cutter when the tooth is finished; null "
+                   "without a pinion cutter",
+                   &PinionCutting::distance);
   q.under(kTeeth);
-  q.term("normal_module_mm", "as in the spec, or as computed from other keys", [](const G& g) {
-     return g.spec.normal_module;
-   }).always();
+  q.term("normal_module_mm", "as in the spec, or as computed from other keys",
+         [](const G& g) { return g.spec.normal_module; });
   q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β", &G::transverse_module)
       .doors(kPeople);
   q.number("normal_diametral_pitch_per_in", "normal diametral pitch", "P_nd", "25.4 mm/m_n",
@@ -159,9 +144,8 @@ void add_all(Quantities<Gear>& q) {
                         [](const G& g) { return g.spec.normal_pressure_angle; });
   of_reference.number("transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
                       "at the reference cylinder", angle(&Reference::transverse_pressure_angle));
-  q.term("helix_angle_deg", "at the reference cylinder, > 0 right hand", [](const G& g) {
-     return g.spec.helix_angle;
-   }).always();
+  q.term("helix_angle_deg", "at the reference cylinder, > 0 right hand",
+         [](const G& g) { return g.spec.helix_angle; });
   q.word("hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
   of_reference.number("base_helix_angle_deg", "base helix angle", "β_b", "> 0 right hand",
                       angle(&Reference::base_helix_angle));
@@ -170,20 +154,18 @@ void add_all(Quantities<Gear>& q) {
                         [](const G& g) { return g.spec.profile_shift; });
   of_reference.term("generating_profile_shift", "including the thickness allowance",
                     &Reference::generating_profile_shift);
-  q.term("face_width_mm", "as in the spec, or 10 m_n", [](const G& g) {
-     return g.spec.face_width;
-   }).always();
+  q.term("face_width_mm", "as in the spec, or 10 m_n",
+         [](const G& g) { return g.spec.face_width; });
   q.number("lead_mm", "lead", "p_z", "> 0 right hand; null for spur gears", [](const G& g) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
    }).expected(has_involutes);
   q.under(kDiameters);
-  q.term("reference_diameter_mm", "z m_t", &G::reference_diameter).always();
+  q.term("reference_diameter_mm", "z m_t", &G::reference_diameter);
   of_reference.number("base_diameter_mm", "base diameter", "d_b", "of the involute",
                       &Reference::base_diameter);
-  q.term("tip_diameter_mm", "of the blank", &G::tip_diameter).always();
+  q.term("tip_diameter_mm", "of the blank", &G::tip_diameter);
   q.number("root_diameter_mm", "root diameter", "d_f",
-           "negative if the rack passes through the axis", &G::root_diameter)
-      .always();
+           "negative if the rack passes through the axis", &G::root_diameter);
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
            "diameter at the start of the usable flank, that is at its intersection with the root "
            "as cut, or at point C of a circular root fillet",
@@ -269,24 +251,26 @@ void add_all(Quantities<Gear>& q) {
          [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
   q.under(kRootFillet);
-  q.number("root_fillet_radius_mm", "radius", "r_r", "null without a circular root fillet",
-           [](const G& g) { return fillet_radius(g, kRoot); });
-  q.number("root_fillet_span_deg", "angle from the flank to the centre line of the space", "σ_r",
-           "null without a circular root fillet", [](const G& g) { return fillet_span(g, kRoot); });
-  q.number("root_fillet_center_mm", "distance of the centre of the arc from the axis", "",
-           "null without a circular root fillet",
-           [](const G& g) { return fillet_center(g, kRoot); })
+  of_root.number("root_fillet_radius_mm", "radius", "r_r", "null without a circular root fillet",
+                 &FilletArc::radius);
+  of_root.number("root_fillet_span_deg", "angle from the flank to the centre line of the space",
+                 "σ_r", "null without a circular root fillet", &FilletArc::span);
+  of_root
+      .number("root_fillet_center_mm", "distance of the centre of the arc from the axis", "",
+              "null without a circular root fillet", &FilletArc::distance)
       .doors(kPage);
   q.under(kTipFillet);
-  q.number("tip_fillet_radius_mm", "radius", "r_t",
-           "radius of the circular tip fillet or of rounded tip corners; null without them",
-           [](const G& g) { return fillet_radius(g, kTip); });
-  q.number(
-      "tip_fillet_span_deg", "angle from the flank to the centre line of the tooth", "σ_t",
-      "for rounded tip corners, angle from the flank to the tip land; null without a tip fillet",
-      [](const G& g) { return fillet_span(g, kTip); });
-  q.number("tip_fillet_center_mm", "distance of the centre of the arc from the axis", "",
-           "null without a circular tip fillet", [](const G& g) { return fillet_center(g, kTip); })
+  of_tip.number("tip_fillet_radius_mm", "radius", "r_t",
+                "radius of the circular tip fillet or of rounded tip corners; null without them",
+                &FilletArc::radius);
+  of_tip.number("tip_fillet_span_deg", "angle from the flank to the centre line of the tooth",
+                "σ_t",
+                "for rounded tip corners, angle from the flank to the tip land; null without a tip "
+                "fillet",
+                &FilletArc::span);
+  of_tip
+      .number("tip_fillet_center_mm", "distance of the centre of the arc from the axis", "",
+              "null without a circular tip fillet", &FilletArc::distance)
       .doors(kPage);
   q.under(kUndercut);
   of_teeth
@@ -302,26 +286,29 @@ void add_all(Quantities<Gear>& q) {
                   "position along the flank of the rack; null without a circular tip fillet",
                   &InvoluteTeeth::point_j_l);
   q.under(kTooth);
-  q.number("tip_bulge_mm", "tip beyond the involute", "",
-           "projection of the tip beyond the involute along the flank normal, if the flank of the "
-           "cutter did not reach the tip",
-           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->amount) : Value(); })
-      .when([](const G& g) { return g.tip_bulge.has_value(); });
-  q.number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
-           "diameter on the gear up to which the flank of the cutter reached",
-           [](const G& g) { return g.tip_bulge ? Value(g.tip_bulge->from_diameter) : Value(); })
-      .when([](const G& g) { return g.tip_bulge.has_value(); });
+  of_bulge
+      .number("tip_bulge_mm", "tip beyond the involute", "",
+              "projection of the tip beyond the involute along the flank normal, if the flank of "
+              "the cutter did not reach the tip",
+              &TipBulge::amount)
+      .when();
+  of_bulge
+      .number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
+              "diameter on the gear up to which the flank of the cutter reached",
+              &TipBulge::from_diameter)
+      .when();
   q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
            "chord where the root fillets are closest below the tip; 0 or negative if `severed`",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);
-  q.number("bore_diameter_mm", "bore diameter", "", "in the CAD files; null without a bore",
-           [](const G& g) { return g.bore ? Value(g.bore->diameter) : Value(); });
-  q.number("keyway_width_mm", "keyway width", "", "null without a keyway",
-           [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_width) : Value(); });
-  q.number("keyway_depth_mm", "keyway depth", "", "depth into the hub, from the bore",
-           [](const G& g) { return has_keyway(g) ? Value(g.bore->keyway_depth) : Value(); });
+  q.part(maybe<&G::bore>)
+      .number("bore_diameter_mm", "bore diameter", "", "in the CAD files; null without a bore",
+              &Bore::diameter);
+  of_keyway.number("keyway_width_mm", "keyway width", "", "null without a keyway",
+                   &Bore::keyway_width);
+  of_keyway.number("keyway_depth_mm", "keyway depth", "", "depth into the hub, from the bore",
+                   &Bore::keyway_depth);
 }
 
 }  // namespace
@@ -330,10 +317,9 @@ const Quantities<Gear>& gear_quantities() { return define<add_all>("gear"); }
 
 const Quantities<Warning>& warning_quantities() {
   return define("warning", [](Quantities<Warning>& q) {
-    q.text("code", "code for programs, which never changes", [](const Warning& w) {
-       return to_string(w.code);
-     }).always();
-    q.text("message", "sentence for users", &Warning::message).always();
+    q.text("code", "code for programs, which never changes",
+           [](const Warning& w) { return to_string(w.code); });
+    q.text("message", "sentence for users", &Warning::message);
     q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",
            [](const Warning& w) { return w.gear ? Value(w.gear) : Value(); });
   });

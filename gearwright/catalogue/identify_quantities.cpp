@@ -10,15 +10,12 @@ const Quantities<G>& uncertainty_quantities() {
   return define("identify.uncertainty", [](Quantities<G>& q) {
     q.number("normal_module_mm", "uncertainty of the module", "",
              "95 % interval; 0 for a standard module", &G::module_uncertainty)
-        .always()
         .digits(5);
     q.number("helix_angle_deg", "uncertainty of the helix angle", "",
              "95 % interval; 0 for a whole number of degrees", &G::helix_uncertainty)
-        .always()
         .digits(4);
     q.number("profile_shift", "uncertainty of the profile shift", "", "95 % interval",
              &G::shift_uncertainty)
-        .always()
         .digits(4);
   });
 }
@@ -44,17 +41,13 @@ const Quantities<G>& drawing_quantities() {
            "part of x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if the allowance is then usual and "
            "agrees with the tip; otherwise computed from the tip, or x_E if the tip does not "
            "determine it",
-           &G::profile_shift)
-        .always();
+           &G::profile_shift);
     q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
              "allowance on the normal tooth thickness, which includes wear of the flanks",
-             &G::thickness_allowance)
-        .always();
+             &G::thickness_allowance);
     q.number("nominal_tip_diameter_mm", "nominal tip diameter", "d_a",
-             "tip diameter that the rack and the profile shift give", &G::nominal_tip_diameter)
-        .always();
-    q.number("root_diameter_mm", "root diameter", "d_f", "as cut by the rack", &G::root_diameter)
-        .always();
+             "tip diameter that the rack and the profile shift give", &G::nominal_tip_diameter);
+    q.number("root_diameter_mm", "root diameter", "d_f", "as cut by the rack", &G::root_diameter);
     q.word("tip", "tip",
            "the measured tip in comparison with the nominal tip; `tip_diameter_mm` is the measured "
            "value if it is longer or shortened; null if the tip was not measured",
@@ -63,42 +56,35 @@ const Quantities<G>& drawing_quantities() {
   });
 }
 
-Value series_word(const G& g) {
+const char* series_word(const G& g) {
   switch (g.series) {
     case ModuleSeries::iso54_1: return "ISO54-I";
     case ModuleSeries::iso54_2: return "ISO54-II";
     case ModuleSeries::diametral_pitch: return "diametral_pitch";
     case ModuleSeries::none: return "none";
   }
-  return {};
+  return "";
 }
 
 void add_candidate(Quantities<G>& q) {
-  q.under("");
-  q.term("teeth", "as given", &G::teeth).always();
-  q.term("normal_module_mm", "`none` if the module is not in a series", &G::normal_module).always();
+  q.term("teeth", "as given", &G::teeth);
+  q.term("normal_module_mm", "`none` if the module is not in a series", &G::normal_module);
   q.word("module_series", "series of the module", "`none` if the module is not in a series",
          series_word)
-      .always()
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
   q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
            &G::diametral_pitch);
-  q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle).always();
+  q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle);
   q.term("helix_angle_deg", "> 0 right hand, which is assumed if no reading determines the hand",
-         &G::helix_angle)
-      .always();
+         &G::helix_angle);
   q.number("profile_shift", "profile shift coefficient", "x_E",
            "profile shift of the actual teeth, which includes the thickness allowance",
-           &G::generating_shift)
-      .always();
-  q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift)
-      .always()
-      .doors(kJson);
+           &G::generating_shift);
+  q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
   q.term("tip_diameter_mm",
          "the measured value if it is longer than the nominal tip of `drawing`, or shorter by more "
          "than 0.1 m_n; otherwise the nominal tip, because a worn tip is shorter",
-         &G::tip_diameter)
-      .always();
+         &G::tip_diameter);
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
            "profile shift computed from the measured tip and the rack of `drawing`, less if the "
            "tip is worn; null if the tip was not measured",
@@ -106,17 +92,13 @@ void add_candidate(Quantities<G>& q) {
   q.number("likelihood", "likelihood", "",
            "probability of the candidate; the sum over all candidates is 100 %", &G::likelihood)
       .unit(Unit::percent)
-      .always()
       .digits(2)
       .greater_first();
   q.flag("plausible", "plausible", "false if |x_E| > 1.5, because such gears do not occur",
          &G::plausible);
-  q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear",
-                               std::identity{})
-      .always();
-  q.record<uncertainty_quantities>("uncertainty", "half widths of the 95 % intervals of the values",
-                                   std::identity{})
-      .always();
+  q.record<drawing_quantities>("drawing", "the values with which a drawing describes the gear");
+  q.record<uncertainty_quantities>("uncertainty",
+                                   "half widths of the 95 % intervals of the values");
 }
 
 constexpr const char* kReadings[] = {
@@ -128,9 +110,8 @@ const char* word_of(Reading reading) { return kReadings[static_cast<std::size_t>
 // The units of a reading and of its tool.
 template <class R>
 void add_units(Quantities<R>& q) {
-  q.text("unit", "unit of the reading, spelled as in keys", [](const R& r) {
-     return Value(r.reading == Reading::helix_angle ? "deg" : "mm");
-   }).always();
+  q.text("unit", "unit of the reading, spelled as in keys",
+         [](const R& r) { return r.reading == Reading::helix_angle ? "deg" : "mm"; });
   q.text("tool_unit", "unit of the diameter of the balls; null for other readings",
          [](const R& r) { return r.reading == Reading::over_balls ? Value("mm") : Value(); });
 }
@@ -140,13 +121,11 @@ const Quantities<Contradiction>& contradiction_quantities() {
   return define("identify.contradiction", [](Quantities<C>& q) {
     q.word("reading", "contradictory reading", "the reading that contradicts all others",
            [](const C& c) { return word_of(c.reading); })
-        .always()
         .one_of({"span", "over_balls", "lead", "helix_angle", "tip_diameter", "root_diameter"});
     q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
-    q.number("value", "value as read", "", "in `unit`", &C::value).always();
-    q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected)
-        .always();
+    q.number("value", "value as read", "", "in `unit`", &C::value);
+    q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected);
     add_units(q);
   });
 }
@@ -154,20 +133,18 @@ const Quantities<Contradiction>& contradiction_quantities() {
 const Quantities<NextMeasurement>& next_quantities() {
   using N = NextMeasurement;
   return define("identify.next_measurement", [](Quantities<N>& q) {
-    q.word("reading", "next measurement", "", [](const N& n) { return word_of(n.reading); })
-        .always()
-        .one_of({"span", "over_balls", "helix_angle"});
+    q.word("reading", "next measurement", "", [](const N& n) {
+       return word_of(n.reading);
+     }).one_of({"span", "over_balls", "helix_angle"});
     q.term("tool",
            "number of teeth of a span or diameter of the balls; null for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
     q.number("expect", "value expected for the first and for the other candidate", "", "in `unit`",
              &N::expect)
-        .list({2})
-        .always();
+        .list({2});
     add_units(q);
     q.whole("rival", "the other candidate", "",
-            "position of the other candidate in the list, from 0", &N::rival)
-        .always();
+            "position of the other candidate in the list, from 0", &N::rival);
   });
 }
 
@@ -178,10 +155,9 @@ const Quantities<Alternative>& alternative_quantities() {
            "`teeth` if the number of teeth is wrong, otherwise the readings that are in the other "
            "unit of mm and inch",
            [](const A& a) { return word_of(a.mistake); })
-        .always()
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
                  "center_distance"});
-    q.record<identified_gear_quantities>("gear", "the gear", &A::gear).always();
+    q.record<identified_gear_quantities>("gear", "the gear", &A::gear);
   });
 }
 
@@ -196,10 +172,8 @@ const Quantities<Identification>& identify_quantities() {
   return define("identify", [](Quantities<I>& q) {
     q.under("Candidate");
     q.record<identified_gear_quantities>(
-         "candidates", "possible gears as tables that a spec can contain, the likeliest first",
-         &I::candidates)
-        .list({0})
-        .always();
+        "candidates", "possible gears as tables that a spec can contain, the likeliest first",
+        &I::candidates);
     q.under("Contradiction");
     q.record<contradiction_quantities>(
         "contradiction",

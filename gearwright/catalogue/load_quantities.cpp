@@ -16,9 +16,10 @@ template <Unit unit>
 void add_stiffness(Quantities<S>& q) {
   q.number("mean", "mesh stiffness", "", "mesh stiffness at the mean approach over the positions",
            &S::mean)
+      .or_null()
       .unit(unit);
-  q.number("min", "least mesh stiffness", "", "", &S::min).unit(unit);
-  q.number("max", "greatest mesh stiffness", "", "", &S::max).unit(unit);
+  q.number("min", "least mesh stiffness", "", "", &S::min).or_null().unit(unit);
+  q.number("max", "greatest mesh stiffness", "", "", &S::max).or_null().unit(unit);
 }
 const Quantities<S>& stiffness_quantities() {
   return define<add_stiffness<Unit::newton_per_mm_um>>("load.torques stiffness");
@@ -29,7 +30,7 @@ const Quantities<S>& point_stiffness_quantities() {
 }
 
 bool at_points(const P& p) { return p.regime == LoadRegime::point; }
-bool at_points(const T& t) { return t.all->regime == LoadRegime::point; }
+bool has_points(const T& t) { return t.all->regime == LoadRegime::point; }
 bool on_lines(const T& t) { return t.all->regime == LoadRegime::line; }
 
 bool on_shafts(const T& t) { return t.torque->shafts.has_value(); }
@@ -40,55 +41,47 @@ ValueList shares(const LoadedPosition& p) {
   return list;
 }
 
-ValueList angles(const std::vector<Angle>& all) {
-  ValueList list;
-  for (const Angle a : all) list.push_back(Value(a.arcsec()));
-  return list;
-}
-
 ValueList numbers(const Eigen::VectorXd& all) {
   ValueList list;
   for (const double v : all) list.push_back(Value(v));
   return list;
 }
 
+const LoadedPosition* position_of(const P& p) { return p.position; }
+
 void add_position(Quantities<P>& q) {
-  q.under("");
-  q.term("torque_Nm", "on gear 1", [](const P& p) {
-     return newton_metres(p.torque->torque);
-   }).always();
-  q.term("rotation1_deg", "clockwise seen from +z", [](const P& p) {
-     return p.position->rotation1;
-   }).always();
-  q.term("transmission_error_arcsec",
-         "transmission error as in `contact` minus the deflection of gear 2. This and all other "
-         "numbers of a position are null if no teeth touch or the forces do not converge",
-         [](const P& p) { return p.position->te; })
+  auto of_position = q.part(position_of);
+  q.term("torque_Nm", "on gear 1", [](const P& p) { return newton_metres(p.torque->torque); });
+  q.term("rotation1_deg", "clockwise seen from +z",
+         [](const P& p) { return p.position->rotation1; });
+  of_position
+      .term("transmission_error_arcsec",
+            "transmission error as in `contact` minus the deflection of gear 2. This and all other "
+            "numbers of a position are null if no teeth touch or the forces do not converge",
+            &LoadedPosition::te)
       .words("loaded transmission error");
   q.number(
-      "approach_um", "approach under load", "Θ r_b2",
-      "approach of the flanks from the first contact without load, along the line of action "
-      "in the transverse section or, for point contact, along the normals; the approach "
-      "includes deflections of the flanks and the twist of the bodies, but no displacement of the "
-      "axes by their shafts",
-      [](const P& p) { return p.position->approach * kUmPerMm; });
+       "approach_um", "approach under load", "Θ r_b2",
+       "approach of the flanks from the first contact without load, along the line of action "
+       "in the transverse section or, for point contact, along the normals; the approach "
+       "includes deflections of the flanks and the twist of the bodies, but no displacement of the "
+       "axes by their shafts",
+       [](const P& p) { return p.position->approach * kUmPerMm; })
+      .or_null();
   q.number("share", "load shares", "",
            "share of each loaded tooth pair, with the pair nearest to its exit last; for point "
            "contact, share of each point",
-           [](const P& p) { return shares(*p.position); })
-      .list({0})
-      .always();
-  q.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
-         [](const P& p) { return p.position->max_pressure; });
-  q.number("root_stress_MPa", "greatest root stress", "",
-           "greatest principal stress along the fillets, per gear",
-           [](const P& p) { return p.position->root_stress; })
+           [](const P& p) { return shares(*p.position); });
+  of_position.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
+                   &LoadedPosition::max_pressure);
+  of_position
+      .number("root_stress_MPa", "greatest root stress", "",
+              "greatest principal stress along the fillets, per gear", &LoadedPosition::root_stress)
       .per_gear();
   q.record<load_point_quantities>(
        "points", "the loaded points in the order of `share`; double-arc teeth touch at two points",
        [](const P& p) -> const auto& { return p.position->pairs; })
-      .list({0})
-      .when([](const P& p) { return at_points(p); })
+      .when(at_points)
       .doors(kJson);
   q.word("kind", "kind of the contact with the greatest pressure",
          "`line` is a contact line, `interior` is a point inside the flanks, and all other kinds "
@@ -104,11 +97,12 @@ void add_position(Quantities<P>& q) {
 bool has_standard(const T& t) { return t.standard.has_value(); }
 bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress; }
 
+const LoadedTorque* torque_of(const T& t) { return t.torque; }
+
 void add_torque(Quantities<T>& q) {
+  auto of_torque = q.part(torque_of);
   q.under(kLoad);
-  q.term("torque_Nm", "on gear 1", [](const T& t) {
-     return newton_metres(t.torque->torque);
-   }).always();
+  q.term("torque_Nm", "on gear 1", [](const T& t) { return newton_metres(t.torque->torque); });
   q.record<load_position_quantities>("positions",
                                      "one entry for each position, in the order of the rotations",
                                      [](const T& t) {
@@ -117,47 +111,47 @@ void add_torque(Quantities<T>& q) {
                                          all.push_back({t.torque, &p, t.all->regime});
                                        return all;
                                      })
-      .list({0})
-      .always()
       .doors(kJson);
-  q.term("peak_to_peak_arcsec", "over the positions with a result", [](const T& t) {
-     return t.torque->peak_to_peak;
-   }).words("loaded transmission error, peak to peak");
+  of_torque
+      .term("peak_to_peak_arcsec", "over the positions with a result", &LoadedTorque::peak_to_peak)
+      .words("loaded transmission error, peak to peak");
   q.term("harmonics_arcsec",
          "amplitudes at orders 1, 2, … of the mesh frequency, at most 20; empty if `rotation1_deg` "
          "is given or a position has no result",
-         [](const T& t) { return angles(t.torque->harmonics); })
-      .list({0})
-      .always()
+         [](const T& t) { return t.torque->harmonics; })
       .doors(kJson);
-  q.record<stiffness_quantities>(
-       "mesh_stiffness_N_per_mm_um",
-       "secant stiffness of the mesh: line load divided by approach, including the twist of the "
-       "bodies",
-       [](const T& t) -> const auto& { return t.torque->stiffness; })
+  of_torque
+      .record<stiffness_quantities>(
+          "mesh_stiffness_N_per_mm_um",
+          "secant stiffness of the mesh: line load divided by approach, including the twist of the "
+          "bodies",
+          &LoadedTorque::stiffness)
       .when(on_lines);
-  q.record<stiffness_quantities>(
-       "mesh_stiffness_without_twist_N_per_mm_um",
-       "secant stiffness of the mesh without the twist of the bodies from bore to root [T12.16]",
-       [](const T& t) -> const auto& { return t.torque->without_twist; })
+  of_torque
+      .record<stiffness_quantities>(
+          "mesh_stiffness_without_twist_N_per_mm_um",
+          "secant stiffness of the mesh without the twist of the bodies from bore to root [T12.16]",
+          &LoadedTorque::without_twist)
       .when(on_lines)
       .doors(kJson);
-  q.record<stiffness_quantities>(
-       "tangent_stiffness_N_per_mm_um", "mesh stiffness for small changes of the torque",
-       [](const T& t) -> const auto& { return t.torque->tangent; })
+  of_torque
+      .record<stiffness_quantities>("tangent_stiffness_N_per_mm_um",
+                                    "mesh stiffness for small changes of the torque",
+                                    &LoadedTorque::tangent)
       .when(on_lines)
       .doors(kJson);
-  q.record<point_stiffness_quantities>(
-       "contact_stiffness_N_per_um",
-       "secant stiffness for point contact: force divided by approach along the normals, including "
-       "the twist of the bodies",
-       [](const T& t) -> const auto& { return t.torque->stiffness; })
-      .when([](const T& t) { return at_points(t); });
-  q.record<point_stiffness_quantities>(
-       "tangent_contact_stiffness_N_per_um",
-       "stiffness for point contact and small changes of the torque",
-       [](const T& t) -> const auto& { return t.torque->tangent; })
-      .when([](const T& t) { return at_points(t); })
+  of_torque
+      .record<point_stiffness_quantities>("contact_stiffness_N_per_um",
+                                          "secant stiffness for point contact: force divided by "
+                                          "approach along the normals, including "
+                                          "the twist of the bodies",
+                                          &LoadedTorque::stiffness)
+      .when(has_points);
+  of_torque
+      .record<point_stiffness_quantities>(
+          "tangent_contact_stiffness_N_per_um",
+          "stiffness for point contact and small changes of the torque", &LoadedTorque::tangent)
+      .when(has_points)
       .doors(kJson);
   q.number("c_gamma_alpha", "mesh stiffness by ISO 6336-1", "c_γα",
            "method B, for solid discs [T11.3]",
@@ -171,18 +165,21 @@ void add_torque(Quantities<T>& q) {
                                     : Value();
            })
       .when(has_standard);
-  q.term("max_pressure_MPa",
-         "Hertz pressure over all positions; a lower bound if an edge carries load",
-         [](const T& t) { return t.torque->max_pressure; });
-  q.number("max_root_stress_MPa", "greatest root stress", "",
-           "greatest principal stress along the fillets over all positions, per gear",
-           [](const T& t) { return t.torque->max_root_stress; })
+  of_torque.term("max_pressure_MPa",
+                 "Hertz pressure over all positions; a lower bound if an edge carries load",
+                 &LoadedTorque::max_pressure);
+  of_torque
+      .number("max_root_stress_MPa", "greatest root stress", "",
+              "greatest principal stress along the fillets over all positions, per gear",
+              &LoadedTorque::max_root_stress)
       .per_gear();
-  q.number("least_root_stress_MPa", "lower end of the root stress range", "",
-           "least principal stress over all positions at the place of the greatest stress, which "
-           "is the lower end of the stress range; the fillet is compressed while neighbouring "
-           "teeth carry load",
-           [](const T& t) { return t.torque->least_at_max; })
+  of_torque
+      .number(
+          "least_root_stress_MPa", "lower end of the root stress range", "",
+          "least principal stress over all positions at the place of the greatest stress, which "
+          "is the lower end of the stress range; the fillet is compressed while neighbouring "
+          "teeth carry load",
+          &LoadedTorque::least_at_max)
       .per_gear();
   q.number("nominal_root_stress_MPa", "nominal root stress by ISO 6336-3", "σ_F0",
            "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, for solid rims, per gear",
@@ -201,37 +198,40 @@ void add_torque(Quantities<T>& q) {
            })
       .per_gear()
       .when(has_nominal);
-  q.term("face_load_factor",
-         "maximum load along the face divided by its mean, averaged over the positions",
-         [](const T& t) { return t.torque->face_load_factor; })
+  of_torque
+      .term("face_load_factor",
+            "maximum load along the face divided by its mean, averaged over the positions",
+            &LoadedTorque::face_load_factor)
       .when(on_lines);
   q.number("shaft_slope_um", "deflection of the shafts, linear along the face", "S",
            "approach of the flanks caused by the shafts under the mean load along the face "
            "[T12.31], > 0 "
            "towards +z; only with `[gearN.shaft]`",
            [](const T& t) { return t.torque->shafts->slope * kUmPerMm; })
+      .or_null()
       .digits(2)
       .when(on_shafts);
   q.number("shaft_bow_um", "deflection of the shafts, parabolic along the face", "B",
            "value in the middle of the face [T12.31]",
            [](const T& t) { return t.torque->shafts->bow * kUmPerMm; })
+      .or_null()
       .digits(2)
       .when(on_shafts);
-  q.number("transverse_load_factor", "transverse load factor", "K_Hα",
-           "greatest share of a tooth pair divided by its share without errors and deflections",
-           [](const T& t) { return t.torque->transverse_load_factor; });
+  of_torque.number(
+      "transverse_load_factor", "transverse load factor", "K_Hα",
+      "greatest share of a tooth pair divided by its share without errors and deflections",
+      &LoadedTorque::transverse_load_factor);
   q.term("edge_carries", "true if an edge carries load, so that the pressure is a lower bound",
          [](const T& t) { return t.torque->edge_carries; });
   q.flag("ellipse_beyond_flank", "contact ellipse beyond the flank",
          "true if an ellipse crosses an end of the flank or of the face, where the pressure is "
          "higher than the Hertz pressure",
          [](const T& t) { return t.torque->beyond_flank; })
-      .when([](const T& t) { return at_points(t); });
+      .when(has_points);
   q.number("face_load_N_per_mm", "load along the face", "",
            "load per length of the contact lines for each slice from −z to +z, averaged over the "
            "positions",
            [](const T& t) { return numbers(t.torque->face_load); })
-      .list({0})
       .when(on_lines)
       .doors(kJson);
 }
@@ -254,10 +254,9 @@ const Quantities<ProbeView>& probe_quantities() {
              [](const ProbeView& p) {
                ValueList list;
                for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
-               return Value(std::move(list));
+               return list;
              })
         .unit(Unit::none)
-        .list({0})
         .when([](const ProbeView& p) { return !p.wide; });
   });
 }
@@ -276,19 +275,15 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 
 const Quantities<LoadedPair>& load_point_quantities() {
   return define("load.points", [](Quantities<LoadedPair>& q) {
-    q.number("force_N", "force", "F_n", "along the common normal", [](const LoadedPair& p) {
-       return p.point.force;
-     }).always();
+    q.number("force_N", "force", "F_n", "along the common normal",
+             [](const LoadedPair& p) { return p.point.force; });
     q.number("pressure_MPa", "greatest pressure", "p_0",
              "Hertz pressure in the middle of the contact ellipse",
-             [](const LoadedPair& p) { return p.point.pressure; })
-        .always();
+             [](const LoadedPair& p) { return p.point.pressure; });
     q.number("semi_major_mm", "semi-major axis", "a", "of the contact ellipse",
-             [](const LoadedPair& p) { return p.point.semi_major; })
-        .always();
-    q.number("semi_minor_mm", "semi-minor axis", "b", "", [](const LoadedPair& p) {
-       return p.point.semi_minor;
-     }).always();
+             [](const LoadedPair& p) { return p.point.semi_major; });
+    q.number("semi_minor_mm", "semi-minor axis", "b", "",
+             [](const LoadedPair& p) { return p.point.semi_minor; });
     q.number("diameter_mm", "diameter", "", "diameter of the middle of the ellipse, on each gear",
              [](const LoadedPair& p) { return p.point.diameter; })
         .per_gear();
@@ -318,8 +313,6 @@ const Quantities<LoadView>& load_quantities() {
                                        return v.contact ? torque_views(*v.contact, v.standard)
                                                         : std::vector<T>();
                                      })
-        .list({0})
-        .always()
         .doors(kJson);
     q.under(kLoad);
     q.word("regime", "kind of contact",
@@ -348,8 +341,6 @@ const Quantities<LoadView>& load_quantities() {
         .doors(kJson);
     q.record<probe_quantities>("probes", "one entry for each [[load.probe]], in the given order",
                                &LoadView::probes)
-        .list({0})
-        .always()
         .doors(kJson);
   });
 }

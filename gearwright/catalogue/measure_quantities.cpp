@@ -25,34 +25,30 @@ constexpr const char* kRanges = "Profile and helix on a measuring machine";
 constexpr const char* kTolerances = "Tolerances of the flanks by ISO 1328";
 constexpr const char* kThickness = "Tooth thickness on the cylinder of the chord, and base pitch";
 
-Value place_word(ContactPlace place) {
+const char* place_word(ContactPlace place) {
   switch (place) {
     case ContactPlace::usable: return "usable";
     case ContactPlace::below_flank: return "below_flank";
     case ContactPlace::on_tip_rounding: return "on_tip_rounding";
     case ContactPlace::beyond_tip: return "beyond_tip";
   }
-  return {};
+  return "";
 }
 const std::vector<std::string> kPlaces{"usable", "below_flank", "on_tip_rounding", "beyond_tip"};
 
 void add_span(Quantities<Span>& q) {
   using S = Span;
-  q.under("");
   q.whole("teeth", "teeth between the anvils", "k", "number of tooth spaces for an internal gear",
-          &S::teeth)
-      .always();
-  q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length).always();
-  q.term("contact_diameter_mm", "for symmetric contact of the anvils [T10.3]", &S::contact_diameter)
-      .always();
-  q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa",
-         [](const S& s) { return place_word(s.place); })
-      .always()
-      .one_of(kPlaces);
+          &S::teeth);
+  q.number("length_mm", "span", "W_k", "exact at any helix angle [T10.2]", &S::length);
+  q.term("contact_diameter_mm", "for symmetric contact of the anvils [T10.3]",
+         &S::contact_diameter);
+  q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa", [](const S& s) {
+     return place_word(s.place);
+   }).one_of(kPlaces);
   q.number("min_face_width_mm", "required face width", "",
            "W_k sin |β_b|; on a narrower gear one of the anvils does not touch [T10.4]",
-           &S::min_face_width)
-      .always();
+           &S::min_face_width);
   q.flag("face_wide_enough", "face is wide enough for both anvils",
          "true if b is greater than the required face width", &S::face_is_wide_enough);
 }
@@ -62,20 +58,13 @@ const Quantities<Span>& span_quantities() { return define<add_span>("measure.spa
 // Adds the position of a ball or pin, which follows its dimension.
 template <class V, class Seat>
 void add_seat(Quantities<V>& q, const Seat& seat) {
-  q.under("");
-  q.term("center_diameter_mm", "[T10.6]", [seat](const V& v) {
-     return seat(v).center_diameter;
-   }).always();
-  q.term("contact_diameter_mm", "[T10.7]", [seat](const V& v) {
-     return seat(v).contact_diameter;
-   }).always();
+  q.term("center_diameter_mm", "[T10.6]", [seat](const V& v) { return seat(v).center_diameter; });
+  q.term("contact_diameter_mm", "[T10.7]", [seat](const V& v) { return seat(v).contact_diameter; });
   q.term("contact_offset_mm",
          "axial distance of each of the two contacts from the centre of the ball, D_M sin |β_b|/2",
-         [seat](const V& v) { return seat(v).contact_offset; })
-      .always();
+         [seat](const V& v) { return seat(v).contact_offset; });
   q.term("contact", "whether the contact is on the usable flank from d_Ff to d_Fa",
          [seat](const V& v) { return place_word(seat(v).place); })
-      .always()
       .one_of(kPlaces);
 }
 
@@ -83,17 +72,14 @@ const Quantities<BallMeasure>& ball_quantities() {
   using B = BallMeasure;
   return define("measure.over_balls", [](Quantities<B>& q) {
     q.number("ball_diameter_mm", "diameter of the balls", "D_M", "as given, or the standard size",
-             [](const B& b) { return b.seat.ball_diameter; })
-        .always();
+             [](const B& b) { return b.seat.ball_diameter; });
     q.number("dimension_mm", "dimension over or between two balls", "M_dK",
              "over the balls, or between them for an internal gear; both balls are in one "
              "transverse plane, in opposite or most nearly opposite tooth spaces [T10.8]",
-             &B::dimension)
-        .always();
+             &B::dimension);
     q.number("radial_mm", "distance from the axis over one ball", "M_rK",
              "for an internal gear, to the inner side of the ball",
-             [](const B& b) { return b.seat.radial; })
-        .always();
+             [](const B& b) { return b.seat.radial; });
     add_seat<B>(q, [](const B& b) -> const BallSeat& { return b.seat; });
   });
 }
@@ -103,8 +89,7 @@ const Quantities<PinMeasure>& pin_quantities() {
   return define("measure.over_pins", [](Quantities<P>& q) {
     q.number("pin_diameter_mm", "diameter of the pins", "D_M",
              "as given, or the diameter of the balls",
-             [](const P& p) { return p.seat.ball_diameter; })
-        .always();
+             [](const P& p) { return p.seat.ball_diameter; });
     q.number(
         "two_free_mm", "dimension over two pins that may tilt", "M_dR",
         "least dimension, as measured by a micrometer [T10.9]; null for an internal helical gear",
@@ -137,19 +122,15 @@ const Quantities<BallSizes>& size_quantities() {
     q.number("ideal_mm", "size that touches at the V circle", "D_M",
              "size that touches at the middle of the usable flank if the V circle lies outside the "
              "flank [T10.11]",
-             &S::ideal)
-        .always();
+             &S::ideal);
     q.number("metric_mm", "nearest metric size", "", "size of measuring pins by DIN 3977",
-             &S::metric)
-        .always();
+             &S::metric);
     q.word(
-         "inch", "nearest inch size",
-         "size of balls; the steps are 1/64 in up to 1/2 in, 1/32 in up to 1 in, and 1/16 in above",
-         [](const S& s) { return inch_text(s.inch); })
-        .always();
-    q.number("inch_mm", "diameter of the nearest inch size", "", "", [](const S& s) {
-       return s.inch * kMmPerInch;
-     }).always();
+        "inch", "nearest inch size",
+        "size of balls; the steps are 1/64 in up to 1/2 in, 1/32 in up to 1 in, and 1/16 in above",
+        [](const S& s) { return inch_text(s.inch); });
+    q.number("inch_mm", "diameter of the nearest inch size", "", "",
+             [](const S& s) { return s.inch * kMmPerInch; });
   });
 }
 
@@ -157,23 +138,18 @@ const Quantities<ChordMeasure>& chord_quantities() {
   using C = ChordMeasure;
   return define("measure.chordal_thickness", [](Quantities<C>& q) {
     q.number("diameter_mm", "diameter of the chord", "d_y",
-             "diameter at which the jaws of the calliper touch", &C::diameter)
-        .always();
+             "diameter at which the jaws of the calliper touch", &C::diameter);
     q.number("chord_mm", "chordal tooth thickness", "",
              "shortest thickness over the inclinations of the calliper [T5.6]",
-             [](const C& c) { return c.chord.chord; })
-        .always();
+             [](const C& c) { return c.chord.chord; });
     q.number("height_mm", "height of the arc over the chord", "", "at the diameter of the chord",
-             [](const C& c) { return c.chord.height; })
-        .always();
+             [](const C& c) { return c.chord.height; });
     q.number("tip_to_chord_mm", "calliper setting from the tip", "",
              "distance from d_a; < 0 if the chord of an internal gear lies beyond the tip",
-             [](const C& c) { return c.chord.tip_to_chord; })
-        .always();
+             [](const C& c) { return c.chord.tip_to_chord; });
     q.number("caliper_angle_deg", "angle of the calliper to the transverse plane", "",
              "signed in the same way as β [T5.7]",
              [](const C& c) { return deg(c.chord.caliper_angle); })
-        .always()
         .digits(3);
   });
 }
@@ -181,16 +157,13 @@ const Quantities<ChordMeasure>& chord_quantities() {
 const Quantities<ConstantChord>& constant_quantities() {
   using C = ConstantChord;
   return define("measure.constant_chord", [](Quantities<C>& q) {
-    q.number("chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", &C::chord).always();
+    q.number("chord_mm", "constant chord", "s_c", "s_n cos² α_n [T10.13]", &C::chord);
     q.number("tip_to_chord_mm", "calliper setting from the tip", "h_c",
-             "distance from d_a [T10.13]", &C::tip_to_chord)
-        .always();
+             "distance from d_a [T10.13]", &C::tip_to_chord);
     q.number("contact_diameter_mm", "diameter of the contacts", "", "[T10.14]",
-             &C::contact_diameter)
-        .always();
+             &C::contact_diameter);
     q.term("contact", "whether the contacts are on the usable flank from d_Ff to d_Fa",
            [](const C& c) { return place_word(c.place); })
-        .always()
         .one_of(kPlaces);
   });
 }
@@ -198,16 +171,13 @@ const Quantities<ConstantChord>& constant_quantities() {
 const Quantities<ThicknessAt>& thickness_quantities() {
   using T = ThicknessAt;
   return define("measure.tooth_thickness", [](Quantities<T>& q) {
-    q.number("diameter_mm", "diameter", "d_y", "diameter of the chord", &T::diameter).always();
-    q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse)
-        .always();
-    q.number("normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", &T::normal).always();
-    q.number("half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y", [](const T& t) {
-       return deg(t.half_angle);
-     }).always();
-    q.number("helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]", [](const T& t) {
-       return deg(t.helix);
-     }).always();
+    q.number("diameter_mm", "diameter", "d_y", "diameter of the chord", &T::diameter);
+    q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse);
+    q.number("normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", &T::normal);
+    q.number("half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y",
+             [](const T& t) { return deg(t.half_angle); });
+    q.number("helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]",
+             [](const T& t) { return deg(t.helix); });
   });
 }
 
@@ -218,8 +188,6 @@ void add_measure(Quantities<GearMeasures>& q) {
   q.under("Other spans");
   q.record<span_quantities>(
        "spans", "all spans that can be measured, but at most 31 around the usual span", &M::spans)
-      .list({0})
-      .always()
       .doors(kJson);
   q.under(kBalls);
   q.record<ball_quantities>("over_balls", "null if no ball can be measured", &M::balls);
@@ -261,17 +229,15 @@ const Quantities<ReferenceInput<double>>& as_rack_quantities() {
   return define("as_rack", [](Quantities<R>& q) {
     constexpr const char* kRack = "Values for the requested rack";
     q.under(kRack);
-    q.term("normal_module_mm", "of the requested rack", &R::normal_module).always().digits(6);
-    q.term("normal_pressure_angle_deg", "of the requested rack", [](const R& r) {
-       return deg(r.normal_pressure_angle);
-     }).always();
-    q.term("helix_angle_deg", "at the reference cylinder for the requested rack", [](const R& r) {
-       return deg(r.helix_angle);
-     }).always();
-    q.term("profile_shift", "including the thickness allowance", &R::profile_shift).always();
+    q.term("normal_module_mm", "of the requested rack", &R::normal_module).digits(6);
+    q.term("normal_pressure_angle_deg", "of the requested rack",
+           [](const R& r) { return deg(r.normal_pressure_angle); });
+    q.term("helix_angle_deg", "at the reference cylinder for the requested rack",
+           [](const R& r) { return deg(r.helix_angle); });
+    q.term("profile_shift", "including the thickness allowance", &R::profile_shift);
     q.term("reference_diameter_mm", "of the requested rack", [](const R& r) {
-       return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);
-     }).always();
+      return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);
+    });
   });
 }
 

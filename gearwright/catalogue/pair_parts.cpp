@@ -23,7 +23,6 @@ struct PathPoint {
 
 void add_path_point(Quantities<PathPoint>& q) {
   using P = PathPoint;
-  q.under("");
   q.number("from_A_mm", "distance from A", "", "distance along the line of action",
            [](const P& p) { return (p.rho1 - p.pair->mesh.rho1_A) / p.pair->mesh.line_cosine; });
   q.number("from_pitch_point_mm", "distance from the pitch point", "",
@@ -32,9 +31,8 @@ void add_path_point(Quantities<PathPoint>& q) {
   q.number("rho1_mm", "radius of curvature, gear 1", "ρ_1", "of the transverse profile", &P::rho1);
   q.number("rho2_mm", "radius of curvature, gear 2", "ρ_2", "of the transverse profile",
            [](const P& p) { return p.pair->mesh.rho2(p.rho1); });
-  q.term("point_mm", "in the housing frame", [](const P& p) {
-     return p.pair->on_line_of_action(p.rho1).r;
-   }).list({3});
+  q.term("point_mm", "in the housing frame",
+         [](const P& p) { return p.pair->on_line_of_action(p.rho1).r; });
 }
 
 const Quantities<PathPoint>& path_point_quantities() {
@@ -42,13 +40,13 @@ const Quantities<PathPoint>& path_point_quantities() {
 }
 
 // Sliding speeds at A, at the pitch point of gear 1 and at E, per radian of gear 1.
-Value sliding_at_A_C_E(const InvolutePair& p, double (*part)(double across, double along)) {
-  ValueList speeds;
-  for (const double rho1 : {p.mesh.rho1_A, p.mesh.rho1_C, p.mesh.rho1_E}) {
+std::array<double, 3> sliding_at_A_C_E(const InvolutePair& p,
+                                       double (*part)(double across, double along)) {
+  const auto at = [&](double rho1) {
     const FlankSpeeds<double> w = flank_speeds(p.input, p.mesh, rho1);
-    speeds.push_back(part(w.across[0] - w.across[1], w.along[0] - w.along[1]));
-  }
-  return speeds;
+    return part(w.across[0] - w.across[1], w.along[0] - w.along[1]);
+  };
+  return {at(p.mesh.rho1_A), at(p.mesh.rho1_C), at(p.mesh.rho1_E)};
 }
 
 template <Unit unit>
@@ -75,9 +73,9 @@ const Quantities<std::array<Value, 2>>& two_gears_mm() {
 const Quantities<CrossedPlace>& place_quantities() {
   using P = CrossedPlace;
   return define("place", [](Quantities<P>& q) {
-    q.term("center_distance_mm", "free of backlash", &P::center_distance).always();
-    q.term("shaft_angle_deg", "there", &P::shaft_angle).always();
-    q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle).always();
+    q.term("center_distance_mm", "free of backlash", &P::center_distance);
+    q.term("shaft_angle_deg", "there", &P::shaft_angle);
+    q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle);
   });
 }
 
@@ -109,14 +107,11 @@ const Quantities<CrossedPlaces>& places_quantities() {
 const Quantities<LineView>& line_quantities() {
   using L = LineView;
   return define("pair.line of action", [](Quantities<L>& q) {
-    const auto ends = [](const std::array<Vec3, 2>& line) {
-      return Value(ValueList{line[0], line[1]});
-    };
+    const auto ends = [](const std::array<Vec3, 2>& line) { return ValueList{line[0], line[1]}; };
     q.number(
-         "length_mm", "length of path of contact", "g_α",
-         "for crossed axes the distance AE along the line of action; 0 if the path has no length",
-         &L::length)
-        .always();
+        "length_mm", "length of path of contact", "g_α",
+        "for crossed axes the distance AE along the line of action; 0 if the path has no length",
+        &L::length);
     q.number("leading", "leading line of action", "",
              "points [A, E]; for parallel axes in the section z = 0",
              [ends](const L& l) { return ends(l.leading); })
@@ -128,9 +123,7 @@ const Quantities<LineView>& line_quantities() {
         .unit(Unit::mm)
         .list({2, 3})
         .doors(kJson);
-    q.text("unit", "unit of the points, spelled as in keys", [](const L&) {
-       return Value("mm");
-     }).always();
+    q.text("unit", "unit of the points, spelled as in keys", [](const L&) { return "mm"; });
   });
 }
 
@@ -185,8 +178,8 @@ const Quantities<InvolutePair>& path_quantities() {
   return define("pair.path", [](Quantities<InvolutePair>& q) {
     const auto point = [&q](const char* key, const char* meaning, auto rho1) {
       q.record<path_point_quantities>(key, meaning, [rho1](const InvolutePair& p) {
-         return path_point_quantities().of({&p, p.mesh.*rho1});
-       }).always();
+        return path_point_quantities().of({&p, p.mesh.*rho1});
+      });
     };
     point("A", "start of contact, at the tip of gear 2", &Mesh<double>::rho1_A);
     point("B", "one pitch before E", &Mesh<double>::rho1_B);
@@ -199,15 +192,13 @@ const Quantities<InvolutePair>& path_quantities() {
 const Quantities<PairBacklash>& backlash_quantities() {
   using B = PairBacklash;
   return define("pair.backlash", [](Quantities<B>& q) {
-    q.term("normal_base_mm", "along the common normal", &B::normal_base).always();
-    q.term("normal_mm", "j_bn/cos α_wn", &B::normal).always();
+    q.term("normal_base_mm", "along the common normal", &B::normal_base);
+    q.term("normal_mm", "j_bn/cos α_wn", &B::normal);
     q.term("circumferential_mm", "per gear, at the working pitch circles", &B::circumferential)
-        .per_gear()
-        .always();
+        .per_gear();
     q.number("rotation_deg", "angular backlash with the mating gear fixed", "j_φ", "per gear",
              &B::rotation)
-        .per_gear()
-        .always();
+        .per_gear();
     q.number("free_rotation_deg", "free play with the mating gear fixed", "",
              "per gear, rotation without any contact; less than the backlash if other parts of the "
              "teeth touch before the flanks; null if not computed (as on crossed axes with an "
@@ -259,11 +250,9 @@ const Quantities<ParallelPair>& needed_face_quantities() {
 const Quantities<InvolutePair>& sliding_velocity_quantities() {
   return define("pair.sliding velocity", [](Quantities<InvolutePair>& q) {
     const auto at = [&q](const char* key, const char* meaning, double (*part)(double, double)) {
-      q.number(key, key, "", meaning,
-               [part](const InvolutePair& p) { return sliding_at_A_C_E(p, part); })
-          .unit(Unit::mm_per_rad)
-          .list({3})
-          .always();
+      q.number(key, key, "", meaning, [part](const InvolutePair& p) {
+         return sliding_at_A_C_E(p, part);
+       }).unit(Unit::mm_per_rad);
     };
     at("across_teeth", "[at A, at C, at E]; on parallel axes in the transverse section",
        [](double across, double) { return across; });
@@ -310,18 +299,17 @@ const Quantities<InternalMargins>& internal_quantities() {
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   return define("pair.interference", [](Quantities<I>& q) {
-    q.text("code", "code for programs, which never changes", [](const I& i) {
-       return to_string(i.code);
-     }).always();
+    q.text("code", "code for programs, which never changes",
+           [](const I& i) { return to_string(i.code); });
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
     q.number("amount", "amount", "", "margin in `unit`; negative if the parts interfere",
              &I::amount)
         .when([](const I& i) { return i.amount.has_value(); });
     q.text("unit", "unit of the amount, spelled as in keys; the amount of `trochoid` is an angle",
-           [](const I& i) { return Value(i.code == WarningCode::trochoid ? "rad" : "mm"); })
+           [](const I& i) { return i.code == WarningCode::trochoid ? "rad" : "mm"; })
         .when([](const I& i) { return i.amount.has_value(); });
-    q.text("message", "sentence for users", &I::message).always();
+    q.text("message", "sentence for users", &I::message);
   });
 }
 
@@ -336,38 +324,35 @@ const Quantities<Collision>& collision_quantities() {
   using S = Collision;
   return define("pair.collision", [](Quantities<S>& q) {
     const auto at = [](auto get) {
-      return [get](const S& s) { return s.touch ? Value(get(*s.touch)) : Value(); };
+      return [get](const S& s) { return s.touch ? std::optional(get(*s.touch)) : std::nullopt; };
     };
-    q.text("cause", "code for programs, which never changes", [](const S& s) {
-       return to_string(s.cause);
-     }).always();
+    q.text("cause", "code for programs, which never changes",
+           [](const S& s) { return to_string(s.cause); });
     q.term("gear",
            "gear with the affected root or the projecting tip; null if both gears are affected",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
              "depth of an overlap along the common normal in the middle of the play; for contact "
              "beyond the flank, the remaining distance between the flanks",
-             &S::depth)
-        .always();
+             &S::depth);
     q.text("arcs", "touching arcs of gear 1 and gear 2, with the names of `outline`",
            at([](const OutlineTouch& t) {
-             return Value(ValueList{std::string(to_string(t.places[0].arc)),
-                                    std::string(to_string(t.places[1].arc))});
+             return ValueList{std::string(to_string(t.places[0].arc)),
+                              std::string(to_string(t.places[1].arc))};
            }))
         .list({2});
     q.flag("corners", "contact at an end of the arc",
            "for gear 1 and gear 2, true if an end of the arc touches",
            at([](const OutlineTouch& t) {
-             return Value(ValueList{t.places[0].corner, t.places[1].corner});
+             return ValueList{t.places[0].corner, t.places[1].corner};
            }))
         .list({2});
     q.number("rotation1_deg", "rotation of gear 1", "",
              "rotation of gear 1 at the contact, within half a pitch",
              at([](const OutlineTouch& t) { return Angle::radians(t.rotation_1).deg(); }));
     q.term("point_mm", "in the housing frame",
-           at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }))
-        .list({3});
-    q.text("message", "sentence for users", &S::message).always();
+           at([](const OutlineTouch& t) { return Vec3(t.point.x(), t.point.y(), t.height); }));
+    q.text("message", "sentence for users", &S::message);
   });
 }
 

@@ -72,16 +72,14 @@ void add_mounting(Quantities<V>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   q.word("kind", "kind of pair", "position of the axes",
          [](const V& v) { return to_string(v.kind()); })
-      .always()
       .one_of({"parallel_external", "parallel_internal", "crossed"})
       .doors(kJson);
-  q.term("gear_ratio", "z2/z1, negative for internal pairs", &V::gear_ratio).always();
-  q.term("shaft_angle_deg", "0 on parallel axes", &V::shaft_angle).always().shown(is<CrossedPair>);
-  q.term("center_distance_mm", "as mounted", &V::center_distance).always();
+  q.term("gear_ratio", "z2/z1, negative for internal pairs", &V::gear_ratio);
+  q.term("shaft_angle_deg", "0 on parallel axes", &V::shaft_angle).shown(is<CrossedPair>);
+  q.term("center_distance_mm", "as mounted", &V::center_distance);
   q.number("reference_center_distance_mm", "reference centre distance", "a_d",
            "computed from the reference diameters",
-           [](const V& v) { return v.mounted().reference_center_distance; })
-      .always();
+           [](const V& v) { return v.mounted().reference_center_distance; });
   of_involutes
       .term("backlash_free_center_distance_mm",
             "for the teeth as cut, including allowances [T2.20], and for crossed axes at the given "
@@ -189,7 +187,6 @@ void add_contact(Quantities<V>& q) {
          "ε_α + ε_β, for crossed axes AE/p_bn, for circular arcs ε_β times the number of contact "
          "points per tooth; 0 if the teeth do not touch",
          &V::contact_ratio)
-      .always()
       .shown([](const V& v) { return !is<CrossedPair>(v); });
   // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to
   // which an overlap ratio could be added.
@@ -251,9 +248,7 @@ void add_contact(Quantities<V>& q) {
           [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
       .when();
-  of_involutes.record<path_quantities>("path", "points of the path of contact", std::identity{})
-      .doors(kJson)
-      .when();
+  of_involutes.record<path_quantities>("path", "points of the path of contact").doors(kJson).when();
   q.record<collision_quantities>(
        "overlap",
        "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]; on "
@@ -266,15 +261,11 @@ void add_contact(Quantities<V>& q) {
   q.record<collision_quantities>("beyond_flank",
                                  "contacts of a root or a tip beyond the flank, without overlap",
                                  [](const V& v) { return v.mounted().beyond_flank; })
-      .always()
-      .list({0})
       .doors(kJson);
   q.record<interference_quantities>("interference",
                                     "causes of an overlap; if `overlap` was not computed, all "
                                     "interferences of circles and corners",
                                     interference_of)
-      .always()
-      .list({0})
       .doors(kJson);
 }
 
@@ -341,8 +332,7 @@ void add_parallel(Quantities<V>& all) {
        "needed_face_width_mm",
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
        "for double-helical gears, the widths of one half and, in addition, the widths including "
-       "both halves and the gap; null on crossed axes",
-       std::identity{})
+       "both halves and the gap; null on crossed axes")
       .when(is<InvolutePair>);
   all.under(kContact);
   q.term("approach_contact_ratio",
@@ -374,8 +364,7 @@ void add_friction(Quantities<V>& q) {
       .record<sliding_velocity_quantities>(
           "sliding_velocity_mm_per_rad",
           "speed of the contact along flank 1 minus the speed along flank 2, per radian of gear 1 "
-          "[T4.24]",
-          std::identity{})
+          "[T4.24]")
       .doors(kJson)
       .when();
   add_efficiency(q, efficiency_of);
@@ -395,8 +384,7 @@ void add_all(Quantities<V>& q) {
       "backlash", "backlash of the flanks as cut, at this centre distance", backlash_of);
   q.under(kMargins);
   q.part(margins_of)
-      .record<internal_quantities>("internal", "margins of internal pairs; absent for other pairs",
-                                   std::identity{})
+      .record<internal_quantities>("internal", "margins of internal pairs; absent for other pairs")
       .when();
   q.under("Point of contact");
   q.part(as<ArcPair>)
@@ -404,7 +392,6 @@ void add_all(Quantities<V>& q) {
           "arc_contacts",
           "points of contact, only for circular arcs; empty for gears of unequal lead",
           arc_contacts_of)
-      .list({0})
       .when();
 }
 

@@ -12,14 +12,11 @@ const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
   return define("drive.phasing.resultant", [](Quantities<R>& q) {
     q.number("torque", "torque and axial force", "R_k",
-             "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque)
-        .always();
+             "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque);
     q.number("force_forward", "transverse force that turns with the sun", "F_k^+", "[T13.18]",
-             &R::force_forward)
-        .always();
+             &R::force_forward);
     q.number("force_backward", "transverse force that turns against the sun", "F_k^-", "[T13.18]",
-             &R::force_backward)
-        .always();
+             &R::force_backward);
   });
 }
 
@@ -41,7 +38,7 @@ Value phases(const std::vector<Rational>& list) {
 }
 
 template <class Show>
-Value each(const std::vector<Rational>& list, Show show) {
+ValueList each(const std::vector<Rational>& list, Show show) {
   ValueList values;
   for (const Rational& r : list) values.push_back(show(r));
   return values;
@@ -55,25 +52,22 @@ const Quantities<PlanetSet>& assembly_quantities() {
     q.whole("positions", "possible positions per turn", "N*",
             "number of positions in a turn at which a planet can be assembled; 0 if every position "
             "is possible [T13.12]",
-            [](const P& p) { return p.assembly.places; })
-        .always();
+            [](const P& p) { return p.assembly.places; });
     q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
            [](const P& p) { return p.assembly.equal; });
     q.number("angles_deg", "positions of the planets", "",
              "counter-clockwise from the first planet [T13.13]",
-             [](const P& p) { return each(p.assembly.turns, degrees_of); })
-        .always()
-        .list({0});
+             [](const P& p) { return each(p.assembly.turns, degrees_of); });
     q.whole("angles_exact", "positions of the planets", "", "[p, q] in turns",
             [](const P& p) { return each(p.assembly.turns, exact_fraction); })
-        .always()
         .list({0, 2})
         .doors(kJson);
     q.number("clocking_deg", "clocking", "δ",
              "rotation of the second gear of each stepped planet on its shaft; null if all stepped "
              "planets are equal [T13.14]",
              [](const P& p) {
-               return p.assembly.clocking.empty() ? Value() : each(p.assembly.clocking, degrees_of);
+               return p.assembly.clocking.empty() ? Value()
+                                                  : Value(each(p.assembly.clocking, degrees_of));
              })
         .list({0});
     q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
@@ -87,10 +81,9 @@ const Quantities<PlanetSet>& assembly_quantities() {
 const Quantities<PlanetSet>& phasing_quantities() {
   using P = PlanetSet;
   return define("drive.phasing", [](Quantities<P>& q) {
-    q.word("class", "class of phasing", "for the first harmonic [T13.19]",
-           [](const P& p) { return words_of(p.phasing.kind); })
-        .always()
-        .one_of({"in_phase", "sequential", "counter", "mixed"});
+    q.word("class", "class of phasing", "for the first harmonic [T13.19]", [](const P& p) {
+       return words_of(p.phasing.kind);
+     }).one_of({"in_phase", "sequential", "counter", "mixed"});
     q.number("sun_phase", "phases of the sun's meshes", "γ",
              "phase by which each mesh follows the first mesh, in periods [T13.16]",
              [](const P& p) { return phases(p.sun_phases); })
@@ -103,8 +96,6 @@ const Quantities<PlanetSet>& phasing_quantities() {
     q.record<resultant_quantities>(
          "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
          [](const P& p) -> const auto& { return p.phasing.resultants; })
-        .always()
-        .list({0})
         .doors(kJson);
   });
 }

@@ -37,17 +37,16 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
-    q.text("amounts", "amounts in words, empty if as given", amounts_of).always();
+    q.text("amounts", "amounts in words, empty if as given", amounts_of);
   });
 }
 
 const Quantities<ProposedLoad>& load_of_proposal_quantities() {
   using L = ProposedLoad;
   return define("propose.proposals.under_load", [](Quantities<L>& q) {
-    q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); }).always();
+    q.term("torque_Nm", "on gear 1", [](const L& l) { return newton_metres(l.torque); });
     q.record<loaded_score_quantities>("score", "as computed by `load` for the spec of the proposal",
-                                      &L::score)
-        .always();
+                                      &L::score);
   });
 }
 
@@ -60,9 +59,8 @@ const Quantities<Proposal>& proposal_quantities() {
            "the modifications of the spec, or linear reliefs at the tips of both gears, or at tip "
            "and root of gear 1",
            [](const P& p) { return profile_words()[static_cast<std::size_t>(p.profile)]; })
-        .one_of(profile_words())
-        .always();
-    q.text("words", "modifications in words", words_of).always();
+        .one_of(profile_words());
+    q.text("words", "modifications in words", words_of);
     q.flag("pitch_deviations", "reliefs with pitch deviations",
            "true if the reliefs allow for load and pitch deviations, false if they allow for the "
            "load alone",
@@ -71,15 +69,10 @@ const Quantities<Proposal>& proposal_quantities() {
            "true if the proposal has a helix crowning and slope of gear 1, false if it keeps the "
            "helix modifications of the spec",
            &P::lead);
-    q.record<gear_of_proposal_quantities>("gears", "amounts, per gear", &P::gears)
-        .list({2})
-        .always();
-    q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads)
-        .list({0})
-        .always();
+    q.record<gear_of_proposal_quantities>("gears", "amounts, per gear", &P::gears).list({2});
+    q.record<load_of_proposal_quantities>("under_load", "one entry for each torque", &P::loads);
     q.record<loaded_score_quantities>("worst", "worst value of each number over the torques",
-                                      &P::worst)
-        .always();
+                                      &P::worst);
     q.record<loaded_score_quantities>(
         "at_helix_limits",
         "worst values over the torques and both signs of `helix_deviation_um`, which is added to "
@@ -128,9 +121,8 @@ const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
   return define("propose", [](Quantities<V>& q) {
     q.under("Origin of the amounts");
-    q.term("torque_Nm", "greatest of the torques; the amounts are computed for it", [](const V& v) {
-       return newton_metres(v.torque);
-     }).always();
+    q.term("torque_Nm", "greatest of the torques; the amounts are computed for it",
+           [](const V& v) { return newton_metres(v.torque); });
     q.number("tip_deflection_um", "deflection at the tip", "C_i",
              "least short tip relief that keeps the tip free of load, for the helix modifications "
              "of the spec [T12.27]; null without reliefs",
@@ -161,14 +153,11 @@ const Quantities<ProposeView>& propose_quantities() {
         .digits(2);
     q.record<proposal_quantities>("proposals", "the spec as given, then the proposals",
                                   &V::proposals)
-        .list({0})
-        .always()
         .doors(kJson);
-    q.whole("recommended", "recommended proposal", "", "1 is the spec as given",
-            [](const V& v) { return v.recommended + 1; })
-        .always()
-        .doors(kJson);
-    q.text("reason", "reason for the recommendation", &V::reason).always();
+    q.whole("recommended", "recommended proposal", "", "1 is the spec as given", [](const V& v) {
+       return v.recommended + 1;
+     }).doors(kJson);
+    q.text("reason", "reason for the recommendation", &V::reason);
   });
 }
 

@@ -23,6 +23,7 @@
 #include "gearwright/catalogue/term.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/catalogue/value.hpp"
+#include "gearwright/catalogue/value_shape.hpp"
 
 namespace gearwright {
 
@@ -57,7 +58,8 @@ struct QuantityInfo {
   Type type = Type::number;
   std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
   Two two = Two::values;              ///< meaning of a list of two values
-  bool always = false;                ///< true if the value is never null
+  bool always = false;                ///< true if the value is never null; the type of the getter
+                                      ///< shows this, see Shape
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
   std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
@@ -92,7 +94,10 @@ struct Quantity {
                                            ///< that part
 
   // The functions below refine an entry. They are listed in their usual order.
+  // The value is never null, although its getter returns a Value.
   Quantity& always() { return info.always = true, *this; }
+  // The number may be missing, as NaN or infinity, although its getter returns a plain number.
+  Quantity& or_null() { return info.always = false, *this; }
   Quantity& in_inch() { return info.only_inch = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
   Quantity& doors(unsigned d) { return info.doors = d, *this; }
@@ -158,6 +163,20 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
+/// A type with the shape of record_value() for a getter that returns R.
+template <class T, class R>
+auto record_shape() {
+  if constexpr (std::is_same_v<R, T>) {
+    return ValueRecord();
+  } else if constexpr (requires(const R& found) { *found; }) {
+    return Value();
+  } else if constexpr (requires { requires std::is_same_v<typename R::value_type, T>; }) {
+    return ValueList();
+  } else {
+    return R();
+  }
+}
+
 /// The getter of an entry. `get` is a member of S or a function of S. Angles are converted to the
 /// unit of the key.
 template <class S, class G>
@@ -185,7 +204,7 @@ class QuantityForms {
   }
   template <class G>
   auto& flag(const char* key, const char* words, const char* meaning, G get) {
-    return self().add(Type::flag, key, words, "", meaning, std::move(get)).always();
+    return self().add(Type::flag, key, words, "", meaning, std::move(get));
   }
   template <class G>
   auto& word(const char* key, const char* words, const char* meaning, G get) {
@@ -199,16 +218,18 @@ class QuantityForms {
   template <class G>
   auto& term(const char* key, const char* meaning, G get) {
     const Term& t = term_of(key);
-    auto& q = self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
-    q.info.always = t.type == Type::flag;
-    return q;
+    return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
   }
   /// A record of the quantities `of`, or a list of such records. `get` returns a subject, an
-  /// optional or a pointer that may be empty, a range of subjects, or a finished value.
-  template <const auto& (*of)(), class G>
-  auto& record(const char* key, const char* meaning, G get) {
+  /// optional or a pointer that may be empty, a range of subjects, or a finished value. By default,
+  /// it returns the subject itself.
+  template <const auto& (*of)(), class G = std::identity>
+  auto& record(const char* key, const char* meaning, G get = {}) {
+    using T = typename std::remove_cvref_t<decltype(of())>::Subject;
+    using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
     auto& q = self().add(Type::record, key, key, "", meaning,
                          [get](const S& s) { return record_value(of(), std::invoke(get, s)); });
+    self().template shape<decltype(record_shape<T, R>())>(q.info);
     q.info.of = []() -> const QuantityTable& { return of().table(); };
     return q;
   }
@@ -223,6 +244,8 @@ class PartQuantities;
 template <class S>
 class Quantities : public QuantityForms<Quantities<S>, S> {
  public:
+  using Subject = S;
+
   /// `fill` adds the quantities in the order of the keys.
   template <class Fill>
   Quantities(std::string name, const Fill& fill) {
@@ -245,7 +268,14 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
                    const char* meaning, G get) {
     const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
     list_.push_back({{key, words, symbol, unit, group_, meaning, type}, getter<S>(unit, get)});
+    shape<std::remove_cvref_t<std::invoke_result_t<G, const S&>>>(list_.back().info);
     return list_.back();
+  }
+  /// Describes the values of a getter that returns R.
+  template <class R>
+  static void shape(QuantityInfo& info) {
+    info.always = Shape<R>::kAlways;
+    info.list = Shape<R>::list();
   }
 
   /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no
@@ -306,7 +336,13 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
                    return part ? get(*part) : Value();
                  });
     q.there = [find = find_](const S& subject) { return find(subject) != nullptr; };
+    shape<std::remove_cvref_t<std::invoke_result_t<G, const P&>>>(q.info);
     return q;
+  }
+  /// As Quantities::shape(). The value is null if the subject does not have the part.
+  template <class R>
+  static void shape(QuantityInfo& info) {
+    info.list = Shape<R>::list();
   }
 
  private:

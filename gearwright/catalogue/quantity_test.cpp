@@ -5,12 +5,15 @@
 //   (3) a value has the declared type and lengths; it is never null if it is always present
 //   (4) all interfaces give the value of the getter: if JSON has null, users see no number
 //   (5) a key that occurs in several tables with the same words and the same symbol is a term
+//   (6) the type of a getter shows the lengths of lists and whether a value can be null
 #include "gearwright/catalogue/quantity.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -133,7 +136,11 @@ std::string fault(const QuantityInfo& s, const Value& v, std::size_t depth) {
   }
   const auto& variant = v.variant();
   switch (s.type) {
-    case Type::number: return std::holds_alternative<double>(variant) ? "" : "is no number";
+    case Type::number: {
+      const auto* x = std::get_if<double>(&variant);
+      if (!x) return "is no number";
+      return s.always && depth == 0 && !std::isfinite(*x) ? "is not finite" : "";
+    }
     case Type::whole:
     case Type::index: return std::holds_alternative<long long>(variant) ? "" : "is not whole";
     case Type::flag: return std::holds_alternative<bool>(variant) ? "" : "is no flag";
@@ -205,6 +212,59 @@ TEST(Catalogue, WhatIsNotThereIsADashAtEveryDoor) {
     }
     EXPECT_EQ(rows, 1);
   }
+}
+
+struct Sample {
+  double number = 1.0;
+  std::optional<double> maybe{};
+  std::array<double, 2> two{};
+  std::array<std::optional<double>, 2> two_maybe{};
+  std::vector<Vec3> points{};
+  std::optional<Vec3> point{};
+  std::string word{};
+  Value value{};
+};
+
+const Quantities<Sample>& inner_quantities() {
+  return define("inner", [](Quantities<Sample>& q) {
+    q.number("a", "a", "", "", &Sample::number);
+    q.number("b", "b", "", "", &Sample::maybe);
+    q.number("c", "c", "", "", &Sample::two);
+    q.number("d", "d", "", "", &Sample::two_maybe);
+    q.number("e", "e", "", "", &Sample::points);
+    q.number("f", "f", "", "", &Sample::point);
+    q.word("g", "g", "", &Sample::word);
+    q.number("h", "h", "", "", &Sample::value);
+    q.number("i", "i", "", "", &Sample::number).or_null();
+    q.part(+[](const Sample& s) { return &s; }).number("j", "j", "", "", &Sample::two);
+  });
+}
+
+const Quantities<Sample>& sample_quantities() {
+  return define("sample", [](Quantities<Sample>& q) {
+    q.record<inner_quantities>("one", "");
+    q.record<inner_quantities>("all", "", [](const Sample& s) { return std::vector{s}; });
+    q.record<inner_quantities>("maybe", "", [](const Sample& s) { return std::optional(s); });
+    q.record<inner_quantities>("pointer", "", [](const Sample& s) { return &s; });
+    q.record<inner_quantities>("finished", "", [](const Sample&) { return Value(); });
+  });
+}
+
+// (6) `always` and `list` of each entry.
+TEST(Catalogue, GettersShowTheShapeOfTheirValues) {
+  using List = std::vector<int>;
+  const auto shapes = [](const QuantityTable& table) {
+    std::vector<std::pair<bool, List>> all;
+    for (const QuantityInfo* info : table.list) all.emplace_back(info->always, info->list);
+    return all;
+  };
+  const std::vector<std::pair<bool, List>> plain{
+      {true, {}},   {false, {}}, {true, {2}}, {false, {2}}, {true, {0, 3}},
+      {false, {3}}, {true, {}},  {false, {}}, {false, {}},  {false, {2}}};
+  EXPECT_EQ(shapes(inner_quantities().table()), plain);
+  const std::vector<std::pair<bool, List>> records{
+      {true, {}}, {true, {0}}, {false, {}}, {false, {}}, {false, {}}};
+  EXPECT_EQ(shapes(sample_quantities().table()), records);
 }
 
 TEST(Catalogue, TextsOfValues) {

@@ -11,60 +11,50 @@ using V = RackPair;
 
 const Quantities<RackPair>& rack_backlash_quantities() {
   return define("rack_pair.backlash", [](Quantities<V>& q) {
-    q.term("normal_base_mm", "along the common normal", &V::base_backlash).always();
-    q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash).always();
+    q.term("normal_base_mm", "along the common normal", &V::base_backlash);
+    q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash);
     q.term("circumferential_mm", "for the pinion at the reference circle, and along the rack",
            [](const V& v) {
              const double j = v.circumferential_backlash();
-             return Value(std::array{j, j});
+             return std::array{j, j};
            })
-        .per_gear()
-        .always();
+        .per_gear();
     q.number("rotation_deg", "angular backlash of the pinion", "j_φ",
-             "angular backlash of the pinion with the rack held",
-             [](const V& v) {
+             "angular backlash of the pinion with the rack held", [](const V& v) {
                return Angle::radians(2 * v.circumferential_backlash() / v.pinion.reference_diameter)
                    .deg();
-             })
-        .always();
+             });
   });
 }
 
 void add_mounting(Quantities<V>& q) {
   q.under(kMounting);
   q.word("kind", "kind of pair", "for a pinion and a rack",
-         [](const V&) { return Value("rack_and_pinion"); })
-      .always()
+         [](const V&) { return "rack_and_pinion"; })
       .one_of({"rack_and_pinion"})
       .doors(kJson);
   q.term("gear_ratio", "null, because a rack does not turn", [](const V&) {
      return Value();
    }).doors(kJson);
   q.term("center_distance_mm",
-         "distance from the pinion axis to the datum line of the rack [T2.36]", &V::center_distance)
-      .always();
+         "distance from the pinion axis to the datum line of the rack [T2.36]",
+         &V::center_distance);
   q.number("mounting_distance_mm", "mounting distance", "",
-           "distance from the pinion axis to the back of the rack", &V::mounting_distance)
-      .always();
+           "distance from the pinion axis to the back of the rack", &V::mounting_distance);
   q.term("backlash_free_center_distance_mm", "for the teeth as cut, including allowances [T2.36]",
-         &V::backlash_free_center_distance)
-      .always();
+         &V::backlash_free_center_distance);
   q.number("travel_mm_per_turn", "travel per turn of the pinion", "", "π m_t z",
            &V::travel_per_turn)
-      .unit(Unit::mm)
-      .always();
+      .unit(Unit::mm);
   q.term("working_normal_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
-         [](const V& v) { return v.pinion.spec.normal_pressure_angle; })
-      .always();
+         [](const V& v) { return v.pinion.spec.normal_pressure_angle; });
   q.term("working_transverse_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
-         [](const V& v) { return Angle::radians(v.pinion.reference().transverse_pressure_angle); })
-      .always();
+         [](const V& v) { return Angle::radians(v.pinion.reference().transverse_pressure_angle); });
   q.number("working_pitch_diameter_mm", "working pitch diameter of the pinion", "d_w",
            "equal to the reference diameter of the pinion at every centre distance",
-           [](const V& v) { return v.pinion.reference_diameter; })
-      .always();
+           [](const V& v) { return v.pinion.reference_diameter; });
   q.term("pitch_line_velocity_m_per_s", "equal to the speed of the rack; only with `speed_rpm`",
          [](const V& v) { return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM; })
       .when([](const V& v) { return v.speed_rpm.has_value(); });
@@ -72,23 +62,18 @@ void add_mounting(Quantities<V>& q) {
 
 void add_contact(Quantities<V>& q) {
   q.under(kContact);
-  q.term("contact_ratio", "ε_α + ε_β", [](const V& v) {
-     return v.transverse_contact_ratio() + v.overlap_ratio;
-   }).always();
+  q.term("contact_ratio", "ε_α + ε_β",
+         [](const V& v) { return v.transverse_contact_ratio() + v.overlap_ratio; });
   q.term("transverse_contact_ratio",
          "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
-         &V::transverse_contact_ratio)
-      .always();
+         &V::transverse_contact_ratio);
   q.term("contact_ratio_true", "for the part of the path on the usable flanks [T2.39]",
-         [](const V& v) { return v.true_contact_ratio() + v.overlap_ratio; })
-      .always();
-  q.term("overlap_ratio", "over the common face", &V::overlap_ratio).always();
+         [](const V& v) { return v.true_contact_ratio() + v.overlap_ratio; });
+  q.term("overlap_ratio", "over the common face", &V::overlap_ratio);
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
-         [](const V& v) { return v.approach / v.base_pitch; })
-      .always();
+         [](const V& v) { return v.approach / v.base_pitch; });
   q.term("recess_contact_ratio", "contact ratio after the pitch point, with the pinion driving",
-         [](const V& v) { return v.recess / v.base_pitch; })
-      .always();
+         [](const V& v) { return v.recess / v.base_pitch; });
   add_sliding(q,
               "[at A, at E], sliding distance per mm that the contact travels on the flank "
               "[T2.41]; null for the pinion at and beyond the base tangent point",
@@ -106,16 +91,13 @@ void add_all(Quantities<V>& q) {
   add_contact(q);
   q.under(kBacklash);
   q.record<rack_backlash_quantities>(
-       "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]",
-       std::identity{})
-      .always();
+      "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]");
   q.under(kClearances);
   q.term("tip_clearance_mm",
          "from the tip of the pinion to the root of the rack, then from the tip of the rack to the "
          "root of the pinion [T2.40]",
          &V::tip_clearance)
-      .per_gear()
-      .always();
+      .per_gear();
   q.number("contact_root_diameter_mm", "active root diameter of the pinion", "d_Nf",
            "diameter at which contact starts; null if contact starts beyond the base tangent point",
            &V::contact_root_diameter);
@@ -129,34 +111,28 @@ const Quantities<RackGeometry>& rack_quantities() {
   using R = RackGeometry;
   return define("rack", [](Quantities<R>& q) {
     q.word("form", "form of the part", "`rack`, because gear 2 is a rack",
-           [](const R&) { return Value("rack"); })
-        .always()
+           [](const R&) { return "rack"; })
         .one_of({"rack"})
         .doors(kJson);
     q.term("teeth", "number of teeth of the rack; null if the rack is as long as required",
            [](const R& r) { return r.bar.teeth; });
-    q.term("normal_module_mm", "normal module of the pinion", &R::normal_module).always();
+    q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",
            "angle of the teeth to the pinion axis; the hand is opposite to the hand of the pinion",
-           &R::helix_angle)
-        .always();
-    q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width).always();
-    q.number("normal_pitch_mm", "normal pitch", "p_n", "π m_n", &R::normal_pitch).always();
+           &R::helix_angle);
+    q.term("face_width_mm", "as given, or the face width of the pinion", &R::face_width);
+    q.number("normal_pitch_mm", "normal pitch", "p_n", "π m_n", &R::normal_pitch);
     q.number("transverse_pitch_mm", "transverse pitch", "p_t",
-             "in the direction of travel, π m_n/cos β", &R::transverse_pitch)
-        .always();
+             "in the direction of travel, π m_n/cos β", &R::transverse_pitch);
     q.number("length_mm", "length", "",
              "length n p_t, with half a tooth space at both ends; null without `teeth`",
              &R::length);
     q.number("height_mm", "height", "", "height from the back of the rack to the datum line",
-             &R::height)
-        .always();
-    q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum)
-        .always();
-    q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum).always();
+             &R::height);
+    q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum);
+    q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum);
     q.term("reference_tooth_thickness_normal_mm",
-           "at the datum line, including the thickness allowance", &R::thickness)
-        .always();
+           "at the datum line, including the thickness allowance", &R::thickness);
   });
 }
 

@@ -165,10 +165,8 @@ double ratio(const V& v) {
 }
 
 void add_inputs(Quantities<V>& q) {
-  q.under("");
-  q.word("standard", "standard", "standard with its edition", [](const V& v) {
-     return name(v.rating.edition);
-   }).always();
+  q.word("standard", "standard", "standard with its edition",
+         [](const V& v) { return name(v.rating.edition); });
   q.under(kLoad);
   q.term("power_kW", "null without a speed", [](const V& v) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
@@ -188,7 +186,7 @@ void add_inputs(Quantities<V>& q) {
           ValueList names;
           for (const Material& m : v.input.materials)
             names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
-          return Value(names);
+          return names;
         })
       .per_gear();
   q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
@@ -283,17 +281,21 @@ Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
 
+const ToothContact* contact_of(const V& v) { return v.contact ? &*v.contact : nullptr; }
+
 void add_contact(Quantities<V>& q) {
+  auto of_contact = q.part(contact_of);
   const auto asked = [](const V& v) { return v.contact.has_value(); };
   q.under(kBeside);
-  q.number("contact_torque_Nm", "torque on the teeth", "T_1",
-           "T_1 K_A K_γ K_v; the contact computation determines how the teeth share this torque",
-           [](const V& v) { return v.contact->torque; })
-      .when(asked);
-  q.number("contact_pressure_MPa", "greatest Hertz pressure", "p_H",
-           "over all positions and the whole face, as in `load`",
-           [](const V& v) { return v.contact->pressure; })
-      .when(asked);
+  of_contact
+      .number("contact_torque_Nm", "torque on the teeth", "T_1",
+              "T_1 K_A K_γ K_v; the contact computation determines how the teeth share this torque",
+              &ToothContact::torque)
+      .when();
+  of_contact
+      .number("contact_pressure_MPa", "greatest Hertz pressure", "p_H",
+              "over all positions and the whole face, as in `load`", &ToothContact::pressure)
+      .when();
   q.number("contact_pressure_over_sigma_H",
            "greatest Hertz pressure divided by the contact stress of the standard", "p_H/σ_H", "",
            [](const V& v) {
@@ -302,22 +304,23 @@ void add_contact(Quantities<V>& q) {
       .per_gear()
       .digits(3)
       .when(asked);
-  q.number("contact_root_stress_MPa", "greatest root stress", "σ_1",
-           "greatest principal stress at the surface of the root",
-           [](const V& v) { return v.contact->root_stress; })
+  of_contact
+      .number("contact_root_stress_MPa", "greatest root stress", "σ_1",
+              "greatest principal stress at the surface of the root", &ToothContact::root_stress)
       .per_gear()
-      .when(asked);
+      .when();
   q.number("contact_root_stress_over_sigma_F",
            "greatest root stress divided by the root stress of the standard", "σ_1/σ_F", "",
            [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
       .per_gear()
       .digits(3)
       .when(asked);
-  q.number("contact_face_load_factor", "face load factor of the contact", "K_Hβ",
-           "greatest load of a slice divided by the mean load, averaged over the positions",
-           [](const V& v) { return v.contact->face_load_factor; })
+  of_contact
+      .number("contact_face_load_factor", "face load factor of the contact", "K_Hβ",
+              "greatest load of a slice divided by the mean load, averaged over the positions",
+              &ToothContact::face_load_factor)
       .digits(3)
-      .when(asked);
+      .when();
 }
 
 // True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these
@@ -328,7 +331,7 @@ void add_temperatures(Quantities<V>& q) {
   const auto of = [](FactorPair ToothTemperatures::*member) {
     return [member](const V& v) {
       const FactorPair& t = (*v.rating.temperature).*member;
-      return Value(ValueList{number(&t[0]), number(&t[1])});
+      return ValueList{number(&t[0]), number(&t[1])};
     };
   };
   q.under(kMaterial);
@@ -376,9 +379,8 @@ void add_all(Quantities<V>& q) {
                                              {"branch", branches.size() == 1 ? branches.front()
                                                                              : Value(branches)}});
           }
-          return Value(all);
+          return all;
         })
-      .always()
       .doors(kJson);
 }
 

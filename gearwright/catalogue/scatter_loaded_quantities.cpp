@@ -23,24 +23,21 @@ const std::array<LoadedEntry, 3>& loaded_entries() {
 const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
   using V = LoadedSpreadView;
   return define("scatter.loaded", [](Quantities<V>& q) {
-    q.number("torque_Nm", "torque", "T_1", "on gear 1", [](const V& v) {
-       return Value(newton_metres(v.loaded->torque));
-     }).always();
+    q.number("torque_Nm", "torque", "T_1", "on gear 1",
+             [](const V& v) { return newton_metres(v.loaded->torque); });
     for (std::size_t i = 0; i < loaded_entries().size(); ++i) {
       const LoadedEntry& entry = loaded_entries()[i];
       q.record<spread_quantities>(
           entry.key, entry.meaning, [i](const V& v) -> const auto& { return v.spread[i]; });
     }
     q.record<probability_quantities>(
-         "edge_carries", "samples in which an edge of a tooth carries load at some position",
-         [](const V& v) -> const auto& { return v.loaded->edge_carries; })
-        .always();
+        "edge_carries", "samples in which an edge of a tooth carries load at some position",
+        [](const V& v) -> const auto& { return v.loaded->edge_carries; });
     q.record<probability_quantities>(
-         "unsolved",
-         "samples in which no teeth touch at some position or the forces do not converge there; "
-         "these samples are not in the distributions",
-         [](const V& v) -> const auto& { return v.loaded->unsolved; })
-        .always();
+        "unsolved",
+        "samples in which no teeth touch at some position or the forces do not converge there; "
+        "these samples are not in the distributions",
+        [](const V& v) -> const auto& { return v.loaded->unsolved; });
   });
 }
 

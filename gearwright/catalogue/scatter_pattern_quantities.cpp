@@ -13,12 +13,10 @@ struct DensityView {
 const Quantities<DensityView>& flank_density_quantities() {
   using D = DensityView;
   return define("scatter.pattern gear", [](Quantities<D>& q) {
-    q.number("diameter_mm", "diameters", "", "diameters of the rows", [](const D& d) {
-       return d.flank->diameter;
-     }).list({0});
-    q.number("height_mm", "heights", "", "heights of the columns", [](const D& d) {
-       return d.flank->height;
-     }).list({0});
+    q.number("diameter_mm", "diameters", "", "diameters of the rows",
+             [](const D& d) { return d.flank->diameter; });
+    q.number("height_mm", "heights", "", "heights of the columns",
+             [](const D& d) { return d.flank->height; });
     q.number("share", "share of the samples", "",
              "share of the samples whose pattern covers the place, 0 to 1",
              [](const D& d) {
@@ -30,7 +28,7 @@ const Quantities<DensityView>& flank_density_quantities() {
                    row.emplace_back(d.flank->share(i * columns + k, d.samples));
                  rows.push_back(std::move(row));
                }
-               return Value(std::move(rows));
+               return rows;
              })
         .list({0, 0});
   });
@@ -42,19 +40,15 @@ const Quantities<PatternDensity>& density_quantities() {
   using D = PatternDensity;
   return define("scatter.pattern", [](Quantities<D>& q) {
     q.number("marking_mm", "thickness of the marking compound", "δ", "value in `[contact]`",
-             &D::marking)
-        .always();
+             &D::marking);
     q.add(Type::index, "samples", "number of samples", "",
           "the first samples of each replicate are used",
-          [](const D& d) { return static_cast<long long>(d.samples); })
-        .always();
+          [](const D& d) { return static_cast<long long>(d.samples); });
     const auto gear = [](std::size_t i) {
-      return [i](const D& d) {
-        return Value(flank_density_quantities().of({&d.flanks[i], d.samples}));
-      };
+      return [i](const D& d) { return flank_density_quantities().of({&d.flanks[i], d.samples}); };
     };
-    q.record<flank_density_quantities>("gear1", "the flank of gear 1", gear(0)).always();
-    q.record<flank_density_quantities>("gear2", "the flank of gear 2", gear(1)).always();
+    q.record<flank_density_quantities>("gear1", "the flank of gear 1", gear(0));
+    q.record<flank_density_quantities>("gear2", "the flank of gear 2", gear(1));
   });
 }
 

@@ -9,7 +9,7 @@ namespace {
 using V = ScatterView;
 
 template <class Of>
-Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of) {
+ValueList listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of) {
   ValueList list;
   for (const Percentile& p : all) {
     const std::optional<double> value = std::invoke(of, p);
@@ -18,7 +18,7 @@ Value listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of
   return list;
 }
 
-Value listed(const std::vector<Estimate>& all, bool error) {
+ValueList listed(const std::vector<Estimate>& all, bool error) {
   ValueList list;
   for (const Estimate& e : all) list.push_back(error ? Value(e.standard_error) : Value(e.value));
   return list;
@@ -38,9 +38,9 @@ const Quantities<SpreadView>& error_quantities() {
                return e ? Value(s.entry->shown(*e)) : Value();
              });
     q.number("percentiles", "standard errors of the percentiles", "", "", [](const S& s) {
-       return listed(s.spread->percentiles, *s.entry,
-                     [](const Percentile& p) { return p.estimate.standard_error; });
-     }).list({0});
+      return listed(s.spread->percentiles, *s.entry,
+                    [](const Percentile& p) { return p.estimate.standard_error; });
+    });
   });
 }
 
@@ -50,9 +50,7 @@ const Quantities<IndexEstimates>& index_quantities() {
     const auto list = [&q](const char* key, const char* words, const char* symbol, bool total,
                            bool error) {
       q.number(key, words, symbol, "for each input or group",
-               [total, error](const I& i) { return listed(total ? i.total : i.first, error); })
-          .list({0})
-          .always();
+               [total, error](const I& i) { return listed(total ? i.total : i.first, error); });
     };
     list("first", "first-order index", "S", false, false);
     list("total", "total index", "S_T", true, false);
@@ -67,14 +65,11 @@ const Quantities<IndexEstimates>& index_quantities() {
 
 const Quantities<V>& indices_quantities() {
   return define("scatter.indices", [](Quantities<V>& q) {
-    q.text("groups", "inputs or groups in the order of the lists",
-           [](const V& v) {
-             ValueList names;
-             for (const ToleranceGroup& g : v.task->groups) names.emplace_back(g.name);
-             return Value(names);
-           })
-        .list({0})
-        .always();
+    q.text("groups", "inputs or groups in the order of the lists", [](const V& v) {
+      ValueList names;
+      for (const ToleranceGroup& g : v.task->groups) names.emplace_back(g.name);
+      return names;
+    });
     for (const ScatterEntry& entry : scatter_entries()) {
       const auto at = static_cast<std::size_t>(entry.quantity);
       q.record<index_quantities>(
@@ -87,12 +82,10 @@ const Quantities<V>& indices_quantities() {
 const Quantities<WorstView>& worst_quantities() {
   using W = WorstView;
   return define("scatter.worst value", [](Quantities<W>& q) {
-    q.number("value", "worst value", "", "in the unit of its key", [](const W& w) {
-       return w.entry->shown(w.worst->value);
-     }).always();
+    q.number("value", "worst value", "", "in the unit of its key",
+             [](const W& w) { return w.entry->shown(w.worst->value); });
     q.add(Type::map, "at", "values of the inputs", "",
-          "value of each input at the worst place, in its unit", &W::at)
-        .always();
+          "value of each input at the worst place, in its unit", &W::at);
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
@@ -118,11 +111,10 @@ const Quantities<V>& worsts_quantities() {
 const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
   return define("scatter.robust judged", [](Quantities<J>& q) {
-    const auto arcsec = [](double rad) { return Value(Angle::radians(rad).arcsec()); };
+    const auto arcsec = [](double rad) { return Angle::radians(rad).arcsec(); };
     q.number("percentile_arcsec", "percentile of the peak-to-peak transmission error", "",
              "minimised percentile",
-             [arcsec](const J& j) { return arcsec(j.family->percentile().estimate.value); })
-        .always();
+             [arcsec](const J& j) { return arcsec(j.family->percentile().estimate.value); });
     q.number("standard_error_arcsec", "standard error of the percentile", "",
              "computed from the replicates [T14.9]", [arcsec](const J& j) {
                const auto& e = j.family->percentile().estimate.standard_error;
@@ -130,17 +122,14 @@ const Quantities<JudgedView>& judged_quantities() {
              });
     q.record<spread_quantities>("peak_to_peak_arcsec",
                                 "distribution of the peak-to-peak transmission error",
-                                &J::peak_to_peak)
-        .always();
+                                &J::peak_to_peak);
     q.record<probability_quantities>(
-         "edge_contact",
-         "samples in which an edge of a tooth touches at some position or, under load, carries "
-         "load",
-         [](const J& j) -> const auto& { return j.family->edge; })
-        .always();
+        "edge_contact",
+        "samples in which an edge of a tooth touches at some position or, under load, carries "
+        "load",
+        [](const J& j) -> const auto& { return j.family->edge; });
     q.record<loaded_spread_quantities>(
          "loaded", "results under each torque; only with `aim` under load", &J::loaded)
-        .list({0})
         .when([](const J& j) { return !j.loaded.empty(); });
   });
 }
@@ -149,24 +138,17 @@ const Quantities<RobustView>& robust_quantities() {
   using R = RobustView;
   return define("scatter.robust", [](Quantities<R>& q) {
     q.record<correction_quantities>(
-         "corrections",
-         "corrections that were found; every value is 0 if no correction lowers the percentile",
-         &R::corrections)
-        .list({0})
-        .always();
-    q.word("aim", "quantity computed for each sample", "value of the key `aim`",
-           [](const R& r) {
-             return r.under_load ? "loaded_transmission_error" : "transmission_error";
-           })
-        .one_of({"transmission_error", "loaded_transmission_error"})
-        .always();
-    q.number("percentile", "percentile", "p", "minimised percentile", &R::percent).always();
+        "corrections",
+        "corrections that were found; every value is 0 if no correction lowers the percentile",
+        &R::corrections);
+    q.word("aim", "quantity computed for each sample", "value of the key `aim`", [](const R& r) {
+       return r.under_load ? "loaded_transmission_error" : "transmission_error";
+     }).one_of({"transmission_error", "loaded_transmission_error"});
+    q.number("percentile", "percentile", "p", "minimised percentile", &R::percent);
     q.record<judged_quantities>(
-         "before", "result without corrections, computed with samples of the next seed", &R::before)
-        .always();
+        "before", "result without corrections, computed with samples of the next seed", &R::before);
     q.record<judged_quantities>(
-         "after", "result with the corrections, computed with the same samples", &R::after)
-        .always();
+        "after", "result with the corrections, computed with the same samples", &R::after);
   });
 }
 
@@ -179,38 +161,31 @@ struct LooseningView {
 const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
   return define("scatter.loosening input", [](Quantities<L>& q) {
-    q.text("input", "name of the tolerance", [](const L& l) { return Value(*l.input); }).always();
+    q.text("input", "name of the tolerance", [](const L& l) { return *l.input; });
     q.number("factor",
              "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
              "null if the percentile grows by less than 5 % at every factor up to 8 at which the "
              "teeth can exist",
              [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
-    q.number("halved_arcsec", "percentile with half the tolerance", "", "",
-             [](const L& l) { return Value(Angle::radians(l.change->halved).arcsec()); });
+    q.number("halved_arcsec", "percentile with half the tolerance", "", "", [](const L& l) {
+       return Angle::radians(l.change->halved).arcsec();
+     }).or_null();
   });
 }
 
 const Quantities<V>& loosening_quantities() {
   return define("scatter.loosening", [](Quantities<V>& q) {
-    q.number("percentile", "percentile", "", "the greatest of `percentiles`", [](const V& v) {
-       return Value(v.scatter->loosening->percent);
-     }).always();
+    q.number("percentile", "percentile", "", "the greatest of `percentiles`",
+             [](const V& v) { return v.scatter->loosening->percent; });
     q.number("percentile_arcsec", "present percentile", "",
              "percentile of the first replicate, whose samples are used for all rows",
-             [](const V& v) {
-               return Value(Angle::radians(v.scatter->loosening->percentile).arcsec());
-             })
-        .always();
-    q.record<change_quantities>(
-         "tolerances", "effect of each tolerance",
-         [](const V& v) {
-           std::vector<LooseningView> list;
-           for (std::size_t i = 0; i < v.inputs.size(); ++i)
-             list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
-           return list;
-         })
-        .list({0})
-        .always();
+             [](const V& v) { return Angle::radians(v.scatter->loosening->percentile).arcsec(); });
+    q.record<change_quantities>("tolerances", "effect of each tolerance", [](const V& v) {
+      std::vector<LooseningView> list;
+      for (std::size_t i = 0; i < v.inputs.size(); ++i)
+        list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
+      return list;
+    });
     q.text("tighten_first",
            "input whose halved tolerance lowers the percentile most; null if no halved tolerance "
            "lowers the percentile",
@@ -222,31 +197,17 @@ const Quantities<V>& loosening_quantities() {
 }
 
 void add_all(Quantities<V>& q) {
-  q.text("inputs", "names of the inputs that vary, in order",
-         [](const V& v) {
-           ValueList names;
-           for (const std::string& name : v.inputs) names.emplace_back(name);
-           return Value(names);
-         })
-      .list({0})
-      .always();
+  q.text("inputs", "names of the inputs that vary, in order", &V::inputs);
   q.text("ranges_from", "keys of the spec that give the ranges of the inputs, in order",
          [](const V& v) {
            ValueList keys;
            for (const ScatterTolerance& t : v.task->tolerances) keys.emplace_back(t.source);
-           return Value(keys);
-         })
-      .list({0})
-      .always();
-  q.whole("samples", "samples of each replicate", "n", "", [](const V& v) {
-     return v.task->samples;
-   }).always();
-  q.whole("replicates", "replicates", "R", "", [](const V& v) {
-     return v.task->replicates;
-   }).always();
-  q.whole("seed", "seed", "", "", [](const V& v) {
-     return static_cast<long long>(v.task->seed);
-   }).always();
+           return keys;
+         });
+  q.whole("samples", "samples of each replicate", "n", "",
+          [](const V& v) { return v.task->samples; });
+  q.whole("replicates", "replicates", "R", "", [](const V& v) { return v.task->replicates; });
+  q.whole("seed", "seed", "", "", [](const V& v) { return static_cast<long long>(v.task->seed); });
   for (const ScatterEntry& entry : scatter_entries()) {
     const auto at = static_cast<std::size_t>(entry.quantity);
     q.record<spread_quantities>(
@@ -254,26 +215,20 @@ void add_all(Quantities<V>& q) {
         .doors(kJson);
   }
   q.record<probabilities_quantities>(
-       "probability", "probabilities of events, with the interval of Clopper and Pearson",
-       std::identity{})
-      .always()
+       "probability", "probabilities of events, with the interval of Clopper and Pearson")
       .doors(kJson);
-  q.record<indices_quantities>("indices", "Sobol indices of each quantity; only with `indices`",
-                               std::identity{})
+  q.record<indices_quantities>("indices", "Sobol indices of each quantity; only with `indices`")
       .when([](const V& v) { return v.task->indices; })
       .doors(kJson);
-  q.record<worsts_quantities>("worst", "worst values within all ranges; only with `worst_case`",
-                              std::identity{})
+  q.record<worsts_quantities>("worst", "worst values within all ranges; only with `worst_case`")
       .when([](const V& v) { return v.task->worst_case; })
       .doors(kJson);
   q.record<loosening_quantities>("loosening",
-                                 "factors by which the tolerances can grow; only with `loosening`",
-                                 std::identity{})
+                                 "factors by which the tolerances can grow; only with `loosening`")
       .when([](const V& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
   q.record<loaded_spread_quantities>(
        "loaded", "results under each torque of `[load]`; only with `loaded`", &V::loaded)
-      .list({0})
       .when([](const V& v) { return v.task->load.has_value(); })
       .doors(kJson);
   q.record<density_quantities>(
@@ -298,79 +253,62 @@ const Quantities<ScatterView>& scatter_quantities() { return define<add_all>("sc
 const Quantities<SpreadView>& spread_quantities() {
   using S = SpreadView;
   return define("scatter spread", [](Quantities<S>& q) {
-    q.number("mean", "mean", "", "", [](const S& s) {
-       return s.entry->shown(s.spread->mean.value);
-     }).always();
-    q.number("standard_deviation", "standard deviation", "", "", [](const S& s) {
-       return s.entry->shown(s.spread->standard_deviation.value);
-     }).always();
+    q.number("mean", "mean", "", "",
+             [](const S& s) { return s.entry->shown(s.spread->mean.value); });
+    q.number("standard_deviation", "standard deviation", "", "",
+             [](const S& s) { return s.entry->shown(s.spread->standard_deviation.value); });
     q.number("percentiles", "percentiles", "", "values of the requested `percentiles`",
              [](const S& s) {
                return listed(s.spread->percentiles, *s.entry,
                              [](const Percentile& p) { return std::optional(p.estimate.value); });
-             })
-        .list({0})
-        .always();
+             });
     q.number("lower", "lower ends of the intervals of the percentiles", "",
-             "null if there are too few samples",
-             [](const S& s) { return listed(s.spread->percentiles, *s.entry, &Percentile::lower); })
-        .list({0});
+             "null if there are too few samples", [](const S& s) {
+               return listed(s.spread->percentiles, *s.entry, &Percentile::lower);
+             });
     q.number("upper", "upper ends of the intervals of the percentiles", "",
-             "null if there are too few samples",
-             [](const S& s) { return listed(s.spread->percentiles, *s.entry, &Percentile::upper); })
-        .list({0});
-    q.record<error_quantities>("standard_errors", "computed from the replicates [T14.9]",
-                               std::identity{})
-        .always();
-    q.number("least", "least value of all samples", "", "", [](const S& s) {
-       return s.entry->shown(s.spread->least);
-     }).always();
-    q.number("greatest", "greatest value of all samples", "", "", [](const S& s) {
-       return s.entry->shown(s.spread->greatest);
-     }).always();
+             "null if there are too few samples", [](const S& s) {
+               return listed(s.spread->percentiles, *s.entry, &Percentile::upper);
+             });
+    q.record<error_quantities>("standard_errors", "computed from the replicates [T14.9]");
+    q.number("least", "least value of all samples", "", "",
+             [](const S& s) { return s.entry->shown(s.spread->least); });
+    q.number("greatest", "greatest value of all samples", "", "",
+             [](const S& s) { return s.entry->shown(s.spread->greatest); });
     q.add(Type::map, "samples", "samples", "",
           "sample next to each percentile, with `errors` as in a spec and the increments of the "
           "other inputs",
-          &S::samples)
-        .list({0})
-        .always();
+          &S::samples);
   });
 }
 
 const Quantities<V>& probabilities_quantities() {
   return define("scatter.probability", [](Quantities<V>& q) {
     q.record<probability_quantities>(
-         "edge_contact", "an edge of a tooth touches at some position",
-         [](const V& v) -> const auto& { return v.scatter->edge_contact; })
-        .always();
+        "edge_contact", "an edge of a tooth touches at some position",
+        [](const V& v) -> const auto& { return v.scatter->edge_contact; });
     q.record<probability_quantities>(
-         "jam", "the least play is negative",
-         [](const V& v) -> const auto& { return v.scatter->jam; })
-        .always();
+        "jam", "the least play is negative",
+        [](const V& v) -> const auto& { return v.scatter->jam; });
     q.record<probability_quantities>(
-         "contact_lost",
-         "no teeth touch at some position; these samples are not in the distributions",
-         [](const V& v) -> const auto& { return v.scatter->contact_lost; })
-        .always();
+        "contact_lost",
+        "no teeth touch at some position; these samples are not in the distributions",
+        [](const V& v) -> const auto& { return v.scatter->contact_lost; });
   });
 }
 
 const Quantities<Probability>& probability_quantities() {
   using P = Probability;
   return define("scatter probability", [](Quantities<P>& q) {
-    q.number("value", "share of the samples", "", "", &P::value).always();
-    q.add(Type::index, "count", "number of samples with the event", "", "", [](const P& p) {
-       return static_cast<long long>(p.count);
-     }).always();
-    q.add(Type::index, "of", "number of all samples", "", "", [](const P& p) {
-       return static_cast<long long>(p.of);
-     }).always();
-    q.number("lower", "lower end of the interval", "", "[T14.7]", [](const P& p) {
-       return p.interval.lower;
-     }).always();
-    q.number("upper", "upper end of the interval", "", "[T14.7]", [](const P& p) {
-       return p.interval.upper;
-     }).always();
+    q.number("value", "share of the samples", "", "", &P::value);
+    q.add(Type::index, "count", "number of samples with the event", "", "",
+          [](const P& p) { return static_cast<long long>(p.count); });
+    q.add(Type::index, "of", "number of all samples", "", "",
+          [](const P& p) { return static_cast<long long>(p.of); });
+    q.number("lower", "lower end of the interval", "", "[T14.7]",
+             [](const P& p) { return p.interval.lower; });
+    q.number("upper", "upper end of the interval", "", "[T14.7]",
+             [](const P& p) { return p.interval.upper; });
   });
 }
 

@@ -16,37 +16,23 @@ bool computed(const D& d) { return d.scatter != nullptr; }
 void add_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
         "its rank in the search; `search --take` with this number prints its spec",
-        [](const D& d) { return static_cast<long long>(d.number); })
-      .always();
-  q.number("module_mm", "normal module", "m_n", "", [](const D& d) {
-     return d.design.row->trial.module;
-   }).always();
-  q.term("teeth", "[z1, z2]; negative for an internal gear",
-         [](const D& d) {
-           return std::array{d.design.row->trial.z1, d.design.row->trial.z2};
-         })
-      .per_gear()
-      .always();
-  q.term("helix_angle_deg", "> 0 right hand",
-         [](const D& d) {
-           const auto& helix = d.design.row->trial.helix;
-           return Value(std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])});
-         })
-      .per_gear()
-      .always();
+        [](const D& d) { return static_cast<long long>(d.number); });
+  q.number("module_mm", "normal module", "m_n", "",
+           [](const D& d) { return d.design.row->trial.module; });
+  q.term("teeth", "[z1, z2]; negative for an internal gear", [](const D& d) {
+     return std::array{d.design.row->trial.z1, d.design.row->trial.z2};
+   }).per_gear();
+  q.term("helix_angle_deg", "> 0 right hand", [](const D& d) {
+     const auto& helix = d.design.row->trial.helix;
+     return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
+   }).per_gear();
   q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
           [](const D& d) { return d.design.row->trial.rack + 1; })
-      .always()
       .when([](const D& d) { return d.design.problem->racks.size() > 1; });
-  q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; })
-      .per_gear()
-      .always();
-  q.term("center_distance_mm", "of the design, as mounted", [](const D& d) {
-     return d.design.row->center_distance;
-   }).always();
-  q.term("face_width_mm", "of both gears", [](const D& d) {
-     return d.design.row->face_width;
-   }).always();
+  q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; }).per_gear();
+  q.term("center_distance_mm", "of the design, as mounted",
+         [](const D& d) { return d.design.row->center_distance; });
+  q.term("face_width_mm", "of both gears", [](const D& d) { return d.design.row->face_width; });
   for (const ScatterQuantity quantity : kShown) {
     const auto at = static_cast<std::size_t>(quantity);
     const ScatterEntry& entry = scatter_entries()[at];
@@ -65,7 +51,6 @@ void add_design(Quantities<D>& q) {
   q.record<loaded_spread_quantities>(
        "loaded", "results under each torque of `[load]`; only with `loaded`",
        [](const D& d) -> const auto& { return d.scatter->loaded; })
-      .list({0})
       .when([](const D& d) { return computed(d) && d.scatter->task->load.has_value(); })
       .doors(kJson);
   q.text("reason", "reason why the scatter of the design was not computed; only in `refused`",
@@ -82,25 +67,19 @@ const Quantities<ScatteredDesign>& scattered_design_quantities() {
 const Quantities<ScatterStudyView>& scatter_study_quantities() {
   return define("scatter_designs", [](Quantities<S>& q) {
     q.number("percentile", "percentile of the ranking", "p", "the greatest of `percentiles`",
-             &S::percent)
-        .always();
-    q.whole("samples", "samples of each replicate", "n", "", &S::samples).always();
-    q.whole("replicates", "replicates", "R", "", &S::replicates).always();
-    q.add(Type::index, "seed", "seed", "", "", &S::seed).always();
+             &S::percent);
+    q.whole("samples", "samples of each replicate", "n", "", &S::samples);
+    q.whole("replicates", "replicates", "R", "", &S::replicates);
+    q.add(Type::index, "seed", "seed", "", "", &S::seed);
     q.add(Type::index, "count", "number of designs", "", "including the designs in `refused`",
-          &S::count)
-        .always();
+          &S::count);
     q.record<scattered_design_quantities>(
-         "designs",
-         "designs in the order of the percentile of their peak-to-peak transmission error, the "
-         "least first; designs that lose contact in more than (100 − p) % of the samples are last",
-         [](const S&) { return Value(ValueList()); })
-        .list({0})
-        .always();
+        "designs",
+        "designs in the order of the percentile of their peak-to-peak transmission error, the "
+        "least first; designs that lose contact in more than (100 − p) % of the samples are last",
+        [](const S&) { return ValueList(); });
     q.record<scattered_design_quantities>("refused", "designs whose scatter was not computed",
-                                          [](const S&) { return Value(ValueList()); })
-        .list({0})
-        .always();
+                                          [](const S&) { return ValueList(); });
   });
 }
 

@@ -16,10 +16,6 @@ using P = SearchProblem;
 
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
 constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
-constexpr ListOrder kBandOrder{
-    .sentence =
-        "is an empty band, because no number lies between {} and {}; write the least value first"};
-constexpr KeyList kBand{.most = 2, .single = true, .order = kBandOrder};
 constexpr KeyList kNumbers{1, kMaxValues, true};
 
 constexpr const char* kBandForm = ", or a band [least, greatest]";
@@ -161,7 +157,7 @@ std::vector<Key> limit_keys() {
                   "profile shifts",
                   "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
           .with_list({.most = 2,
-                      .order = kBandOrder,
+                      .order = kBand.order,
                       .must = "must be a band [lower limit, upper limit], because a search "
                               "determines the profile shifts"})
           .with_form(std::string("limits of the profile shift") + kBandForm)

@@ -10,6 +10,13 @@ namespace gearwright {
 
 const KeyTable& search_keys();
 
+/// One number, or the least and the greatest number of a band.
+inline constexpr KeyList kBand{
+    .most = 2,
+    .single = true,
+    .order = {.sentence = "is an empty band, because no number lies between {} and {}; write the "
+                          "least value first"}};
+
 /// The objective for a synonym, "mass" for "weight", or "" if the word is not a synonym. The
 /// objective may belong to searches for pairs, for drives, or for both.
 std::string_view objective_called(std::string_view word);

@@ -24,41 +24,37 @@ namespace {
 const Quantities<NearestChange>& change_quantities() {
   using C = NearestChange;
   return define("search.changes", [](Quantities<C>& q) {
-    q.text("key", "key of the spec", [](const C& c) { return spelled_change(c).key; }).always();
-    q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; }).always();
-    q.text("to", "value with which a design exists", [](const C& c) {
-       return spelled_change(c).to;
-     }).always();
+    q.text("key", "key of the spec", [](const C& c) { return spelled_change(c).key; });
+    q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; });
+    q.text("to", "value with which a design exists",
+           [](const C& c) { return spelled_change(c).to; });
     q.number("effort", "effort", "", "effort of the change, by which the changes are ordered",
-             &C::effort)
-        .always();
+             &C::effort);
   });
 }
 const Quantities<SearchProblem>& margin_quantities() {
   using P = SearchProblem;
   return define("search.margins", [](Quantities<P>& q) {
-    q.word("interference", "interference", "`exclude` or `flag`",
-           [](const P& p) { return Value(p.limits.avoid_interference ? "exclude" : "flag"); })
-        .one_of({"exclude", "flag"})
-        .always();
+    q.word("interference", "interference", "`exclude` or `flag`", [](const P& p) {
+       return p.limits.avoid_interference ? "exclude" : "flag";
+     }).one_of({"exclude", "flag"});
     q.number("tip_clearance_min", "tip clearance", "c",
              "required tip clearance; `null` if there is no limit",
-             [](const P& p) { return Value(p.limits.tip_clearance); });
+             [](const P& p) { return p.limits.tip_clearance; });
     q.number("form_clearance_min", "form clearance", "c_F",
              "required form clearance along the line of action",
-             [](const P& p) { return Value(p.limits.form_clearance); })
-        .always();
+             [](const P& p) { return p.limits.form_clearance; });
     q.number("safety_flank_min", "safety against pitting", "S_Hmin",
              "required safety; only if a safety is required",
-             [](const P& p) { return Value(p.limits.safety_flank); })
+             [](const P& p) { return p.limits.safety_flank; })
         .when([](const P& p) { return p.limits.safety_flank.has_value(); });
     q.number("safety_root_min", "safety against root breakage", "S_Fmin",
              "required safety; only if a safety is required",
-             [](const P& p) { return Value(p.limits.safety_root); })
+             [](const P& p) { return p.limits.safety_root; })
         .when([](const P& p) { return p.limits.safety_root.has_value(); });
     const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
     q.word("mounting", "mounting", "limits of the drawing; only for designs that are drawn",
-           [](const P& p) { return Value(p.mounting == Mounting::tight ? "tight" : "extended"); })
+           [](const P& p) { return p.mounting == Mounting::tight ? "tight" : "extended"; })
         .one_of({"extended", "tight"})
         .when(drawn);
     q.text("thickness_series", "series of DIN 3967 for both gears; `null` if there is no series",
@@ -81,12 +77,12 @@ const Quantities<SearchProblem>& margin_quantities() {
     q.number("profile_shift", "limits of the profile shifts", "x",
              "lower and upper limit for both gears",
              [](const P& p) {
-               return Value(std::array{p.limits.min_shift, p.limits.max_shift});
+               return std::array{p.limits.min_shift, p.limits.max_shift};
              })
         .list({2})
         .when(drawn);
     q.number("sliding_max", "limit of the specific sliding", "|ζ|", "", [](const P& p) {
-       return Value(p.limits.sliding);
+       return p.limits.sliding;
      }).when(drawn);
   });
 }
@@ -95,10 +91,8 @@ void add_search(Quantities<SearchView>& q) {
   using S = SearchView;
   const auto count = [&q](const char* key, const char* meaning,
                           std::int64_t SearchCounts::*member) -> Quantity<S>& {
-    return q
-        .add(Type::index, key, key, "", meaning,
-             [member](const S& s) { return s.answer->counts.*member; })
-        .always();
+    return q.add(Type::index, key, key, "", meaning,
+                 [member](const S& s) { return s.answer->counts.*member; });
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
   count("tested", "number of trials, that is combinations of module, z1, z2, helix angles and rack",
@@ -116,9 +110,8 @@ void add_search(Quantities<SearchView>& q) {
           for (const Limit limit : s.problem->rejecting_limits())
             map.emplace_back(name(limit),
                              s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
-          return Value(std::move(map));
-        })
-      .always();
+          return map;
+        });
   q.record<margin_quantities>(
        "margins", "limits that every design satisfies; clearances in modules", &S::problem)
       .always();
@@ -126,7 +119,7 @@ void add_search(Quantities<SearchView>& q) {
            "default of rated searches; only if `[rating]` has neither `face_load_factor` nor "
            "`[rating.mounting]`. For a taken pair, `[rating.mounting]`, `[gear1.shaft]` and "
            "`[gear2.shaft]` are ways to compute the factor",
-           [](const S& s) { return Value(s.default_face_load); })
+           [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
   count("points_tested", "number of points on the grid of `shift_step`",
         &SearchCounts::points_tested)
@@ -139,8 +132,8 @@ void add_search(Quantities<SearchView>& q) {
        "changes of a single limit with which designs exist, the smallest change first; only if no "
        "design is feasible, and for at most 2 million trials",
        &S::changes)
-      .always()
       .list({0})
+      .always()
       .when([](const S& s) { return s.answer->counts.feasible == 0; });
   q.record<design_quantities>(
        "safest",
@@ -152,18 +145,11 @@ void add_search(Quantities<SearchView>& q) {
       .when([](const S& s) { return s.safest != nullptr; });
   q.add(Type::index, "pareto", "Pareto front", "",
         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-        [](const S& s) {
-          const auto& front = s.answer->pareto;
-          return Value(ValueList(front.begin(), front.end()));
-        })
-      .list({0})
-      .always()
+        [](const S& s) { return s.answer->pareto; })
       .doors(kJson);
   q.record<design_quantities>(
-       "designs", "feasible designs, the best first, at most 100 000 or the number of `--top`",
-       [](const S&) { return Value(ValueList()); })
-      .list({0})
-      .always();
+      "designs", "feasible designs, the best first, at most 100 000 or the number of `--top`",
+      [](const S&) { return ValueList(); });
 }
 
 }  // namespace

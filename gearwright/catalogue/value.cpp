@@ -16,8 +16,6 @@ Value::Value(std::string_view word) : variant_(std::string(word)) {}
 Value::Value(const char* word) : variant_(std::string(word)) {}
 Value::Value(const Vec2& p) : variant_(ValueList{p.x(), p.y()}) {}
 Value::Value(const Vec3& p) : variant_(ValueList{p.x(), p.y(), p.z()}) {}
-Value::Value(const std::vector<double>& numbers)
-    : variant_(ValueList(numbers.begin(), numbers.end())) {}
 Value::Value(ValueList list) : variant_(std::move(list)) {}
 Value::Value(ValueRecord record) : variant_(std::move(record)) {}
 Value::Value(ValueMap map) : variant_(std::move(map)) {}

@@ -51,9 +51,10 @@ class Value {
   }
   template <class T, std::size_t n>
   Value(const std::array<T, n>& each) : Value(ValueList(each.begin(), each.end())) {}
+  template <class T>
+  Value(const std::vector<T>& each) : Value(ValueList(each.begin(), each.end())) {}
   Value(const Vec2& p);
   Value(const Vec3& p);
-  Value(const std::vector<double>& numbers);
   // NOLINTEND(google-explicit-constructor)
   // These are not inline, because inlining them into every getter would double the object code of
   // the catalogue.

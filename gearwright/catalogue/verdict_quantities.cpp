@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-Value values_of(const Finding& finding) {
+ValueMap values_of(const Finding& finding) {
   ValueMap values;
   for (const FindingValue& v : finding.values)
     values.emplace_back(v.name + (v.length ? "_mm" : ""), Value(v.value));
@@ -32,7 +32,7 @@ const char* member_of(Adjustable what) {
 }
 
 // The keys that the remedy sets, with their values.
-Value change_of(const Finding& finding) {
+ValueMap change_of(const Finding& finding) {
   ValueMap keys;
   if (!finding.change) return keys;
   const auto& [what, gear, value, path] = *finding.change;
@@ -58,15 +58,13 @@ const Quantities<Finding>& finding_quantities() {
     q.text("code",
            "code of a warning, or `form_margin`, `fillet_margin`, `tip_margin`, `edge_contact`, "
            "`contact_place`, `root_safety`, `flank_safety`",
-           [](const F& f) { return to_string(f.code); })
-        .always();
-    q.word("level", "level", "level of the finding; green is only information",
-           [](const F& f) { return to_string(f.level); })
-        .always()
-        .one_of({"green", "amber", "red"});
+           [](const F& f) { return to_string(f.code); });
+    q.word("level", "level", "level of the finding; green is only information", [](const F& f) {
+       return to_string(f.level);
+     }).one_of({"green", "amber", "red"});
     q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
-    q.text("message", "sentence for users", &F::message).always();
+    q.text("message", "sentence for users", &F::message);
     q.text("at",
            "tolerance ends at which the finding occurs; null if the finding occurs at the nominal "
            "values",
@@ -76,11 +74,9 @@ const Quantities<Finding>& finding_quantities() {
            "that removes it was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
     q.add(Type::map, "change", "change", "",
-          "keys of the spec that the remedy sets, with their values", change_of)
-        .always();
+          "keys of the spec that the remedy sets, with their values", change_of);
     q.add(Type::map, "values", "values", "",
-          "the number that is too small and its limit, under keys with units", values_of)
-        .always();
+          "the number that is too small and its limit, under keys with units", values_of);
   });
 }
 
@@ -94,23 +90,16 @@ const Quantities<Verdict>& verdict_quantities() {
            "findings should be checked, and red that the gears cannot be made as specified or do "
            "not run",
            [](const V& v) { return to_string(v.level); })
-        .always()
         .one_of({"green", "amber", "red"});
-    q.text("headline", "the verdict in words, with the worst finding and a remedy", &V::headline)
-        .always();
+    q.text("headline", "the verdict in words, with the worst finding and a remedy", &V::headline);
     q.record<finding_quantities>(
-         "findings",
-         "all warnings and all margins that are too small, with the worst finding first",
-         &V::findings)
-        .always()
-        .list({0});
+        "findings", "all warnings and all margins that are too small, with the worst finding first",
+        &V::findings);
     q.add(Type::text, "not_judged", "not judged", "",
           "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, `rating`, "
           "or in "
           "a drive the rating of a mesh that ISO 6336 does not cover",
-          [](const V& v) { return ValueList(v.not_judged.begin(), v.not_judged.end()); })
-        .always()
-        .list({0});
+          &V::not_judged);
   });
 }
 

@@ -1,6 +1,7 @@
-#include "gearwright/spec/json_place.hpp"
-
+// The position of a key in a JSON text.
 #include <algorithm>
+
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 

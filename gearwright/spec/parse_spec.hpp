@@ -24,6 +24,11 @@ struct SpecTree {
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
+/// The position of a key in a valid JSON text. If the key does not exist, the result is the position
+/// of the last table or element of the path that exists. There is no result if the first part of the
+/// path does not exist.
+std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
+
 /// Checks a tree before its keys are read: it must be a table, with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 

@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "gearwright/base/output_file.hpp"
-#include "gearwright/spec/json_place.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/rexs_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"

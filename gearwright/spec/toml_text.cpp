@@ -31,7 +31,9 @@ std::string quoted(const std::string& text) {
 
 std::string key_text(const std::string& key) { return bare(key) ? key : quoted(key); }
 
-std::string value_text(const Json& v) {
+}  // namespace
+
+std::string toml_value(const Json& v) {
   if (v.is_number_float()) {
     const double x = v.get<double>();
     GW_EXPECTS(std::isfinite(x));
@@ -43,18 +45,20 @@ std::string value_text(const Json& v) {
   if (v.is_string()) return quoted(v.get<std::string>());
   if (v.is_array()) {
     std::string text;
-    for (const Json& item : v) text += (text.empty() ? "" : ", ") + value_text(item);
+    for (const Json& item : v) text += (text.empty() ? "" : ", ") + toml_value(item);
     return "[" + text + "]";
   }
   if (v.is_object()) {
     std::string text;
     for (const auto& [key, item] : v.items())
-      text += (text.empty() ? "" : ", ") + key_text(key) + " = " + value_text(item);
+      text += (text.empty() ? "" : ", ") + key_text(key) + " = " + toml_value(item);
     return "{ " + text + " }";
   }
   GW_EXPECTS(v.is_boolean() || v.is_number_integer());
   return json_text(v);
 }
+
+namespace {
 
 bool tables(const Json& v) {
   return v.is_array() && !v.empty() &&
@@ -66,7 +70,7 @@ bool tables(const Json& v) {
 void write_table(const Json& table, const std::string& path, std::string& out) {
   for (const auto& [key, value] : table.items()) {
     if (!value.is_object() && !tables(value))
-      out += key_text(key) + " = " + value_text(value) + "\n";
+      out += key_text(key) + " = " + toml_value(value) + "\n";
   }
   for (const auto& [key, value] : table.items()) {
     if (!value.is_object() && !tables(value)) continue;
@@ -80,8 +84,6 @@ void write_table(const Json& table, const std::string& path, std::string& out) {
 }
 
 }  // namespace
-
-std::string toml_value(const Json& value) { return value_text(value); }
 
 std::string toml_text(const Json& tree) {
   GW_EXPECTS(tree.is_object());
