@@ -42,18 +42,9 @@ std::optional<long long> narrow(Wide n) {
 
 }  // namespace
 
-Rational Rational::too_large() {
-  Rational r;
-  r.q_ = 0;
-  return r;
-}
-
 Rational Rational::lowest(Wide p, Wide q) {
-  const Wide d = common_divisor(p, q);
-  Rational r;
-  r.p_ = q < 0 ? -(p / d) : p / d;
-  r.q_ = q < 0 ? -(q / d) : q / d;
-  return r;
+  const Wide d = q < 0 ? -common_divisor(p, q) : common_divisor(p, q);
+  return {p / d, q / d};
 }
 
 Rational Rational::of(long long p, long long q) {
@@ -76,20 +67,10 @@ std::optional<long long> Rational::denominator() const {
 
 Rational Rational::floor() const {
   if (!fits()) return *this;
-  Wide n = p_ / q_;
-  if (p_ % q_ < 0) --n;
-  Rational r;
-  r.p_ = n;
-  return r;
+  return {p_ % q_ < 0 ? p_ / q_ - 1 : p_ / q_, 1};
 }
 
 Rational Rational::frac() const { return *this - floor(); }
-
-Rational Rational::operator-() const {
-  Rational r = *this;
-  r.p_ = -p_;
-  return r;
-}
 
 Rational operator+(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
@@ -112,10 +93,7 @@ Rational operator*(const Rational& a, const Rational& b) {
 Rational operator/(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
   GW_EXPECTS(b.p_ != 0);
-  Rational inverse;
-  inverse.p_ = b.p_ < 0 ? -b.q_ : b.q_;
-  inverse.q_ = b.p_ < 0 ? -b.p_ : b.p_;
-  return a * inverse;
+  return a * (b.p_ < 0 ? Rational(-b.q_, -b.p_) : Rational(b.q_, b.p_));
 }
 
 bool operator==(const Rational& a, const Rational& b) {

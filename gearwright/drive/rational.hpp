@@ -26,7 +26,7 @@ class Rational {
                       // a fraction
   /// The fraction p/q.   Domain  q ≠ 0 (contract)
   static Rational of(long long p, long long q);
-  static Rational too_large();  ///< a fraction in the state of overflow
+  static Rational too_large() { return {0, 0}; }  ///< a fraction in the state of overflow
 
   bool fits() const { return q_ != 0; }
   bool zero() const { return q_ != 0 && p_ == 0; }
@@ -47,11 +47,12 @@ class Rational {
   friend Rational operator*(const Rational& a, const Rational& b);
   /// The quotient a/b.   Domain  b ≠ 0 (contract)
   friend Rational operator/(const Rational& a, const Rational& b);
-  Rational operator-() const;
+  Rational operator-() const { return {-p_, q_}; }
   /// True if the fractions are equal.   Domain  neither has overflow (contract)
   friend bool operator==(const Rational& a, const Rational& b);
 
  private:
+  Rational(Wide p, Wide q) : p_(p), q_(q) {}
   static Rational lowest(Wide p, Wide q);
 
   Wide p_ = 0, q_ = 1;
