@@ -138,11 +138,9 @@ std::optional<Error> beyond(const SolvedJob& job) {
       return Error{table, "",
                    "is not supported for double-helical gears; if this table is left out, run "
                    "writes the report and the files"};
-    return Error{
-        table, "",
-        "needs two gears, but gear 2 is a rack; if this table is left out, run writes the "
-        "report and the files of the rack and its pinion. The verbs load and rate describe "
-        "a wheel that can replace the rack"};
+    return Error{table, "",
+                 "needs two gears, but gear 2 is a rack; without this table, run writes the report "
+                 "and the files. The verbs load and rate describe a wheel that can replace a rack"};
   }
   return std::nullopt;
 }
