@@ -94,6 +94,9 @@ const KeyTable& drive_search_keys() {
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
+       Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding, "no limit",
+                   "greatest specific sliding at the ends of the path of every mesh; the profile "
+                   "shifts of a small set without undercut have about 3 to 5"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,
                  "all",
                  "allowed classes of phasing; with `sequential` and `counter` there is no torque "

@@ -1,5 +1,7 @@
 #include "gearwright/catalogue/drive_search_quantities.hpp"
 
+#include <cmath>
+
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 
@@ -66,8 +68,8 @@ void add_found(Quantities<F>& q) {
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
            "variation of the elastic rotation of the output under load, peak to peak, divided by "
            "this rotation [T13.33], for perfect teeth with the same stiffness per length of the "
-           "contact line; if there is no geometry, gears without profile shift and overlap are "
-           "assumed; only with `objective` = `noise`",
+           "contact line; if there is no geometry, gears without profile shift and with the face "
+           "width 10 m_n are assumed; only with `objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
            "diameter over the planets and over the root circles of the rings, without the rims of "
@@ -96,6 +98,14 @@ void add_found(Quantities<F>& q) {
            });
   q.number("face_width_mm", "face width", "b", "null if the search does not size the faces",
            [](const F& f) { return f.candidate.face_width; });
+  q.number(
+      "sliding_max", "greatest specific sliding", "|ζ|",
+      "greatest magnitude at the ends of the paths of all meshes; null without geometry, or if a "
+      "path ends at a base circle",
+      [](const F& f) {
+        const auto zeta = greatest_sliding(f.drive.geometry);
+        return zeta && std::isfinite(*zeta) ? Value(*zeta) : Value();
+      });
   q.number("safety_flank", "safety against pitting", "S_H",
            "least value of all meshes; null if designs are not rated",
            [](const F& f) { return least_safety(f.drive, &Rating::S_H); });
@@ -140,6 +150,7 @@ void add_search(Quantities<DriveSearchView>& q) {
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close to each other with their profile shifts), "
+        "`sliding`, "
         "`safety`, `verdict` (amber or red)",
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .doors(kJson);

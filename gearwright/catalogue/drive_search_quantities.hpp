@@ -20,9 +20,9 @@ struct FoundDrive {
 const Quantities<FoundDrive>& found_drive_quantities();
 
 /// The reasons why a computed candidate is left out.
-enum class DriveFault { no_teeth, neighbours, safety, verdict };
-inline constexpr std::array<std::string_view, 4> kDriveFaultNames{"no_teeth", "neighbours",
-                                                                  "safety", "verdict"};
+enum class DriveFault { no_teeth, neighbours, sliding, safety, verdict };
+inline constexpr std::array<std::string_view, 5> kDriveFaultNames{"no_teeth", "neighbours",
+                                                                  "sliding", "safety", "verdict"};
 
 struct DriveDesigns {
   std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first

@@ -19,9 +19,11 @@ const KeyTable& measure_keys() {
            "number of teeth between the anvils of a span measurement, or of tooth spaces for an "
            "internal gear")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
-       Key::positive("ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
-                     "the standard size nearest to the size of a ball that touches at the V circle",
-                     "diameter of the measuring balls")
+       Key::positive(
+           "ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
+           "`pin_diameter_mm`, otherwise the standard size nearest to the size of a ball that "
+           "touches at the V circle",
+           "diameter of the measuring balls")
            .with_also({"ball", "balls", "dm"}),
        Key::positive("pin_diameter_mm", "D_M", &MeasureInput::pin_diameter, "diameter of the balls",
                      "diameter of the measuring pins (rollers, wires)")

@@ -45,12 +45,36 @@ double lagrange_slope(int i, double x) {
   return sum;
 }
 
+// The columns begin … begin + count − 1 of a matrix of loads, which include every column that is not
+// zero. Both ends are multiples of kPanel, and there are several columns: Eigen adds up the terms of
+// a narrower panel or of a single column in another order, and the rounding of a column must not
+// depend on the zeros beside it.
+struct LoadedColumns {
+  Index begin = 0, count = 0;
+
+  void include(const Eigen::Ref<const MatrixXd>& loads) {
+    constexpr Index kPanel = 4;
+    Index first = 0, end = loads.cols();
+    while (end > 0 && loads.col(end - 1).isZero(0.0)) --end;
+    if (end == 0) return;
+    while (loads.col(first).isZero(0.0)) ++first;
+    first -= first % kPanel;
+    end = std::min((end + kPanel - 1) / kPanel * kPanel, loads.cols());
+    if (end - first == 1) first = std::max<Index>(0, first - kPanel);
+    if (count > 0) {
+      first = std::min(first, begin);
+      end = std::max(end, begin + count);
+    }
+    begin = first;
+    count = end - first;
+  }
+};
+
 }  // namespace
 
-// The stiffness matrices shared by all elements of the same length, with the inner nodes
-// eliminated.
-struct Face::Kind {
-  double length;
+// The stiffness matrices of an element, with the inner nodes eliminated. All elements have the same
+// length.
+struct Face::Element {
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
   MatrixXd inner_to_ends;      // K_ie
   MatrixXd recovered;          // K_ii⁻¹ K_ie
@@ -69,10 +93,8 @@ Face::Face(const ModeMatrices& modes, double width, double element)
 
   const GaussRule rule = gauss_rule(kDegree + 1);
   const Index r = modes_;
-  kind_of_.assign(n, 0);
-  auto kind = std::make_unique<Kind>();
-  kind->length = width / n;
-  const double half = 0.5 * kind->length;
+  auto made = std::make_unique<Element>();
+  const double half = 0.5 * (width / n);
   MatrixXd all(4 * r, 4 * r);
   const std::array<int, 4> place{2, 0, 1, 3};  // puts the inner nodes first
   for (int a = 0; a < 4; ++a) {
@@ -93,26 +115,26 @@ Face::Face(const ModeMatrices& modes, double width, double element)
           m00 * modes.aa + m01 * modes.ab + m10 * modes.ab.transpose() + m11 * modes.bb;
     }
   }
-  kind->inner.compute(all.topLeftCorner(2 * r, 2 * r));
-  GW_ENSURES(kind->inner.info() == Eigen::Success);
-  kind->inner_to_ends = all.topRightCorner(2 * r, 2 * r);
-  kind->recovered = kind->inner.solve(kind->inner_to_ends);
-  kind->ends = all.bottomRightCorner(2 * r, 2 * r);
-  kind->ends.noalias() -= kind->inner_to_ends.transpose() * kind->recovered;
-  kinds_.push_back(std::move(kind));
+  made->inner.compute(all.topLeftCorner(2 * r, 2 * r));
+  GW_ENSURES(made->inner.info() == Eigen::Success);
+  made->inner_to_ends = all.topRightCorner(2 * r, 2 * r);
+  made->recovered = made->inner.solve(made->inner_to_ends);
+  made->ends = all.bottomRightCorner(2 * r, 2 * r);
+  made->ends.noalias() -= made->inner_to_ends.transpose() * made->recovered;
+  element_ = std::move(made);
 
   MatrixXd carried = MatrixXd::Zero(r, r);
   for (int i = 0; i <= n; ++i) {
     MatrixXd block = carried;
-    if (i < n) block += kinds_[kind_of_[i]]->ends.topLeftCorner(r, r);
-    if (i > 0) block += kinds_[kind_of_[i - 1]]->ends.bottomRightCorner(r, r);
+    if (i < n) block += element_->ends.topLeftCorner(r, r);
+    if (i > 0) block += element_->ends.bottomRightCorner(r, r);
     const Eigen::LLT<MatrixXd> llt(block);
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
     // The block of the factor below L is M = O L⁻ᵀ, where O is the block of the matrix there.
-    const MatrixXd transposed = factor_.back().triangularView<Eigen::Lower>().solve(
-        kinds_[kind_of_[i]]->ends.topRightCorner(r, r));
+    const MatrixXd transposed =
+        factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
     carried.noalias() = -below_.back() * transposed;
   }
@@ -151,23 +173,31 @@ VectorXd Face::mean(double lo, double hi) const {
 
 void Face::solve(MatrixXd& x) const {
   const Index r = modes_;
-  const auto node = [&](Index i) { return x.middleRows(i * r, r); };
-  const auto n = static_cast<Index>(kind_of_.size());
+  const auto n = static_cast<Index>(ends_.size()) - 1;
   GW_EXPECTS(x.rows() == (n * kDegree + 1) * r);
+  const auto node = [&](Index i) { return x.middleRows(i * r, r); };
+  const auto part = [&](Index i, const LoadedColumns& c) {
+    return x.block(i * r, c.begin, r, c.count);
+  };
   // For each element, the loads at the inner nodes are transferred to its ends, and the inner nodes
-  // are solved with fixed ends.
+  // are solved with fixed ends. A column is a load on one slice, so it is zero in most elements.
   for (Index e = 0; e < n; ++e) {
-    const Kind& k = *kinds_[kind_of_[e]];
-    auto inner = x.middleRows((e * kDegree + 1) * r, 2 * r);
-    if (inner.isZero(0.0)) continue;
-    const MatrixXd reaction = k.recovered.transpose() * inner;
-    node(e * kDegree) -= reaction.topRows(r);
-    node((e + 1) * kDegree) -= reaction.bottomRows(r);
-    k.inner.solveInPlace(inner);
+    const Index i = e * kDegree;
+    LoadedColumns here;
+    here.include(x.middleRows((i + 1) * r, 2 * r));
+    if (here.count == 0) continue;
+    auto inner = x.block((i + 1) * r, here.begin, 2 * r, here.count);
+    const MatrixXd reaction = element_->recovered.transpose() * inner;
+    part(i, here) -= reaction.topRows(r);
+    part(i + kDegree, here) -= reaction.bottomRows(r);
+    element_->inner.solveInPlace(inner);
   }
+  LoadedColumns reached;
   for (Index i = 0; i <= n; ++i) {
-    if (i > 0) node(i * kDegree).noalias() -= below_[i - 1] * node((i - 1) * kDegree);
-    auto here = node(i * kDegree);
+    if (i > 0)
+      part(i * kDegree, reached).noalias() -= below_[i - 1] * part((i - 1) * kDegree, reached);
+    reached.include(node(i * kDegree));
+    auto here = part(i * kDegree, reached);
     factor_[i].triangularView<Eigen::Lower>().solveInPlace(here);
   }
   for (Index i = n; i >= 0; --i) {
@@ -178,7 +208,7 @@ void Face::solve(MatrixXd& x) const {
   MatrixXd ends(2 * r, x.cols());
   for (Index e = 0; e < n; ++e) {
     ends << node(e * kDegree), node((e + 1) * kDegree);
-    x.middleRows((e * kDegree + 1) * r, 2 * r).noalias() -= kinds_[kind_of_[e]]->recovered * ends;
+    x.middleRows((e * kDegree + 1) * r, 2 * r).noalias() -= element_->recovered * ends;
   }
 }
 

@@ -5,7 +5,7 @@
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element with the shape functions N
 //
 // The two inner nodes of each element are eliminated first, which leaves a block-tridiagonal
-// system. Elements of equal length share this elimination. Both end faces z = const are free of
+// system. All elements have the same length and share this elimination. Both end faces z = const are free of
 // constraints.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
@@ -40,12 +40,11 @@ class Face {
   void solve(Eigen::MatrixXd& columns) const;
 
  private:
-  struct Kind;
+  struct Element;
   Eigen::VectorXd shape(double z, bool slope) const;
 
   std::vector<double> ends_, nodes_;
-  std::vector<int> kind_of_;
-  std::vector<std::unique_ptr<Kind>> kinds_;
+  std::unique_ptr<const Element> element_;
   std::vector<Eigen::MatrixXd> factor_, below_;  // Cholesky factors of the block-tridiagonal matrix
   int modes_ = 0;
 };

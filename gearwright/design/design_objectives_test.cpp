@@ -17,8 +17,7 @@
 #include <vector>
 
 #include "gearwright/design/design_strength.hpp"
-#include "gearwright/design/search.hpp"
-#include "gearwright/rating/testing/sample_pairs.hpp"
+#include "gearwright/design/testing/found_designs.hpp"
 
 namespace gearwright {
 namespace {
@@ -35,26 +34,10 @@ SearchProblem ranked_wish(std::vector<Objective> objectives) {
   p.limits.avoid_interference = p.limits.clear_fillets = true;
   p.limits.tip_clearance = kRunningTipClearance;
   p.limits.form_clearance = kRunningFormClearance;
-  SearchRating rating;
-  rating.input.torque = 120.0;
-  rating.input.speed = 1480;
-  rating.input.life_h = 20000;
-  rating.input.viscosity = 220;
-  rating.input.quality = {6, 7};
-  rating.input.flank_roughness = {4, 5};
-  rating.input.face_load_factor = 1.2;
-  rating.input.materials = {testing::case_hardened(), testing::case_hardened()};
-  p.rating = rating;
+  p.rating = testing::search::load(120.0);
   p.friction = kMu;
   p.objectives = std::move(objectives);
   return p;
-}
-
-std::vector<DesignRow> ranked_rows(const SearchProblem& problem) {
-  const Search search(problem);
-  std::vector<DesignRow> rows;
-  search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
-  return rows;
 }
 
 std::optional<double> mounted_efficiency(const SearchProblem& p, const DesignRow& row) {
@@ -90,7 +73,7 @@ TEST(DesignObjectives, EfficiencyIsThatOfTheMountedPair) {  // (1)
   screws.helix = {Angle::degrees(45)};
   screws.pinion_teeth = {17, 18};
   for (const SearchProblem& p : {ranked_wish({Objective::efficiency}), rings, screws}) {
-    const auto rows = ranked_rows(p);
+    const auto rows = testing::search::points_of(p);
     ASSERT_GT(rows.size(), 20u);
     for (std::size_t n = 0; n < rows.size(); n += rows.size() / 20) {
       ASSERT_TRUE(rows[n].efficiency);
@@ -102,7 +85,7 @@ TEST(DesignObjectives, EfficiencyIsThatOfTheMountedPair) {  // (1)
 TEST(DesignObjectives, LossesAreThoseOfTheToothPairsInContact) {  // (2)
   SearchProblem p = ranked_wish({Objective::efficiency});
   p.helix = {Angle()};
-  for (const DesignRow& row : ranked_rows(p)) {
+  for (const DesignRow& row : testing::search::points_of(p)) {
     // Power in and out with equal forces on all pairs that touch, at 20 000 rotations of a pitch.
     const double alpha = row.working_angle.rad();
     const double d_w1 = 2 * row.center_distance / (1 + row.ratio);
@@ -154,7 +137,7 @@ TEST(DesignObjectives, BalanceComparesLoads) {  // (3)
 TEST(DesignObjectives, CostIsMassTimesWidth) {  // (4)
   SearchProblem p = ranked_wish({Objective::cost});
   p.rating.reset();
-  for (const DesignRow& row : ranked_rows(p)) {
+  for (const DesignRow& row : testing::search::points_of(p)) {
     const double d_1 = row.trial.module * row.trial.z1 / std::cos(row.trial.helix[0].rad());
     EXPECT_DOUBLE_EQ(relative_cost(p, row), row.mass * std::sqrt(row.face_width / d_1));
     p.cost_exponent = 0.0;
@@ -166,7 +149,7 @@ TEST(DesignObjectives, CostIsMassTimesWidth) {  // (4)
 TEST(DesignObjectives, NoiseIsTheSpreadOfTheDeflection) {  // (5)
   const SearchProblem p = ranked_wish({Objective::noise});
   const Search search(p);
-  const auto rows = ranked_rows(p);
+  const auto rows = testing::search::points_of(p);
   ASSERT_GT(rows.size(), 40u);
   for (const DesignRow& row : rows) {
     const Rating r =
@@ -208,7 +191,7 @@ TEST(DesignObjectives, RankAndMakeAFront) {  // (6)
                                  {O::noise, O::efficiency, O::cost},
                                  {O::balance, O::mass, O::noise}}) {
     const SearchProblem p = ranked_wish(objectives);
-    const auto rows = ranked_rows(p);
+    const auto rows = testing::search::points_of(p);
     BestDesigns best(p, rows.size());
     for (const DesignRow& row : rows) best.add(row);
     const SearchAnswer answer = std::move(best).answer({});

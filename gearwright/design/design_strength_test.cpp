@@ -16,25 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/design/search.hpp"
+#include "gearwright/design/testing/found_designs.hpp"
 #include "gearwright/rating/sizing.hpp"
-#include "gearwright/rating/testing/sample_pairs.hpp"
 
 namespace gearwright {
 namespace {
 
-SearchRating load(double torque) {
-  SearchRating rating;
-  rating.input.torque = torque;
-  rating.input.speed = 1480;
-  rating.input.life_h = 20000;
-  rating.input.viscosity = 220;
-  rating.input.quality = {6, 7};
-  rating.input.flank_roughness = {4, 5};
-  rating.input.face_load_factor = 1.2;
-  rating.input.materials = {testing::case_hardened(), testing::case_hardened()};
-  return rating;
-}
+using testing::search::load;
 
 SearchProblem wish(double torque = 300.0) {
   SearchProblem p;
@@ -50,20 +38,13 @@ SearchProblem wish(double torque = 300.0) {
   return p;
 }
 
-std::vector<DesignRow> found(const SearchProblem& problem) {
-  const Search search(problem);
-  std::vector<DesignRow> rows;
-  search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
-  return rows;
-}
-
 void expect_same(double got, double want, const DesignRow& row) {
   EXPECT_LE(std::abs(got - want), 1e-12 * std::max(1.0, std::abs(want))) << row.trial.index;
 }
 
 void expect_mounted(const SearchProblem& problem, std::size_t least) {
   const Search search(problem);
-  const auto rows = found(problem);
+  const auto rows = testing::search::points_of(problem);
   ASSERT_GE(rows.size(), least);
   constexpr std::size_t kSome = 60;  // mounting is slow
   const std::size_t step = std::max<std::size_t>(1, rows.size() / kSome);
@@ -161,10 +142,10 @@ TEST(DesignStrength, SafetiesTakeAwayWhatFallsShort) {  // (2)
   SearchProblem some = all;
   some.limits.safety_flank = 1.1;
   some.limits.safety_root = 1.4;
-  std::vector<DesignRow> rest = found(all);
+  std::vector<DesignRow> rest = testing::search::points_of(all);
   const auto count = rest.size();
   std::erase_if(rest, [&](const DesignRow& row) { return short_of(some, row).has_value(); });
-  const auto kept = found(some);
+  const auto kept = testing::search::points_of(some);
   ASSERT_EQ(kept.size(), rest.size());
   ASSERT_GT(kept.size(), 0u);
   ASSERT_LT(kept.size(), count);
@@ -190,7 +171,7 @@ TEST(DesignStrength, RanksByMassAndSafety) {  // (3)
     SearchProblem p = wish();
     p.objectives = {objective};
     BestDesigns best(p, 1000);
-    for (const DesignRow& row : found(p)) best.add(row);
+    for (const DesignRow& row : testing::search::points_of(p)) best.add(row);
     const SearchAnswer answer = std::move(best).answer({});
     double last = -1e300;
     for (const DesignRow& row : answer.designs) {
@@ -209,7 +190,7 @@ TEST(DesignStrength, MoreLoadLeavesFewer) {  // (4)
     SearchProblem p = wish(torque);
     p.limits.safety_flank = 1.0;
     p.limits.safety_root = 1.4;
-    const std::size_t now = found(p).size();
+    const std::size_t now = testing::search::points_of(p).size();
     EXPECT_LE(now, before) << torque;
     before = now;
   }
@@ -236,7 +217,7 @@ TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
   p.face_width = {{10.0, 60.0}};
   p.limits.safety_flank = 0.8;
   p.limits.safety_root = 2.2;
-  std::vector<DesignRow> nominal = found(p);
+  std::vector<DesignRow> nominal = testing::search::points_of(p);
   std::map<std::int64_t, int> drawings;
   p.draw = [&](const SearchProblem& problem, const DesignRow& row) {
     ++drawings[row.trial.index];
@@ -246,7 +227,7 @@ TEST(DesignStrength, AFaceIsAsWideAsItsWorstTeethNeed) {  // (5)
     if (!drawn.runs) drawn.at_ends = {pair};
     return drawn;
   };
-  const std::vector<DesignRow> rows = found(p);
+  const std::vector<DesignRow> rows = testing::search::points_of(p);
   ASSERT_GT(rows.size(), 10u);
   std::size_t wider = 0;
   for (const DesignRow& row : rows) {
@@ -274,7 +255,7 @@ TEST(DesignStrength, MassOfFullCylinders) {
   p.modules = {3.0};
   p.helix = {Angle()};
   p.face_width = {{30.0, 30.0}};
-  const auto rows = found(p);
+  const auto rows = testing::search::points_of(p);
   ASSERT_EQ(rows.size(), 1u);
   // h_a 1, h_f 1.25: the mean diameter is d − 0.25 m + 2 m x.
   double mass = 0.0;

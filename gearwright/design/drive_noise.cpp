@@ -40,8 +40,10 @@ std::optional<double> noise_of_set(const DriveSearchProblem& problem, const Stan
 void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
                     int threads) {
   const PerMember& helix = problem.base.helix_deg;
-  const StandardTeeth teeth{problem.base.normal_pressure_angle,
-                            Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0)))};
+  StandardTeeth teeth{problem.base.normal_pressure_angle,
+                      Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0)))};
+  if (const auto& face = problem.base.face_width.all; face && !problem.modules.empty())
+    teeth.face_modules = *face / problem.modules.front();
   parallel_for(
       candidates.size(),
       [&](std::size_t k) {

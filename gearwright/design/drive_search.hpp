@@ -59,6 +59,7 @@ struct DriveSearchProblem {
   /// For a train, the default is no limit.
   std::optional<int> coaxial_teeth;
   double neighbour_clearance = 1.0;   ///< lower limit of c  modules
+  double sliding = kInfinity;         ///< upper limit of |ζ| of every mesh; requires modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
   /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/rational.hpp"
 #include "gearwright/drive/short_forms.hpp"
@@ -30,9 +31,7 @@ DriveGraph graph(const std::vector<std::pair<M, int>>& teeth, int planets,
 }
 
 Assembly assembled(const DriveGraph& g) {
-  auto made = assemble(g, planet_groups(g).front());
-  EXPECT_TRUE(made) << made.error().message();
-  return std::move(made).take();
+  return testing::taken(assemble(g, planet_groups(g).front()));
 }
 
 // Counts the places n/grid of a turn at which a stepped planet meshes with both its central gears.

@@ -10,7 +10,6 @@
 #include "gearwright/drive/drive_error.hpp"
 #include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/geometry_remedy.hpp"
-#include "gearwright/drive/rack_pitch.hpp"
 
 namespace gearwright {
 

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/rack_contact.hpp"
@@ -45,9 +46,7 @@ Drive train(bool gear2_input) {
   DriveInput input = std::move(made).take();
   if (gear2_input) std::swap(input.graph.inputs.front(), input.graph.output);
   input.harmonics = 5;
-  auto drive = make_drive(input);
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive(input));
 }
 
 TEST(DriveErrorTest, OneMeshHasTheCurveOfItsPair) {
@@ -86,9 +85,7 @@ Drive planetary(int sun, int planet, int ring, int planets, double tip, double c
   DriveGraph graph = std::move(made).take();
   if (tip != 0.0 || crowning != 0.0)
     for (DriveGear& gear : graph.gears) gear.modifications = relieved(tip, crowning);
-  auto drive = make_drive({graph, {}, harmonics});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({graph, {}, harmonics}));
 }
 
 TEST(DriveErrorTest, ConjugateFlanksHaveNone) {

@@ -123,4 +123,9 @@ struct PlanetGroup {
 /// The groups in the order of their first riders.   Domain  a checked graph
 std::vector<PlanetGroup> planet_groups(const DriveGraph& graph);
 
+/// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None if
+/// the body has no rack or the module is unknown. The graph counts the motion of a rack in pitches,
+/// because its body moves by one pitch for each tooth of the pinion.
+std::optional<double> rack_pitch(const DriveGraph& graph, std::size_t body);
+
 }  // namespace gearwright

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -25,18 +26,10 @@ PlanetarySpec toothed_set(const std::vector<std::pair<M, int>>& teeth, int plane
 }
 
 Drive laid_drive(const PlanetarySpec& set) {
-  const auto graph = graph_of(set);
-  EXPECT_TRUE(graph) << graph.error().message();
-  auto drive = make_drive({*graph, {}});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({testing::taken(graph_of(set)), {}}));
 }
 
-DriveLayout laid(const Drive& drive) {
-  auto layout = drive_layout(drive);
-  EXPECT_TRUE(layout) << layout.error().message();
-  return std::move(layout).take();
-}
+DriveLayout laid(const Drive& drive) { return testing::taken(drive_layout(drive)); }
 
 // The distance of the nearest tooth of a gear from a direction, in pitches: 0 for a tooth, 0.5 for
 // a space. All teeth are compared.
@@ -142,9 +135,7 @@ Drive rack_drive(int teeth, int rack_teeth, double beta_deg,
   }
   graph.inputs = {0};
   graph.output = 1;
-  auto drive = make_drive({graph, {}});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({graph, {}}));
 }
 
 // The teeth of a rack are half a pitch from the teeth of its pinion, measured along the rack where

@@ -39,6 +39,10 @@ bool first_drives(const Drive& drive, std::size_t m, double load) {
   return -a.factor() * load * turning(drive, a.body, m) > 0.0;
 }
 
+double passing_time(double turning, int teeth, double theta, bool drives, double half) {
+  return (turning < 0.0 ? -1.0 : 1.0) * std::abs(teeth) * theta + (drives ? -half : half);
+}
+
 void find_delays(const Drive& drive, std::size_t m, MeshPhase& phase) {
   const DriveGraph& graph = drive.graph;
   const PlanetSet* set = set_of(drive, m);
@@ -62,18 +66,13 @@ double share_of(const Drive& drive, std::size_t m, int side) {
   return rack ? thickness_share(*rack) : thickness_share(*drive.geometry.involutes(m), side + 1);
 }
 
-// The time at which the loaded flank of a gear passes the pitch point of a mesh, in periods.
-// [T13.17]
 std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool first_drives) {
   const DriveMesh& mesh = drive.graph.meshes[m];
   const DriveGear& gear = drive.graph.gear(mesh, side);
   const auto theta = direction(drive, m, mesh.gears[static_cast<std::size_t>(side)]);
-  if (!theta) return std::nullopt;
-  const double sense = turning(drive, gear.body, m) < 0.0 ? -1.0 : 1.0;
-  const bool drives = first_drives == (side == 0);
-  if (gear.rack) return std::nullopt;
-  const double half = share_of(drive, m, side) / 2;
-  return sense * std::abs(gear.teeth) * *theta + (drives ? -half : half);
+  if (!theta || gear.rack) return std::nullopt;
+  return passing_time(turning(drive, gear.body, m), gear.teeth, *theta, first_drives == (side == 0),
+                      share_of(drive, m, side) / 2);
 }
 
 // Computes the delay of each mesh that moves the output from the delay of a mesh that shares a gear

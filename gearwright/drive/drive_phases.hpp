@@ -43,6 +43,11 @@ double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 /// input, which decides if there is no power flow.   Domain  one input (contract)
 bool first_drives(const Drive& drive, std::size_t mesh, double load);
 
+/// The time at which the loaded flank of a gear passes the pitch point, in periods [T13.17].
+/// `turning` is the sense of the gear in the frame of the mesh, θ the direction to the mesh in turns,
+/// and `half` half of the tooth thickness in pitches.
+double passing_time(double turning, int teeth, double theta, bool drives, double half);
+
 /// Sets the delays γ of the copies of a planet, and their sense. For planets that mesh with each
 /// other, they are the delays at a central gear whose mesh has the same frequency.
 void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -128,6 +130,18 @@ std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safet
     least = std::min(least.value_or(s), s);
   }
   return least;
+}
+
+std::optional<double> greatest_sliding(const DriveGeometry& geometry) {
+  std::optional<double> most;
+  for (const auto& pair : geometry.pairs) {
+    const InvolutePair* involute = pair ? pair->involute() : nullptr;
+    if (!involute) continue;
+    const auto &a = involute->sliding_A, &e = involute->sliding_E;
+    for (const auto& zeta : {a.zeta_1, a.zeta_2, e.zeta_1, e.zeta_2})
+      most = std::max(most.value_or(0.0), std::abs(zeta.value_or(kInfinity)));
+  }
+  return most;
 }
 
 }  // namespace gearwright

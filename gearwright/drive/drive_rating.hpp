@@ -55,4 +55,8 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
 /// The least S_H or S_F of all meshes; none if no mesh is rated.
 std::optional<double> least_safety(const Drive& drive, FactorPair Rating::*safety);
 
+/// The greatest specific sliding |ζ| at the ends of the paths of all meshes of two involute gears;
+/// infinite if a path ends at a base circle. None without such meshes.
+std::optional<double> greatest_sliding(const DriveGeometry& geometry);
+
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -20,11 +21,7 @@ Drive planetary(int planets) {
   set.normal_module = 2.0;
   set.face_width.all = 20.0;
   set.efficiency.each = {{"sun_planet", 0.985}, {"planet_ring", 0.993}};
-  const auto graph = graph_of(set);
-  EXPECT_TRUE(graph);
-  auto drive = make_drive({*graph, {}});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({testing::taken(graph_of(set)), {}}));
 }
 
 DriveLoad load() {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/math/decompositions.hpp"
@@ -28,11 +29,7 @@ PlanetarySpec simple_set(int sun, int planet, int ring, double eta_sp, double et
 }
 
 Drive made(const PlanetarySpec& set) {
-  const auto graph = graph_of(set);
-  EXPECT_TRUE(graph) << graph.error().message();
-  auto drive = make_drive({*graph, {}});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({testing::taken(graph_of(set)), {}}));
 }
 
 std::string error_field(const PlanetarySpec& set) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -19,9 +20,7 @@ DriveGraph set_of(int sun, int planet, int ring, std::optional<double> distance 
   set.planets = 3;
   set.normal_module = 2.0;
   set.center_distance.all = distance;
-  auto graph = graph_of(set);
-  EXPECT_TRUE(graph);
-  return std::move(graph).take();
+  return testing::taken(graph_of(set));
 }
 
 bool runs(const DriveGraph& graph) {

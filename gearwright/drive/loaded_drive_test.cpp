@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/drive_phases.hpp"
 #include "gearwright/drive/mesh_springs.hpp"
 #include "gearwright/drive/short_forms.hpp"
@@ -50,9 +51,7 @@ Drive drive_of(const TestSet& t) {
   for (DriveGear& gear : input.graph.gears)
     if (t.crowning != 0.0 || t.lead_crowning != 0.0)
       gear.modifications = crowned(t.crowning, t.lead_crowning);
-  auto drive = make_drive(input);
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive(input));
 }
 
 LoadRequest request_of(const Drive& drive, std::size_t mesh, double stiffer = 1.0) {
@@ -79,9 +78,7 @@ DriveLoadCase load_of(const Drive& drive, double torque, int positions, double s
 }
 
 LoadedDrive under(const Drive& drive, const DriveLoadCase& load) {
-  auto found = loaded_drive(drive, load);
-  EXPECT_TRUE(found) << found.error().message();
-  return std::move(found).take();
+  return testing::taken(loaded_drive(drive, load));
 }
 
 double span(const std::vector<double>& values) {

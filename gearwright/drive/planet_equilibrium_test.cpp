@@ -17,6 +17,7 @@
 #include <random>
 
 #include "gearwright/base/testing/source_file.hpp"
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/drive/drive_places.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
@@ -39,11 +40,7 @@ Drive set_of_springs(const std::array<int, 3>& teeth, int planets, double module
     set.inputs = {"carrier"};
     set.output = "sun";
   }
-  auto graph = graph_of(set);
-  EXPECT_TRUE(graph);
-  auto drive = make_drive({std::move(graph).take(), {}, 3});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({testing::taken(graph_of(set)), {}, 3}));
 }
 
 // Springs and leads of every mesh and planet, and the forces of an equal share.
@@ -202,9 +199,7 @@ Drive two_sets() {
   graph.fixed = {held};
   graph.inputs = {ring};
   graph.output = out;
-  auto drive = make_drive({graph, {}, 3});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({graph, {}, 3}));
 }
 
 // The work of the torque on the output equals the work of the teeth of both sets, T_o δφ_o = −Σ F
@@ -271,11 +266,7 @@ Drive drive_of(const nlohmann::json& c) {
   set.fixed = std::vector<std::string>{c["fixed"].get<std::string>()};
   set.inputs = {c["input"]};
   set.output = c["output"];
-  auto graph = graph_of(set);
-  EXPECT_TRUE(graph);
-  auto drive = make_drive({std::move(graph).take(), {}, 3});
-  EXPECT_TRUE(drive) << drive.error().message();
-  return std::move(drive).take();
+  return testing::taken(make_drive({testing::taken(graph_of(set)), {}, 3}));
 }
 
 TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {

@@ -131,7 +131,8 @@ WindupMesh StandardTeeth::mesh(int z1, int z2) const {
     const double r_a = std::max(r + (z > 0 ? 1.0 : -1.0), r_b);
     return std::abs(std::sqrt(r_a * r_a - r_b * r_b) - r * std::sin(alpha)) / pitch;
   };
-  return {.approach = part(z2), .recess = part(z1)};
+  const double overlap = face_modules * std::abs(std::sin(helix_angle.rad())) / std::numbers::pi;
+  return {.approach = part(z2), .recess = part(z1), .overlap = overlap};
 }
 
 std::optional<double> windup_variation(const Drive& set, const StandardTeeth& teeth) {
@@ -152,14 +153,11 @@ std::optional<double> windup_variation(const Drive& set, const StandardTeeth& te
     MeshPhase phase;
     phase.first_drives = detail::first_drives(set, m, to_input[m].value());
     detail::find_delays(set, m, phase);
-    // The time at which a loaded flank of the planet gear passes the pitch point, as in
-    // drive_phases.cpp. The teeth are half a pitch thick. The sun and the ring are on opposite
-    // sides of the planet.
-    const double sense = detail::turning(set, planet.body, m) < 0.0 ? -1.0 : 1.0;
+    // The teeth are half a pitch thick. The sun and the ring are on opposite sides of the planet.
     const double theta = (a_rides ? b : a).is_ring() ? 0.0 : 0.5;
-    const double passing =
-        sense * planet.teeth * theta + (phase.first_drives == a_rides ? -0.25 : 0.25);
-    phase.time = passing - first_passing.emplace(planet.teeth, passing).first->second;
+    const double time = detail::passing_time(detail::turning(set, planet.body, m), planet.teeth,
+                                             theta, phase.first_drives == a_rides, 0.25);
+    phase.time = time - first_passing.emplace(planet.teeth, time).first->second;
     phase.first = static_cast<std::size_t>(planet.teeth);
     WindupMesh& mesh = meshes.emplace_back(teeth.mesh(a.teeth, b.teeth));
     place_in_time(mesh, phase);

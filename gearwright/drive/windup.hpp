@@ -38,10 +38,10 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 /// that moves the output, no pair of involute gears or lost contact.
 std::optional<double> windup_variation(const Drive& drive);
 
-/// Teeth of a drive that has no geometry: gears without profile shift, with the addendum 1 and narrow
-/// faces.
+/// Teeth of a drive that has no geometry: gears without profile shift, with the addendum 1.
 struct StandardTeeth {
   Angle normal_pressure_angle = Angle::degrees(20), helix_angle{};
+  double face_modules = 10.0;  ///< b/m_n, the default of a drive
 
   /// The parts of the path of contact of two gears, z2 < 0 for a ring, if gear 1 drives.
   WindupMesh mesh(int z1, int z2) const;

@@ -109,22 +109,27 @@ TEST(Windup, NumbersOfTeethGiveTheValueOfStandardTeeth) {  // (5)
                                                    {25, 23, 71, 3},
                                                    {23, 27, 77, 4},
                                                    {24, 30, 84, 4}}) {
-    PlanetarySpec set = windup_set(sun, planet, ring, planets);
-    set.tip_diameter.each[static_cast<std::size_t>(SetMember::ring)] = 2.0 * (ring - 2);
-    StraightRack deep;  // its flanks begin below the tips of the ring
-    deep.dedendum = 1.4;
-    deep.root_fillet_radius = 0.2;
-    set.rack = deep;
-    const auto exact = make_drive({graph_of(set).value()}).value();
-    for (const auto& pair : exact.geometry.pairs)  // no flank ends within the path
-      ASSERT_NEAR(pair->involute()->mesh.true_ratio, pair->involute()->mesh.path_ratio, 1e-12);
-    set.normal_module.reset();
-    const auto bare = make_drive({graph_of(set).value()}).value();
-    const auto with_teeth = windup_variation(exact);
-    const auto without = windup_variation(bare, StandardTeeth{});
-    ASSERT_TRUE(with_teeth && without) << sun;
-    EXPECT_FALSE(windup_variation(bare));
-    EXPECT_NEAR(*with_teeth, *without, 1e-7) << sun << " " << planet;
+    for (const double helix_deg : {0.0, 12.0}) {
+      const Angle helix = Angle::degrees(helix_deg);
+      PlanetarySpec set = windup_set(sun, planet, ring, planets);
+      set.helix_deg.all = helix_deg;
+      set.tip_diameter.each[static_cast<std::size_t>(SetMember::ring)] =
+          2.0 * (ring / std::cos(helix.rad()) - 2);
+      StraightRack deep;  // its flanks begin below the tips of the ring
+      deep.dedendum = 1.4;
+      deep.root_fillet_radius = 0.2;
+      set.rack = deep;
+      const auto exact = make_drive({graph_of(set).value()}).value();
+      for (const auto& pair : exact.geometry.pairs)  // no flank ends within the path
+        ASSERT_NEAR(pair->involute()->mesh.true_ratio, pair->involute()->mesh.path_ratio, 1e-12);
+      set.normal_module.reset();
+      const auto bare = make_drive({graph_of(set).value()}).value();
+      const auto with_teeth = windup_variation(exact);
+      const auto without = windup_variation(bare, StandardTeeth{.helix_angle = helix});
+      ASSERT_TRUE(with_teeth && without) << sun;
+      EXPECT_FALSE(windup_variation(bare));
+      EXPECT_NEAR(*with_teeth, *without, 1e-7) << sun << " " << planet << " " << helix_deg;
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -41,9 +42,7 @@ torque_Nm = )" +
 SolvedJob job_of(const std::string& text) {
   const auto spec = read_spec(text, SpecFormat::toml);
   EXPECT_TRUE(spec) << spec.error().message();
-  auto solved = solve(*spec, Scope::pair);
-  EXPECT_TRUE(solved) << solved.error().message();
-  return std::move(solved).take();
+  return testing::taken(solve(*spec, Scope::pair));
 }
 
 double aimed(const LoadedScore& s, const std::string& aim) {

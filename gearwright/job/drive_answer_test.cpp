@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -18,9 +21,7 @@ namespace gearwright {
 namespace {
 
 JobSpec drive_job(const std::string& toml) {
-  auto spec = read_spec(toml, SpecFormat::toml);
-  EXPECT_TRUE(spec) << spec.error().message();
-  return std::move(spec).take();
+  return testing::taken(read_spec(toml, SpecFormat::toml));
 }
 
 Json drive_record(const JobSpec& spec) {
@@ -193,6 +194,34 @@ TEST(DriveAnswerTest, SearchesChooseProfileShifts) {
       EXPECT_GE(efficiency[teeth], was["efficiency"].get<double>() - 1e-12) << teeth;
     }
   }
+}
+
+// The specific sliding of a design is the greatest of its meshes in the verb drive.
+TEST(DriveAnswerTest, SearchesLimitTheSpecificSliding) {
+  const std::string search =
+      "[search]\nkind = \"planetary\"\nratio = [4.4, 4.6]\nnormal_module_mm = 2\nobjective = "
+      "\"size\"\n";
+  const auto greatest_of = [&](const std::string& limit) {
+    const auto answer = answer_drive_search(drive_job(search + limit), 3, 2).value();
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < answer.specs.size(); ++i) {
+      double most = 0.0;
+      const Json drive = drive_record(drive_job(toml_text(answer.specs[i])));
+      for (const auto& [name, mesh] : drive["meshes"].items())
+        for (const auto& [gear, ends] : mesh["pair"]["specific_sliding"].items())
+          for (const Json& zeta : ends) most = std::max(most, std::abs(zeta.get<double>()));
+      EXPECT_EQ(answer.record["search"]["designs"][i]["sliding_max"], most);
+      greatest = std::max(greatest, most);
+    }
+    EXPECT_EQ(answer.record["search"]["left_out"]["sliding"] > 0, !limit.empty());
+    return greatest;
+  };
+  EXPECT_GT(greatest_of(""), 4.0);
+  const double limited = greatest_of("sliding_max = 3\n");
+  EXPECT_LE(limited, 3.0);
+  EXPECT_GT(limited, 0.0);
+  EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nsliding_max = 3\n"),
+            "search.sliding_max");
 }
 
 // A listed drive has backlash by the series of DIN 3967 in every mesh, unless the search has

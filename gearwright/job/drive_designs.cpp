@@ -67,14 +67,9 @@ class Designer {
     bool any = false;
     for (GearShifts& shifts : trials(candidate)) {
       candidate.shifts = std::move(shifts);
-      const auto own =
-          read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
-      if (!own) continue;
-      auto made = make_drive(*own->drive);
-      if (!made) continue;
-      Drive drive = std::move(made).take();
-      if (rate_drive(*own, drive)) continue;
-      const auto& ratings = drive.ratings;
+      auto made = made_from(candidate);
+      if (!made || rate_drive(made->spec, made->drive)) continue;
+      const auto& ratings = made->drive.ratings;
       if (!std::all_of(ratings.begin(), ratings.end(), [](const auto& r) { return r.has_value(); }))
         continue;
       any = true;
@@ -150,20 +145,33 @@ class Designer {
     return best;
   }
 
-  Outcome with_width(DriveCandidate candidate) const {
-    const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
-    if (!own) return DriveFault::no_teeth;
+  struct MadeDrive {
+    JobSpec spec;
+    Drive drive;
+  };
+  // None if the spec of the candidate has no drive.
+  std::optional<MadeDrive> made_from(const DriveCandidate& candidate) const {
+    auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+    if (!own) return std::nullopt;
     auto made = make_drive(*own->drive);
-    if (!made || !has_gears(*made)) return DriveFault::no_teeth;
-    Drive drive = std::move(made).take();
+    if (!made) return std::nullopt;
+    return MadeDrive{std::move(own).take(), std::move(made).take()};
+  }
+
+  Outcome with_width(DriveCandidate candidate) const {
+    auto made = made_from(candidate);
+    if (!made || !has_gears(made->drive)) return DriveFault::no_teeth;
+    auto& [own, drive] = *made;
     if (!drive.sets.empty() && drive.sets.front().neighbours) {
       candidate.clearance = drive.sets.front().neighbours->clearance / candidate.module;
       if (candidate.clearance < problem_.neighbour_clearance) return DriveFault::neighbours;
     }
-    const WantedSafety wanted = wanted_safety(*own);
+    if (greatest_sliding(drive.geometry).value_or(0.0) > problem_.sliding)
+      return DriveFault::sliding;
+    const WantedSafety wanted = wanted_safety(own);
     if (rates_) {
       if (drive.flow && drive.flow->self_locking()) return DriveFault::safety;
-      if (auto error = rate_drive(*own, drive)) return *error;
+      if (auto error = rate_drive(own, drive)) return *error;
       if (!is_safe(drive, wanted)) return DriveFault::safety;
     }
     const bool any_spacing = problem_.base.spacing == Spacing::nearest;

@@ -52,6 +52,9 @@ std::string advice(const FoundDrives& f) {
     case DriveFault::neighbours:
       return "In every set the planets are too close to each other. Try fewer planets or a smaller "
              "neighbour_clearance_min.";
+    case DriveFault::sliding:
+      return "No drive has a specific sliding below sliding_max. Try greater numbers of teeth, or "
+             "give profile_shift.";
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
@@ -82,8 +85,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
                         designs.computed, designs.list.size());
   constexpr const char* kFaults[] = {
       "teeth that cannot be made or mounted",
-      "planets that are too close to each other with their profile shifts", "the safeties",
-      "the verdict"};
+      "planets that are too close to each other with their profile shifts",
+      "the greatest specific sliding", "the safeties", "the verdict"};
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);

@@ -138,9 +138,8 @@ std::optional<Error> beyond(const SolvedJob& job) {
                    "is not supported for double-helical gears; if this table is left out, run "
                    "writes the report and the files"};
     return Error{table, "",
-                 "needs two gears, but gear 2 is a rack; if this table is left out, run writes the "
-                 "report and the files of the rack and its pinion. A gear 2 with teeth = 1000 can "
-                 "replace the rack; the results then differ by about 1/teeth"};
+                 "needs two gears, but gear 2 is a rack; without this table, run writes the report "
+                 "and the files. The verbs load and rate describe a wheel that can replace a rack"};
   }
   return std::nullopt;
 }

@@ -41,9 +41,10 @@ MeasureInput tools_of(const SolvedJob& job, int which) {
     return job.spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));
   };
   const bool pitch = job.spec.units() == UnitSystem::inch && (pitch_given(1) || pitch_given(which));
-  if (!pitch || tools.pin_diameter || tools.ball_diameter) return tools;
+  if (tools.ball_diameter || !(pitch || tools.pin_diameter)) return tools;
   const Gear& gear = job.gear(which);
-  const double size = (gear.internal() ? kInternal : kExternal) * gear.spec.normal_module;
+  const double size = tools.pin_diameter.value_or((gear.internal() ? kInternal : kExternal) *
+                                                  gear.spec.normal_module);
   const auto seat = ball_in_space(gear, size);
   if (seat && seat->usable()) tools.ball_diameter = size;
   return tools;

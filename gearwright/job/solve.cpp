@@ -141,8 +141,11 @@ std::optional<Error> two_gears_error(const JobSpec& spec) {
   if (!spec.rack) return std::nullopt;
   return Error{"gear2.form", "rack",
                "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
-               "outline, export and run compute a rack and its pinion. A gear 2 with teeth = "
-               "1000 can replace the rack; the results then differ by about 1/teeth"};
+               "outline, export and run compute a rack and its pinion. A gear 2 with teeth = 200 "
+               "can replace the rack if its bore leaves the height of the bar under the teeth. In "
+               "rate, its flank stress is then too high by about the factor √(1 + z1/200), and its "
+               "load cycles are those of a wheel; for P passes over each tooth of the rack, rate "
+               "the rack with life_h = P·200/(60 n1 z1)"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

@@ -393,6 +393,7 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   const DrawingInput words = title_words(job);
   const SheetWords about{words.title, words.author};
   std::string note = fmt::format("{}, scale {}", size == SheetSize::a4 ? "A4" : "A3", made->scales);
+  if (job.rack) note += "; of the pinion only, because a rack has no drawing";
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)

@@ -35,9 +35,17 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
         at.turn(row, k) = solver.slope(found.pairs[static_cast<std::size_t>(place.pair)],
                                        place.slice, influences[static_cast<std::size_t>(k)]);
     }
+    // The places with a wide gap are left out at first, as in loaded_contact(). They carry no load,
+    // and the matrix of all places of a helical pair can be indefinite.
+    const Eigen::ArrayXd arms =
+        (at.problem.gap.array() <= detail::kFarGap * gear_1.spec.normal_module)
+            .select(at.problem.arm, 0.0);
     for (const double moment : moments_) {
       at.problem.moment = moment;
-      at.start.push_back(solve_contact(at.problem).line_load);
+      const double mean = moment / (at.problem.length * arms.sum());
+      const Eigen::VectorXd start =
+          (arms > 0.0).select(Eigen::ArrayXd::Constant(arms.size(), mean), 0.0);
+      at.start.push_back(solve_contact(at.problem, start).line_load);
     }
     positions_.push_back(std::move(at));
   }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
@@ -199,9 +200,7 @@ LoadRequest request_of(const SamplePair& p, LoadRegime regime = LoadRegime::poin
 }
 
 PairCompliance compliance_of(const SamplePair& p, const LoadRequest& r) {
-  auto c = pair_compliance(p.gears[0], p.gears[1], r);
-  EXPECT_TRUE(c) << c.error().message();
-  return std::move(c).take();
+  return testing::taken(pair_compliance(p.gears[0], p.gears[1], r));
 }
 
 // Tables are computed with E = 1, so one set is valid for all moduli.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/testing/drive.hpp"
@@ -26,9 +27,7 @@ Pair tip_pair(const TipTeeth& t) {
     s.rack = *iso53_rack("ISO53-A");
     return std::move(make_gear(s)).take();
   };
-  auto pair = mount(gear(t.z1, t.beta_deg), gear(t.z2, -t.beta_deg));
-  EXPECT_TRUE(pair);
-  return std::move(pair).take();
+  return testing::taken(mount(gear(t.z1, t.beta_deg), gear(t.z2, -t.beta_deg)));
 }
 
 LoadRequest tip_request(double torque) {
@@ -67,9 +66,8 @@ struct TipCase {
             std::move(pair_compliance(pair.gear(1), pair.gear(2), tip_request(1.0))).take()) {}
 
   UnloadedTips at(double torque, bool gear2_drives = false) const {
-    auto found = unloaded_tips(setup, path, compliance, tip_request(torque), gear2_drives);
-    EXPECT_TRUE(found) << found.error().message();
-    return std::move(found).take();
+    return testing::taken(
+        unloaded_tips(setup, path, compliance, tip_request(torque), gear2_drives));
   }
 
   // True if an edge carries load at any position of the pitch.

@@ -12,7 +12,6 @@
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/drive/rack_pitch.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 

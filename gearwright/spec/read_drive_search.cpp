@@ -64,6 +64,8 @@ DriveSearchProblem read_drive_search(const Json& search) {
   t.finish();
   if (p.modules.empty() && p.size_max < kInfinity)
     t.fail("size_max_mm", "needs normal_module_mm, because sizes without a module are in modules");
+  if (p.modules.empty() && t.given("sliding_max"))
+    t.fail("sliding_max", "needs normal_module_mm, because there are no teeth without a module");
   if (p.modules.empty() && t.given("thickness_series"))
     t.fail("thickness_series",
            "needs normal_module_mm, because there are no teeth without a module");

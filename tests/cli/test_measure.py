@@ -49,6 +49,9 @@ class Measuring(Asked):
         self.assertAlmostEqual(asked["over_balls"]["dimension_mm"], 44.92929001744306, 11)
         self.assertAlmostEqual(asked["over_pins"]["three_mm"], 46.55188732875178, 11)
         self.assertEqual(asked["tooth_thickness"]["diameter_mm"], 41)
+        # Balls have the diameter of the given pins, unless such balls do not touch the flanks.
+        pins = self.measure(with_tools("pin_diameter_mm = 3.5"))
+        self.assertEqual(pins["over_balls"], asked["over_balls"])
         self.assertIn("Span measurement", Run("measure", GEAR).out)
 
     def test_what_cannot_be_measured_is_named(self):

@@ -1,10 +1,11 @@
-// The counts of a complete search, and every design that it found.
+// The counts of a complete search, every design that it found, and a load for its designs.
 #pragma once
 
 #include <tuple>
 #include <vector>
 
 #include "gearwright/design/search.hpp"
+#include "gearwright/rating/testing/sample_pairs.hpp"
 
 namespace gearwright::testing::search {
 
@@ -16,6 +17,28 @@ inline Found whole(const Search& search) {
   Found f;
   f.counts = search.range(0, *search.space().size(), f.rows);
   return f;
+}
+
+/// The designs at one point of each region.
+inline std::vector<DesignRow> points_of(const SearchProblem& problem) {
+  const Search search(problem);
+  std::vector<DesignRow> rows;
+  search.range(0, *search.space().size(), rows, {.detail = RegionDetail::point});
+  return rows;
+}
+
+/// A load of case-hardened gears, with the torque in N m on gear 1.
+inline SearchRating load(double torque) {
+  SearchRating rating;
+  rating.input.torque = torque;
+  rating.input.speed = 1480;
+  rating.input.life_h = 20000;
+  rating.input.viscosity = 220;
+  rating.input.quality = {6, 7};
+  rating.input.flank_roughness = {4, 5};
+  rating.input.face_load_factor = 1.2;
+  rating.input.materials = {case_hardened(), case_hardened()};
+  return rating;
 }
 
 /// Module in mm, z1, z2.
