@@ -10,6 +10,7 @@
 #   math/minimise          the verb compensate returns an error        NLopt
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway
+#   contact/touch_lanes_simd  plain doubles                            Highway
 #   job/search_campaign    a search writes no folder                   zstd and SQLite
 #   job/study_campaign     a study of designs writes no folder
 #   apps/common/watch      no progress line                            threads and signals
