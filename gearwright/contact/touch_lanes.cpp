@@ -78,10 +78,16 @@ std::optional<LaneSearch> LaneSearch::of(const Transmission& transmission) {
   search.turn2_ = pair.ratio();
   const Mat3& m = pair.mount().rotation;
   const Vec3& shift = pair.mount().shift;
+  std::vector<std::optional<FlankAngle>> angles;
+  for (const FlankPatch& two : pair.patches(2))
+    angles.push_back(angle_of(two, 0.5 * (two.s_lo + two.s_hi)));
   for (const FlankPatch& one : pair.patches(1)) {
-    for (const FlankPatch& two : pair.patches(2)) {
-      const double s_mid = 0.5 * (one.s_lo + one.s_hi), xi_mid = 0.5 * (two.s_lo + two.s_hi);
-      const auto a = angle_of(one, s_mid), b = angle_of(two, xi_mid);
+    const double s_mid = 0.5 * (one.s_lo + one.s_hi);
+    const auto a = angle_of(one, s_mid);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const FlankPatch& two = pair.patches(2)[i];
+      const double xi_mid = 0.5 * (two.s_lo + two.s_hi);
+      const auto& b = angles[i];
       if (!a || !b) return std::nullopt;
       const double r1 = one.profile.involute()->base_radius();
       const double r2 = two.profile.involute()->base_radius();
