@@ -70,11 +70,12 @@ struct LaneTrack::Candidate {
     stays = stayed;
   }
   // The next place. If T is a straight line on both sides of a kink, its tangents at the ends meet there.
-  double within(double step, int round) const {
+  double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
-    if (other || round % 2 == 1) return lo.t + width * lo.value / (lo.value - hi.value);
-    return lo.t + ((b.te - a.te) / step - b.slope * width) / (a.slope - b.slope);
+    if (other) return lo.t + width * lo.value / (lo.value - hi.value);
+    const double part = ((b.te - a.te) / step - b.slope * width) / ((a.slope - b.slope) * width);
+    return lo.t + width * (part > 0.0 && part < 1.0 ? part : 0.5);
   }
 };
 
@@ -176,7 +177,7 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       c.before = here;
       c.narrow(low, here);
       c.t += rest;
-      if (!(c.t > c.lo.t && c.t < c.hi.t) || round > kNewton) c.t = c.within(step_, round);
+      if (!(c.t > c.lo.t && c.t < c.hi.t) || round > kNewton) c.t = c.within(step_);
       if (!c.done) continue;
       // The rest of the way changes T by less than 1e-12 rad, which is added.
       const double way = c.other ? rest : close ? 0.5 * rest : 0.0;
