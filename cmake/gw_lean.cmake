@@ -10,6 +10,7 @@
 #   math/minimise          the verb compensate returns an error        NLopt
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway
+#   contact/touch_lanes_simd  plain doubles                            Highway
 #   job/campaign           a search or a study writes no folder        zstd and SQLite
 #   apps/common/watch      no progress line                            threads and signals
 #

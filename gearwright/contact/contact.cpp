@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/contact/lane_track.hpp"
 #include "gearwright/pair/mounted_gears.hpp"
 
 namespace gearwright {
@@ -57,20 +58,20 @@ bool jams(Angle least_play, const Gear& moved) {
   return least_play.rad() * radius * std::cos(moved.spec.helix_angle.rad()) <= -kNoBacklash;
 }
 
-std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n) {
-  const ContactPair& pair = transmission.pair();
-  if (!pair.gear2_drives()) return transmission.over_a_pitch(first, n);
+std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
+                                 std::optional<detail::LaneTrack>* track) {
   // If gear 2 drives, a rotation in N has the opposite sign of the rotation in the housing, so the
   // positions in N are in reverse order.
-  const double step = pair.pitch() / n;
-  auto touches = transmission.over_a_pitch(-first - (n - 1) * step, n);
-  std::reverse(touches.begin(), touches.end());
+  const ContactPair& pair = transmission.pair();
+  const double from = pair.gear2_drives() ? -first - (n - 1) * (pair.pitch() / n) : first;
+  if (track) *track = detail::LaneTrack::of(transmission, from, n);
+  auto touches = track && *track ? (*track)->touches() : transmission.over_a_pitch(from, n);
+  if (pair.gear2_drives()) std::reverse(touches.begin(), touches.end());
   return touches;
 }
 
-std::vector<Angle> harmonics(const std::vector<double>& te) {
+std::vector<Angle> harmonics(const std::vector<double>& te, int most) {
   GW_EXPECTS(!te.empty());
-  constexpr int kMax = 20;
   const auto n = static_cast<int>(te.size());
   std::vector<Complex> roots;
   for (int i = 0; i < n; ++i) {
@@ -79,7 +80,7 @@ std::vector<Angle> harmonics(const std::vector<double>& te) {
   }
   std::vector<Angle> amplitude;
   const double mean = te[0];  // subtracting any constant reduces rounding errors
-  for (int h = 1; h <= std::min(kMax, (n - 1) / 2); ++h) {
+  for (int h = 1; h <= std::min(most, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
       const auto turn = static_cast<std::size_t>((static_cast<long long>(h) * i) % n);

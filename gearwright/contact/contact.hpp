@@ -12,6 +12,10 @@
 
 namespace gearwright {
 
+namespace detail {
+class LaneTrack;  // contact/lane_track.hpp
+}
+
 struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< length of the analysed range, ≥ 1
@@ -55,15 +59,17 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
-/// is `first` + i pitch/n.
-std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n);
+/// is `first` + i pitch/n. If `track` is not null, the positions are searched in lanes where this is
+/// possible, and `track` is set.
+std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
+                                 std::optional<detail::LaneTrack>* track = nullptr);
 
-/// Amplitudes of the orders 1, 2, … (at most 20) of the mesh frequency, for values of TE at equal
+/// Amplitudes of the orders 1, 2, … (at most `most`) of the mesh frequency, for values of TE at equal
 /// steps over one pitch.
 ///
 /// Formula   [T8.18]
 /// Domain    at least one value (contract)
-std::vector<Angle> harmonics(const std::vector<double>& te);
+std::vector<Angle> harmonics(const std::vector<double>& te, int most = 20);
 
 /// TE at equally spaced positions over one pitch, from −1/2 pitch on, rad; NaN where contact is
 /// lost. Maps and optimisers use this function.

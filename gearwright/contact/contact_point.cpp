@@ -138,8 +138,9 @@ class LineWalk {
 // edge touches along its whole length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
-  return weight * GapField::arm(transmission.jet_at(touch, touch.touch.s, touch.touch.z)) >
-         kLineGap;
+  const Touch& t = touch.touch;
+  const double arm = t.arm > 0.0 ? t.arm : GapField::arm(transmission.jet_at(touch, t.s, t.z));
+  return weight * arm > kLineGap;
 }
 
 // Computes the principal curvatures of the gap and the contact ellipse. [T8.15], [T8.16]

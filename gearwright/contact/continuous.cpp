@@ -49,7 +49,7 @@ class Branches {
   // of this branch, which may be nearer to the result.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
-    return transmission_.follow(start.found() ? start : touch, touch.phi + steps * step_);
+    return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
   }
 
   // True if the branch that leads at i also leads at i + 1.
@@ -57,7 +57,8 @@ class Branches {
   // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of
   // a tooth pair is a branch.
   bool same(const PairTouch& a, const PairTouch& b, double width) const {
-    const bool pair = a.found() && b.found() && a.fields == b.fields &&
+    const bool patches = a.fields == b.fields || transmission_.crosses_patches();
+    const bool pair = a.found() && b.found() && patches &&
                       std::abs(b.phi - a.phi - width * step_) < 0.5 * std::abs(width * step_);
     if (!pair || !transmission_.wavy()) return pair;
     const FlankPatch& one = transmission_.field(a.fields).one();
@@ -74,7 +75,7 @@ class Branches {
     double hi = 1.0;
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = 0.5 * (lo + hi);
-      const PairTouch next = transmission_.follow(last, touch.phi + way * middle * step_);
+      const PairTouch next = transmission_.follow_pair(last, touch.phi + way * middle * step_);
       (next.found() ? lo : hi) = middle;
       if (next.found()) last = next;
     }

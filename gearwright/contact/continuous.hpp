@@ -2,8 +2,8 @@
 // some positions.
 //
 //   T, N       gap field of two flanks (gap_field.hpp) and frame N (contact_pair.hpp)
-//   T_a, T_b   two branches; a branch is the greatest T of one tooth pair on one pair of patches,
-//              as a function of the rotation
+//   T_a, T_b   two branches; a branch is the greatest T of one tooth pair as a function of the
+//              rotation, on convex flanks over all patches, on others on one pair of patches
 //   TE         the greatest of the branches; this branch leads
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //

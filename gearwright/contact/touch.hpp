@@ -28,6 +28,8 @@ struct Touch {
   std::array<double, 2> multiplier{};  ///< multipliers of the active bounds, rad per scaled bound
   bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
   int evaluations = 0;
+  /// GapField::arm(), mm, and dT/dφ1, rad/rad; both 0 unless the touch was found in lanes.
+  double arm = 0.0, slope = 0.0;
 
   bool found() const { return stop == Stop::converged; }
 };

@@ -190,6 +190,18 @@ PairTouch Transmission::follow(const PairTouch& from, double phi) {
   return {t, t.found() ? from.fields : -1, phi, from.pair};
 }
 
+PairTouch Transmission::follow_pair(const PairTouch& from, double phi) {
+  PairTouch t = follow(from, phi);
+  if (!crosses_patches()) return t;
+  PairTouch start = from;
+  start.touch.active = {};
+  for (int f = 0; f < static_cast<int>(fields_.size()) && !t.found(); ++f) {
+    start.fields = f;
+    t = follow(start, phi);
+  }
+  return t.found() ? climb(t, phi) : t;
+}
+
 std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   std::vector<PairTouch> all;
   for (std::size_t f = 0; f < fields_.size(); ++f) {

@@ -23,8 +23,9 @@
 namespace gearwright {
 
 namespace detail {
+class LaneTrack;   // contact/lane_track.hpp
 class WaveCrests;  // contact/wave_crests.hpp
-}
+}  // namespace detail
 
 /// A touch of tooth pair k, and the rotation at which pair 0 has this touch.
 struct PairTouch {
@@ -62,6 +63,11 @@ class Transmission {
   /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
   /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
+  /// As follow(). On convex flanks of several patches, the touch moves on to the patch with the greatest
+  /// T of this tooth pair.
+  PairTouch follow_pair(const PairTouch& from, double phi);
+  /// True if follow_pair() crosses the borders of patches.
+  bool crosses_patches() const { return convex_ && fields_.size() > 1; }
   /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are
   /// included, although T may rise beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
@@ -79,6 +85,7 @@ class Transmission {
   long too_long() const { return too_long_; }  ///< searches that did not converge
 
  private:
+  friend class detail::LaneTrack;
   class Track;
   PairTouch climb(const PairTouch& from, double phi);
   PairTouch first_touch(double phi);

@@ -12,6 +12,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
+#include "gearwright/contact/lane_track.hpp"
 #include "gearwright/scatter/long_period.hpp"
 #include "gearwright/scatter/member_clearances.hpp"
 
@@ -21,6 +22,11 @@ namespace {
 
 constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
                                                    // of 0
+
+// The pair as drawn has exactly the numbers of the verb contact, so it is not searched in lanes.
+bool deviates(const ContactSetup& drawn, const Deviation& deviation) {
+  return deviation.modified || !(deviation.errors == drawn.place().errors);
+}
 
 double without_rounding(double span) { return span < kNoAngle ? 0.0 : span; }
 
@@ -51,8 +57,10 @@ namespace {
 // Halves that are equal are computed once.
 class FlankTouches {
  public:
+  // `lanes` permits the search in lanes, whose touches differ in rounding from those of the verb
+  // contact.
   FlankTouches(const ContactSetup& setup, const ContactErrors& errors, const MemberRequest& request,
-               bool gear2_drives) {
+               bool gear2_drives, bool lanes) {
     if (request.stagger) {
       const HalvesPair both = HalvesSetup(setup, *request.stagger).pair(errors, gear2_drives);
       mesh_ = both.mesh;
@@ -63,7 +71,8 @@ class FlankTouches {
     double first = -0.5 * pairs_[0]->pitch();
     for (const auto& pair : pairs_) {
       transmissions_.emplace_back(*pair);
-      touches_.push_back(one_pitch(transmissions_.back(), first, request.positions));
+      touches_.push_back(one_pitch(transmissions_.back(), first, request.positions,
+                                   lanes && pairs_.size() == 1 ? &track_ : nullptr));
       if (pairs_.size() > 1) first += mesh_.behind().rad();
     }
   }
@@ -93,7 +102,8 @@ class FlankTouches {
     for (std::size_t i = 0; i < touches_[0].size(); ++i)
       if (std::isnan(te(i))) return kNoNumber;
     if (touches_.size() == 1) {
-      extremes_ = continuous_extremes(transmissions_[0], touches_[0]);
+      if (track_) extremes_ = track_->extremes();
+      if (!extremes_) extremes_ = continuous_extremes(transmissions_[0], touches_[0]);
       return without_rounding(extremes_->span());
     }
     const auto positions = static_cast<int>(touches_[0].size());
@@ -112,6 +122,7 @@ class FlankTouches {
   std::vector<std::shared_ptr<const ContactPair>> pairs_;
   std::deque<Transmission> transmissions_;
   std::vector<std::vector<PairTouch>> touches_;
+  std::optional<detail::LaneTrack> track_;
   std::optional<CurveExtremes> extremes_;
 };
 
@@ -125,8 +136,9 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   m.value.fill(kNoNumber);
   const auto set = [&](Q q, double value) { m.value[static_cast<std::size_t>(q)] = value; };
   const MemberSetup setup(drawn, deviation);
-  FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives);
-  const FlankTouches behind(*setup, deviation.errors, request, !request.gear2_drives);
+  const bool lanes = deviates(drawn, deviation);
+  FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives, lanes);
+  const FlankTouches behind(*setup, deviation.errors, request, !request.gear2_drives, lanes);
   const double taken = play_taken(drawn, deviation.thickness);
   // A change of the tooth thickness is divided equally between the two flanks of the tooth.
   std::vector<double> te;
@@ -156,10 +168,9 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   set(Q::peak_to_peak, span);
   if (deviation.uneven_pitch()) set(Q::long_period, driving.long_period(*setup, deviation));
   set(Q::mean, sum / static_cast<double>(te.size()));
-  const auto waves = harmonics(te);
   constexpr std::array<Q, 3> kHarmonics{Q::harmonic1, Q::harmonic2, Q::harmonic3};
-  for (std::size_t h = 0; h < std::min(waves.size(), kHarmonics.size()); ++h)
-    set(kHarmonics[h], waves[h].rad());
+  const auto waves = harmonics(te, static_cast<int>(kHarmonics.size()));
+  for (std::size_t h = 0; h < waves.size(); ++h) set(kHarmonics[h], waves[h].rad());
   return m;
 }
 
@@ -168,7 +179,8 @@ MemberSpan continuous_peak_to_peak(const ContactSetup& drawn, const Deviation& d
                                    std::span<const Influence> influences) {
   GW_EXPECTS(influences.empty() || !request.stagger);
   const MemberSetup setup(drawn, deviation);
-  FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives);
+  FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives,
+                       deviates(drawn, deviation));
   MemberSpan span{driving.span(), {}};
   for (const Influence& by : influences)
     span.slope.push_back(span.value > 0.0 ? driving.slope(by) : 0.0);

@@ -1,0 +1,198 @@
+// Extremes of the transmission error between the positions of a track. T and its slope are known at
+// every position, so that a cubic through two positions predicts where T is extreme or where two tooth
+// pairs hand over. All predicted places of a pitch are searched in the same lanes.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gearwright/base/numbers.hpp"
+#include "gearwright/contact/lane_track.hpp"
+
+namespace gearwright::detail {
+
+namespace {
+
+constexpr double kFlat = 1e-12;     // rad, change of T up to an extreme, which is estimated
+constexpr double kLastStep = 1e-6;  // steps to a handover; the change of T is added
+constexpr double kClose = 1e-7;     // rad, margin for tooth pairs that may lead at a handover
+constexpr int kMostRounds = 30;     // two are usual
+constexpr int kNewton = 5;          // rounds with Newton steps
+
+// T between two positions, from its values and slopes at both; t is in steps from the first.
+struct Cubic {
+  double v, s, a, b;
+  double at(double t) const { return v + t * (s + t * (a + t * b)); }
+  double slope(double t) const { return s + t * (2 * a + 3 * t * b); }
+  double bend(double t) const { return 2 * a + 6 * t * b; }
+};
+
+// The root of f between 0 and 1, where its values have opposite signs.
+template <class F>
+double root_of(const F& f) {
+  double lo = 0.0, hi = 1.0;
+  double at_lo = f(0.0), at_hi = f(1.0);
+  double t = 0.0;
+  for (int k = 0; k < 8; ++k) {
+    t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+    const double here = f(t);
+    const bool low = (here > 0.0) == (at_lo > 0.0);
+    (low ? lo : hi) = t;
+    (low ? at_lo : at_hi) = here;
+    (low ? at_hi : at_lo) *= 0.5;
+  }
+  return t;
+}
+
+}  // namespace
+
+// A place between two positions: a handover from the tooth pair at m to the one at `other`, or an
+// extreme of the tooth pair at m.
+struct LaneTrack::Candidate {
+  int m;
+  std::optional<int> other;
+  bool up;
+  double t;  // steps from m
+  // The ends of the interval that contains the place, with T of the first pair minus T of the other, or
+  // the slope of T.
+  struct End {
+    double t, value;
+    std::array<PairTouch, 2> touch;
+  } lo, hi;
+  std::optional<End> before{};  // the last touch
+  int stays = 0;
+  bool done = false;
+
+  // If an end is kept twice, its value is halved (Illinois method).
+  void narrow(bool low, const End& here) {
+    (low ? lo : hi) = here;
+    const int stayed = low ? 1 : -1;
+    if (stays == stayed) (low ? hi : lo).value *= 0.5;
+    stays = stayed;
+  }
+  // The next place. If T is a straight line on both sides of a kink, its tangents at the ends meet there.
+  double within(double step) const {
+    const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
+    const double width = hi.t - lo.t;
+    if (other) return lo.t + width * lo.value / (lo.value - hi.value);
+    const double part = ((b.te - a.te) / step - b.slope * width) / ((a.slope - b.slope) * width);
+    return lo.t + width * (part > 0.0 && part < 1.0 ? part : 0.5);
+  }
+};
+
+// The position m of the touch that leads at position i, 0 ≤ i ≤ n.
+int LaneTrack::leader(int i) const {
+  const int own = i % n_;
+  return own - (best_[static_cast<std::size_t>(own)].pair - whole_) * n_;
+}
+
+std::optional<CurveExtremes> LaneTrack::extremes() const {
+  CurveExtremes e{kInfinity, -kInfinity, {}, {}};
+  for (const PairTouch& t : best_) {
+    if (!t.found()) return std::nullopt;
+    if (t.te() > e.greatest) e.greatest = (e.top = t).te();
+    if (t.te() < e.least) e.least = (e.bottom = {t, PairTouch()})[0].te();
+  }
+  const auto cubic = [&](int m) {
+    const PairTouch &a = *at(m), &b = *at(m + 1);
+    const double v0 = a.te(), v1 = b.te(), s0 = a.touch.slope * step_, s1 = b.touch.slope * step_;
+    return Cubic{v0, s0, 3 * (v1 - v0) - 2 * s0 - s1, 2 * (v0 - v1) + s0 + s1};
+  };
+  std::vector<Candidate> all;
+  for (int i = 0; i < n_; ++i) {
+    const int m = leader(i), other = leader(i + 1) - 1;
+    for (const int k : {m, m + 1, other, other + 1})
+      if (!at(k) || at(k)->touch.arm == 0.0) return std::nullopt;
+    if (other == m) continue;
+    const Cubic a = cubic(m), b = cubic(other);
+    if (!(a.at(0) > b.at(0) && a.at(1) < b.at(1))) return std::nullopt;
+    const double t = root_of([&](double x) { return a.at(x) - b.at(x); });
+    for (int k = lo_ + ((m - lo_) % n_ + n_) % n_; k < lo_ + static_cast<int>(track_.size());
+         k += n_)
+      if (k != m && k != other && at(k) && at(k + 1) && cubic(k).at(t) > a.at(t) - kClose)
+        return std::nullopt;
+    all.push_back({m,
+                   other,
+                   false,
+                   t,
+                   {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
+                   {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
+  }
+  // No branch exceeds TE, so every maximum of a branch counts. A minimum counts only if the branch leads
+  // on both sides. Tangents at both positions limit the value of an extreme.
+  for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
+    if (!at(m) || !at(m + 1)) continue;
+    const Cubic c = cubic(m);
+    const double end = c.slope(1);
+    if ((c.s > 0.0) == (end > 0.0)) continue;
+    const bool up = c.s > 0.0;
+    const double crossing = (c.at(1) - c.v - end) / (c.s - end);
+    const double limit = c.v + c.s * crossing;
+    const int i = ((m % n_) + n_) % n_;
+    const bool leads = leader(i) == m && leader(i + 1) == m + 1;
+    if (up ? limit <= e.greatest : !leads || limit >= e.least) continue;
+    all.push_back({m,
+                   std::nullopt,
+                   up,
+                   root_of([&](double x) { return c.slope(x); }),
+                   {0.0, c.s, {*at(m), {}}},
+                   {1.0, end, {*at(m + 1), {}}}});
+  }
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<PairTouch> touches;
+    for (const Candidate& c : all) {
+      if (c.done) continue;
+      const double part = (c.t - c.lo.t) / (c.hi.t - c.lo.t);
+      for (const std::size_t k : {0, 1}) {
+        if (k == 1 && !c.other) continue;
+        const double phi = own(k == 0 ? c.m : *c.other) + c.t * step_;
+        touches.push_back(start_between(c.lo.touch[k], c.hi.touch[k], part, phi));
+      }
+    }
+    if (touches.empty()) return e;
+    search_.solve(touches);
+    cross_seams(touches);
+    auto next = touches.begin();
+    for (Candidate& c : all) {
+      if (c.done) continue;
+      Candidate::End here{c.t, 0.0, {}};
+      for (const std::size_t k : {0, 1}) {
+        if (k == 1 && !c.other) continue;
+        here.touch[k] = *next++;
+        if (!here.touch[k].found()) return std::nullopt;
+      }
+      const auto& [a, b] = here.touch;
+      here.value = c.other ? a.te() - b.te() : a.touch.slope * step_;
+      // The derivative of the value. The second derivative of T jumps where the bounds of the touch
+      // change, so two touches with the same bounds are better than the cubic.
+      const bool alike = c.before && c.before->touch[0].fields == a.fields &&
+                         c.before->touch[0].touch.active == a.touch.active;
+      const double bend = c.other ? (a.touch.slope - b.touch.slope) * step_
+                          : alike ? (here.value - c.before->value) / (c.t - c.before->t)
+                                  : cubic(c.m).bend(c.t);
+      const double rest = -here.value / bend;
+      const bool low = (here.value > 0.0) == (c.lo.value > 0.0);
+      const double far = std::abs(here.value * ((low ? c.hi : c.lo).t - c.t));
+      const bool close = alike && std::abs(here.value * rest) < kFlat;
+      c.done = c.other ? std::abs(rest) < kLastStep : far < kFlat || close;
+      c.before = here;
+      c.narrow(low, here);
+      c.t += rest;
+      if (!(c.t > c.lo.t && c.t < c.hi.t) || round > kNewton) c.t = c.within(step_);
+      if (!c.done) continue;
+      // The rest of the way changes T by less than 1e-12 rad, which is added.
+      const double way = c.other ? rest : close ? 0.5 * rest : 0.0;
+      const double te = a.te() + a.touch.slope * step_ * way;
+      if (c.up && te > e.greatest) {
+        e.greatest = te;
+        e.top = a;
+      }
+      if (!c.up && te < e.least) {
+        e.least = te;
+        e.bottom = {a, c.other ? b : PairTouch()};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright::detail

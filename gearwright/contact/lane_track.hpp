@@ -1,0 +1,56 @@
+// The transmission error over a pitch, with the positions searched in lanes (touch_lanes.hpp).
+//
+//   m    position of tooth pair 0, at the rotation first + m·pitch/n; position m of pair 0 is position
+//        m mod n of another pair
+//                                    theory: docs/theory/14-scatter.md, section 14.4
+//
+// Every eighth of a pitch is searched first, from the middle of the line of contact. The other
+// positions start from the polynomial through these touches. The slope of T is exact at every touch, so
+// that the extremes between the positions are found in two or three steps.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearwright/contact/continuous.hpp"
+#include "gearwright/contact/touch_lanes.hpp"
+
+namespace gearwright::detail {
+
+class LaneTrack {
+ public:
+  /// None if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may have several
+  /// maxima on a flank.
+  static std::optional<LaneTrack> of(Transmission& transmission, double first, int n);
+
+  /// The touches of Transmission::over_a_pitch().
+  const std::vector<PairTouch>& touches() const { return best_; }
+  /// The extremes of continuous_extremes(). None if a branch begins or ends where it leads, or if a
+  /// search does not converge.
+  std::optional<CurveExtremes> extremes() const;
+  /// Positions that were searched alone, for tests and benchmarks.
+  int alone() const { return alone_; }
+
+ private:
+  struct Path;
+  LaneTrack(Transmission& transmission, const LaneSearch& search, double first, int n);
+  double own(int m) const { return first_ + m * step_; }
+  const PairTouch* at(int m) const;
+  int leader(int i) const;
+  struct Candidate;
+  PairTouch start_between(const PairTouch& a, const PairTouch& b, double part, double phi) const;
+  void search_window(const Path& path);
+  void cross_seams(std::vector<PairTouch>& touches) const;
+  void extend(int direction);
+  void offer(int m, const PairTouch& t);
+
+  Transmission* transmission_;
+  LaneSearch search_;
+  double first_, step_;
+  int n_, lo_ = 0, whole_ = 0;
+  std::vector<PairTouch> track_;  // of tooth pair 0, from position lo_ on
+  std::vector<PairTouch> best_;
+  int alone_ = 0;
+};
+
+}  // namespace gearwright::detail
