@@ -56,13 +56,13 @@ Biarc join(const End& a, const End& b) {
 
 // The circle of the arc (from, bulge, to), described by one of its points, the normal at this point
 // and the curvature.
-struct Touch {
+struct ArcCircle {
   Vec2 from;
   Vec2 normal;
   double kappa;
 };
 
-Touch touch(const Vec2& from, const Vec2& to, double bulge) {
+ArcCircle circle_of(const Vec2& from, const Vec2& to, double bulge) {
   const Vec2 chord = to - from;
   const double length = chord.norm();
   const double scale = 1.0 / (1.0 + bulge * bulge);
@@ -86,14 +86,15 @@ class Fitter {
   // the curve beyond the normal at the joint are compared with the second arc.
   double deviation(const Biarc& biarc, const End& a, const End& b, double u0, double u1,
                    int looks) const {
-    const Touch first = touch(a.point, biarc.joint, biarc.bulges[0]);
-    const Touch second = biarc.arcs == 2 ? touch(biarc.joint, b.point, biarc.bulges[1]) : first;
+    const ArcCircle first = circle_of(a.point, biarc.joint, biarc.bulges[0]);
+    const ArcCircle second =
+        biarc.arcs == 2 ? circle_of(biarc.joint, b.point, biarc.bulges[1]) : first;
     const Vec2 forward(second.normal.y(), -second.normal.x());
     double worst = 0.0;
     for (int i = 0; i < looks; ++i) {
       const Vec2 p = arc_.point(u0 + (u1 - u0) * ((i + 0.5) / looks));
       const bool behind = biarc.arcs == 2 && (p - biarc.joint).dot(forward) > 0.0;
-      const Touch& t = behind ? second : first;
+      const ArcCircle& t = behind ? second : first;
       worst = std::max(worst, circle_distance(p - t.from, t.normal, t.kappa));
     }
     return worst;

@@ -25,7 +25,7 @@ struct LaneTrack::Path {
     const FlankPatch& one = ones.front();
     const double r1 = one.profile.involute()->base_radius();
     const double r2 = twos.front().profile.involute()->base_radius();
-    const double sign = pair.internal() ? -1.0 : 1.0;
+    const double sign = pair.mirror();
     const double a = pair.place().center_distance + pair.place().errors.center_distance;
     const double square = a * a - (r2 + sign * r1) * (r2 + sign * r1);
     if (!(square > 0.0)) return;

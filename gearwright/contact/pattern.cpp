@@ -66,7 +66,7 @@ struct Seen {
 
 // Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
 // the next patch.
-constexpr int kMaxSteps = 8;
+constexpr int kMaxPlaceSteps = 8;
 constexpr double kNear = 1e-4;  // relative to a patch; the series is accurate for shorter steps
 
 class Rasterer {
@@ -241,7 +241,7 @@ class Rasterer {
     if (one < 0) return {};
     const FlankPatch* patch = &pair_.patches(1)[static_cast<std::size_t>(one)];
     double s = patch->profile.s_of(u1);
-    for (int step = 0; step < kMaxSteps; ++step) {
+    for (int step = 0; step < kMaxPlaceSteps; ++step) {
       const GapJet j = jet(one, two, s, z);
       const double det = j.u.s * j.Z.z - j.u.z * j.Z.s;
       if (det == 0.0) return {};
