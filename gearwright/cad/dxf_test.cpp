@@ -19,11 +19,11 @@
 namespace gearwright {
 namespace {
 
-using Pair = std::pair<int, std::string>;
+using DxfGroup = std::pair<int, std::string>;
 
-std::vector<Pair> pairs_of(const std::string& text) {
+std::vector<DxfGroup> pairs_of(const std::string& text) {
   std::istringstream in(text);
-  std::vector<Pair> pairs;
+  std::vector<DxfGroup> pairs;
   for (std::string code, value; std::getline(in, code) && std::getline(in, value);) {
     pairs.emplace_back(std::stoi(code), value);
   }
@@ -33,18 +33,18 @@ std::vector<Pair> pairs_of(const std::string& text) {
 struct Entity {
   std::string type;
   std::string layer;
-  std::vector<Pair> pairs;
+  std::vector<DxfGroup> pairs;
 
   std::vector<double> reals(int code) const {
     std::vector<double> result;
-    for (const Pair& p : pairs) {
+    for (const DxfGroup& p : pairs) {
       if (p.first == code) result.push_back(std::stod(p.second));
     }
     return result;
   }
   std::vector<std::string> words(int code) const {
     std::vector<std::string> result;
-    for (const Pair& p : pairs) {
+    for (const DxfGroup& p : pairs) {
       if (p.first == code) result.push_back(p.second);
     }
     return result;
@@ -55,11 +55,11 @@ struct Entity {
 std::vector<Entity> entities_of(const std::string& text) {
   std::vector<Entity> entities;
   bool inside = false;
-  const std::vector<Pair> pairs = pairs_of(text);
-  for (const Pair& p : pairs) {
-    if (p == Pair{2, "ENTITIES"})
+  const std::vector<DxfGroup> pairs = pairs_of(text);
+  for (const DxfGroup& p : pairs) {
+    if (p == DxfGroup{2, "ENTITIES"})
       inside = true;
-    else if (inside && p == Pair{0, "ENDSEC"})
+    else if (inside && p == DxfGroup{0, "ENDSEC"})
       break;
     else if (inside && p.first == 0)
       entities.push_back({p.second, "", {}});
@@ -275,7 +275,7 @@ TEST(Dxf, BoreAndKeyway) {
 
 TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
   for (const auto style : {ContourOptions::Style::biarcs, ContourOptions::Style::splines}) {
-    const std::vector<Pair> pairs =
+    const std::vector<DxfGroup> pairs =
         pairs_of(dxf_drawing_of(dxf_bodies()[0], {.style = style}).text);
     std::set<unsigned long> handles;
     std::set<unsigned long> wanted;
@@ -295,7 +295,7 @@ TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
     EXPECT_GT(seed, *handles.rbegin());
     wanted.erase(0);
     for (const unsigned long h : wanted) EXPECT_EQ(handles.count(h), 1U) << std::hex << h;
-    EXPECT_EQ(pairs.back(), (Pair{0, "EOF"}));
+    EXPECT_EQ(pairs.back(), (DxfGroup{0, "EOF"}));
   }
 }
 
