@@ -56,8 +56,8 @@ RackPlan::RackPlan(const ToothedBody& body) {
   const double y = length_ / 2, climb = std::abs(slope_) * width_ / 2;
   corners_ = {-y - climb, std::min(-y + climb, y - climb), std::max(-y + climb, y - climb),
               y + climb};
-  // The low end of the line first runs along the end y = −l/2 of the bar if q > 0, and finally
-  // along the end y = l/2 if q < 0.
+  // As s increases, the low end of the line starts on the end y = −l/2 of the bar if q > 0, and
+  // finishes on the end y = l/2 if q < 0.
   low_corner_ = slope_ > 0.0 ? -y + climb : slope_ < 0.0 ? y - climb : first();
   high_corner_ = slope_ > 0.0 ? y - climb : slope_ < 0.0 ? -y + climb : first();
 

@@ -80,8 +80,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement from 16
-// poles on by halving spans.
+// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement of 16
+// uniform spans by halving.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;

@@ -36,8 +36,8 @@ struct SectionTolerance {
 
 /// Returns the points from the middle of the space to the centre line of the tooth. The first point
 /// lies exactly on the ray π/|z| and the last one exactly on the x axis. Neighbouring points that
-/// are closer than chord/50 are merged, which moves the boundary by less than that distance. At
-/// most `most` points are returned; the rest are omitted.
+/// are closer than chord/50 are merged, which moves the boundary by less than that distance. If
+/// more than `most` points are needed, the list ends early, but it has more than `most` points.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε; the ends lie within 1e-6 ρ of their rays (contract)

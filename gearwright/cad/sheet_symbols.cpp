@@ -17,7 +17,8 @@ constexpr auto kThin = SheetLayer::dimension;
 // line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
 constexpr double kTriangle = 3,
-                 kStem = kDatumHeight - kFrameHeight;  // side of the datum's triangle
+                 kStem = kDatumHeight - kFrameHeight;  // side of the datum's triangle; distance
+                                                       // from the triangle's base to the box
 const double kTan60 = std::sqrt(3.0);
 
 struct Texture {

@@ -93,8 +93,8 @@ std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<To
   return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
 }
 
-// Divides a gear of the body with this index into faces, and adds the faces of half a tooth to the
-// report.
+// Divides a gear into faces, and adds the faces of half a tooth to the report. `index` is the index
+// of the body to which the gear belongs.
 Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
                            std::vector<StepFace>& faces) {
   auto walls = make_walls(gear);
