@@ -34,11 +34,12 @@ struct Campaign {
   std::int64_t chunks = 0;
 };
 
-/// The numbers of the candidates of a chunk, by result.
+/// The numbers of candidates in a chunk that were tested, are feasible, and were rejected.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;
-  std::vector<std::int64_t> rejected;  ///< by constraint, in the order of the store's names
+  std::vector<std::int64_t> rejected;  ///< per constraint, in the order of `rejected_names` in
+                                       ///< ChunkStore::open()
 
   friend bool operator==(const ChunkCounts&, const ChunkCounts&) = default;
 };
@@ -46,7 +47,7 @@ struct ChunkCounts {
 enum class OpenAs {
   fresh,   ///< starts a campaign; rejected if one exists with finished chunks
   resume,  ///< continues an existing campaign
-  join     ///< either of the two, for shards and ranks that start at the same moment
+  join     ///< starts or continues a campaign, for shards and ranks that start at the same moment
 };
 
 /// Every member may be called from several threads at once. A store does not survive fork().

@@ -23,7 +23,7 @@ void append_bytes(std::string& bytes, Number value) {
 
 struct ColumnChunk {
   ParquetColumn column;
-  std::string values = {};   ///< the values that are not null, PLAIN
+  std::string values = {};   ///< the values that are not null, in the encoding PLAIN
   std::string defined = {};  ///< one bit per row of an optional column, 1 for a value, 0 for null
   std::size_t count = 0;     ///< number of values that are not null
   bool is_set = false;       ///< true if the value was set in the current row
