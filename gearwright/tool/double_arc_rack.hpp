@@ -9,7 +9,7 @@
 //   e_f          width of the space at the contact point of the concave arc
 //   h_ja, h_jf   height of the upper end of the step, depth of its lower end
 //
-// All lengths are in normal modules.                     theory: docs/theory/07-circular-arc.md, 7.3
+// All lengths are in normal modules.               theory: docs/theory/07-circular-arc.md, 7.3
 //
 // Some of the numbers in the table of the standard follow from the others, because the arcs are
 // tangent. These numbers are computed here, and the tests compare them with the table.
