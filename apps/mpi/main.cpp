@@ -80,8 +80,8 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must still exist in the catch block, because freeing its window waits for all ranks.
-  // After an error, the other ranks may be waiting for this rank.
+  // The queue must not be destroyed before the catch block, because freeing its window waits for
+  // all ranks, and after an error the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;

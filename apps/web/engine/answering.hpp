@@ -15,8 +15,8 @@ SpecText spec_text(std::string text);
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The feature that does not accept a spec in inch, as named in the error. The page has its own
-/// switch between mm and inch.
+/// The name of the page in the error that rejects a spec in inch. The page has its own switch
+/// between mm and inch.
 inline constexpr std::string_view kInPage =
     "an interactive session, such as the page, whose own switch shows lengths in inch";
 
