@@ -11,7 +11,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
-// Greatest angle, rad, between the tangents at the joint of two arcs that are merged into one.
+// If the angles between the chord and the two end tangents differ by less than this, rad, one arc
+// replaces the biarc.
 constexpr double kOneCircle = 1e-9;
 // Length of the shortest biarc as a fraction of the arc, and error of a biarc's length as a
 // fraction of this length. Lengths are differences of the arc's parameter.

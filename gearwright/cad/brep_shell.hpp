@@ -27,8 +27,8 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  ///< from the start to the end of the edge; empty for circles, and for lines in a
-              ///< level
+  Ids poles;  ///< from the start to the end of the edge; empty for circles and for lines that lie
+              ///< in one level
 };
 
 using Corners = std::vector<Corner>;

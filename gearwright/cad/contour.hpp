@@ -44,7 +44,7 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the outline at the examined points, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Set only for a rack. Tooth k of a rack is tooth 0 shifted along y by `rack->middle_of(k,
+  /// Set only for a rack. Tooth k of a rack is the outline shifted along y by `rack->middle_of(k,
   /// teeth)`.
   std::optional<RackBlock> rack{};
 };

@@ -168,7 +168,8 @@ class Workpieces {
     return away.norm() - tip;
   }
 
-  // True if the copies of a planet are clocked, so that their gears have different relative angles.
+  // True if the copies of a planet are clocked. The angle between the gears of one copy then
+  // differs from the angle between the gears of another copy.
   bool clocked(std::size_t body) const {
     return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;

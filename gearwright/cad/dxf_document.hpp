@@ -50,7 +50,7 @@ class DxfEntities {
   void begin(const char* type, const std::string& layer, const char* subclass);
 
   std::string text_;
-  bool moved_ = false;  // if false, points are written without any change
+  bool moved_ = false;  // if false, pose_ is not applied
   Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   int handle_ = 0x100;  // smaller handles belong to the sections around the entities
   bool has_words_ = false;
@@ -60,7 +60,7 @@ struct DxfLayer {
   std::string name;
   int color;            ///< AutoCAD colour index
   int line_width = -3;  ///< hundredths of a mm; −3 selects the default of the reader
-  bool chain = false;   ///< line type CENTER, long dashes and dots
+  bool chain = false;   ///< true for the line type CENTER, which has long dashes and dots
 };
 
 /// Returns the whole file. `extent` is a box that contains everything. Text uses the style SHEET

@@ -44,8 +44,8 @@ class EarClipper {
     for (std::size_t left = points_.size(); left > 2; --left) {
       std::size_t best = best_ear();
       if (quality_[best] == kNoEar) {
-        // If three corners are collinear, cutting off an ear can also turn a corner that is not
-        // adjacent to it into an ear.
+        // If three corners are collinear, a corner that is not adjacent to the removed ear can also
+        // become an ear.
         for (std::size_t i = next_[last_], k = 0; k < left; i = next_[i], ++k) rate(i);
         best = best_ear();
         if (quality_[best] == kNoEar) return std::nullopt;

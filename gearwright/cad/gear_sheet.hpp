@@ -41,7 +41,7 @@ struct GearSheetInput {
   double reference_diameter;          ///< d    mm
   std::vector<DataGroup> data;        ///< in the order of the table
   DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;                ///< fit of the tip diameter; empty if it has none
+  std::string tip_fit;                ///< fit of the tip diameter; empty if there is none
   SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the axial section
   std::string mass;                   ///< "0.41 kg", empty if unknown
   std::string number;                 ///< number of the sheet, such as "1/2"

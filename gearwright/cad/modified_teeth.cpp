@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// Two arcs of a flank form one surface if their tangents at the joint differ by less than this,
+// Two arcs of a flank form one surface if their tangents at the joint differ by at most this angle,
 // rad.
 constexpr double kSmooth = 1e-6;
 // Starts of reliefs do not divide the arc if they are closer than this to each other or to the end

@@ -1,4 +1,4 @@
-// Places points on the section of half a tooth, using as few as a chord tolerance permits.
+// Places as few points on the section of half a tooth as the chord tolerance permits.
 //
 //   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn between adjacent levels of the
 //       grid, rad
@@ -28,8 +28,8 @@ struct SectionPoint {
 
 struct SectionTolerance {
   double chord;       ///< ε  mm
-  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment (from the
-                      ///< curvature)
+  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment, computed
+                      ///< from the curvature
   double level_turn;  ///< |Δ|  rad
   double radius;      ///< ρ  mm
 };
