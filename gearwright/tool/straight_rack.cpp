@@ -215,7 +215,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
       // If the end of the flank is given, the limit follows from the half width at this end.
-      // Otherwise the height of the end itself depends on ρ_1*, which is taken into account.
+      // Otherwise the height of the end itself depends on ρ_1*, and the limit accounts for this.
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);

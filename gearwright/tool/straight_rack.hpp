@@ -22,7 +22,7 @@ struct StraightRack {
   std::optional<double> tool_addendum{};  ///< height of the flank's end above the datum line
   std::optional<Angle>
       semi_topping_angle{};   ///< pressure angle of a ramp that replaces the bottom rounding
-  double protuberance = 0.0;  ///< pr_P*  height above the straight flank, normal to it
+  double protuberance = 0.0;  ///< pr_P*  height above the straight flank, perpendicular to it
   Angle protuberance_angle = Angle::degrees(10);  ///< α_pr   angle of the straight line of the
                                                   ///< protuberance
   bool named =
