@@ -40,7 +40,7 @@ struct Lever {
   int direction;                  ///< +1 or −1, the sign of the change of the value
   double span;                    ///< greatest permitted change
   int digits;                     ///< number of decimals of the values that are tried
-  std::optional<double> hint{};   ///< start value from a closed formula
+  std::optional<double> hint{};   ///< value from a closed formula, which is tried in addition
   std::optional<double> exact{};  ///< if set, the only value that is tried
 
   double step() const;

@@ -74,11 +74,12 @@ struct Finding {
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< one sentence each; the remedy may be empty
-  std::vector<FindingValue> values{};  ///< the first one is the value that is too small
+  std::vector<FindingValue> values{};  ///< the first value is the one that is too small
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
   std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
-  /// The message, followed by the tolerance ends at which the finding occurs and by the remedy.
+  /// The tolerance ends at which the finding occurs, the message and the remedy, in this order.
+  /// Empty parts are omitted.
   std::string whole() const;
 };
 
