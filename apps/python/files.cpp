@@ -1,4 +1,4 @@
-// Returns teeth as points and triangles, and the files of gears.
+// The methods that return teeth as points and triangles, and the methods that write files of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>

@@ -79,8 +79,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
   /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair
-  /// differ, these are the patterns of the half at z > 0, and the patterns of the other half
-  /// follow.
+  /// differ, the list begins with the patterns of the half at z > 0, and the patterns of the other
+  /// half follow.
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
   /// The transmission error over a pitch, rad, if two errors are replaced by `values`. `keys` are
   /// the indices of these errors in error_entries().
@@ -123,7 +123,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<const Found*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
   Result<Json> rack_figure(const MeshView& view) const;
-  std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if any
+  std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if there
+                                           // is no second gear or it is a rack
   std::vector<NamedCircle> circles(int gear) const;
   std::array<const Gear*, 2> flanked_gears() const;
 

@@ -72,8 +72,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. The first step makes a table for each gear, which takes longest. The next
-/// steps compute one position after the other.
+/// Teeth under load. Each of the first two steps makes the table of one gear, which takes longest.
+/// The next steps compute one position after the other.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);
