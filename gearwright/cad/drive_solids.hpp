@@ -18,8 +18,8 @@ namespace gearwright {
 
 /// The body of a gear in its own frame. It includes the bore (for an internal gear, the rim), both
 /// halves of a double-helical gear, and the flank modifications. `which` is 1 or 2. The stagger
-/// turns the halves of mating external gears in opposite directions, and those of an external and
-/// an internal gear in the same direction, so that the halves mesh.
+/// turns the halves of mating external gears in opposite directions, and the halves of an external
+/// and an internal gear in the same direction, so that the halves mesh.
 ///
 /// Domain    a gear for which gear_body() returns no error (contract)
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap; the errors of

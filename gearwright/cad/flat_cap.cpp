@@ -114,8 +114,8 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The first triangle begins at the outer corner whose polar angle equals that of the first inner
-  // point or is the next smaller one. All angles are measured from this corner.
+  // The first triangle begins at the outer corner that has the polar angle of the first inner point
+  // or, if there is none, the next smaller polar angle. All angles are measured from this corner.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

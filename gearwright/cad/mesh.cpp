@@ -272,8 +272,8 @@ class GearMesh {
 
   // The band of a circular wall of an internal gear: the rim or the groove. At both ends, the
   // columns of this wall must have the rotation of the teeth. The wall therefore has the screw
-  // motion of the teeth. For a double-helical gear, it turns evenly from one end rotation to the
-  // other.
+  // motion of the teeth. For a double-helical gear, the wall turns evenly from one end rotation to
+  // the other.
   Band around(double width) const {
     if (!body().two_helices) return bands_.front();
     const double stagger = body().two_helices->stagger;

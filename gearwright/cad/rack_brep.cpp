@@ -265,7 +265,7 @@ class RackShell {
   }
 
   // Adds the walls below the border of the teeth, and the back. Seen from the teeth, the border is
-  // counter-clockwise. It runs along the low chain and returns along the high chain.
+  // counter-clockwise. The border runs along the low chain and returns along the high chain.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);

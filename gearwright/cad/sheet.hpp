@@ -2,7 +2,7 @@
 // of the sheet is (0, 0), with x to the right and y upwards. PDF, SVG and DXF files are written
 // from such a sheet (sheet_files.hpp).
 //
-//   h    height of capitals, mm (ISO 3098). The letters are those of Helvetica. Their widths are
+//   h    height of capitals, mm (ISO 3098). The font is Helvetica. The widths of its letters are
 //        known (text_width), so that a layout can avoid overlaps of text and lines.
 //   b    bulge of a segment of a path: tan(sweep/4), > 0 counter-clockwise, 0 for a line
 #pragma once
