@@ -29,7 +29,7 @@ struct ColumnChunk {
   bool is_set = false;       ///< true if the value was set in the current row
 };
 
-/// Ends row number `row` of the group. If no value was set in this row, it is null.
+/// Ends row number `row` of the group. If no value was set in this row, the value is null.
 void end_row(ColumnChunk& chunk, std::size_t row);
 
 /// The data page, before compression: definition levels if nulls are possible, then the values.
