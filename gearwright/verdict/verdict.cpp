@@ -162,7 +162,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// The amber findings other than the one in the headline.
+// The amber findings other than the finding in the headline.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;

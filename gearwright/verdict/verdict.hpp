@@ -6,7 +6,7 @@
 // print the same verdict.
 //
 // Findings are computed for the nominal values, or for every combination of tolerance ends. In the
-// second case, findings of the same kind are merged and the worst one is kept. verdict_of adds
+// second case, findings of the same kind are merged, and the worst finding is kept. verdict_of adds
 // remedies that were tried (remedy.hpp) and the headline.
 #pragma once
 
