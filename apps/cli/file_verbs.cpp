@@ -98,7 +98,7 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-// Writes files and prints their list, if all of them could be made.
+// Writes the files and prints their list, if all files could be made.
 int end_export(const Options& o, const Door& door, UnitSystem units,
                const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
   std::vector<JobFile> files;

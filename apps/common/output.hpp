@@ -32,8 +32,8 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
 /// The error of `--take` with a number that is greater than the number of specs. If there are no
 /// specs, `why_none` is the reason.
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
-/// Returns the position in the spec to which the error refers. It is absent if the error refers to
-/// an option, or if the table of the key is not in the text.
+/// Returns the position in the spec to which the error refers. The position is absent if the error
+/// refers to an option, or if the table of the key is not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
 /// Returns {"error": …} with the line, the column and the name of the spec, if they are known. The
 /// error must already refer to keys of the spec.

@@ -58,8 +58,8 @@ Json spec_with_keys(Json tree);
 /// The quantity with this key, or an empty value if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key);
 
-/// Replaces members of `tree` by the members of `changes`, including those of nested tables. A null
-/// removes a member.
+/// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
+/// A null removes a member.
 void change(Json& tree, const Json& changes);
 
 /// A single gear, or one gear of a pair.
@@ -69,7 +69,7 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The halves of a double-helical gear. gear() is one of them.
+  /// The halves of a double-helical gear. gear() returns one of these halves.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }

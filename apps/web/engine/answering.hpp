@@ -30,8 +30,8 @@ std::string answer(std::string_view verb, const std::string& text);
 /// The same spec in mm, as TOML. Comments of the text are lost.
 Result<std::string> metric(const std::string& text);
 
-/// Converts JSON to TOML, or TOML to JSON, with the same tree. Returns an error if the text cannot
-/// be read.
+/// Converts JSON to TOML, or TOML to JSON. In the JSON, a material that was only a name becomes a
+/// table with this name. Returns an error if the text cannot be read.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

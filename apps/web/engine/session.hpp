@@ -96,8 +96,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// less than a second.
   Result<Json> scatter(double width);
 
-  /// The x1–x2 chart. If `view` is given, it contains a figure of the region or, if the region is
-  /// empty, of the limits.
+  /// The x1–x2 chart. If `view` is given, the chart contains a figure of the region or, if the
+  /// region is empty, of the limits.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
