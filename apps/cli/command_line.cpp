@@ -52,7 +52,7 @@ std::string version_text() {
       can_minimise() ? "" : ", without compensate, [scatter.robust] and search --out");
 }
 
-// Checks a tolerance. It replaces the range check of CLI11, which accepts NaN.
+// Checks a tolerance. The range check of CLI11 is not used, because it accepts NaN.
 CLI::Validator between(const ToleranceRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {

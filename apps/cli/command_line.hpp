@@ -22,7 +22,7 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   const CLI::App& app() const { return app_; }
-  /// Returns the exit status of the requested verb.   Throws  IoError
+  /// Runs the requested verb and returns its exit status.   Throws  IoError
   int run(std::vector<std::string> words);
 
  private:
@@ -41,8 +41,8 @@ class CommandLine {
   int unknown_verb(const std::string& word) const;
   int unknown_option(const std::string& word) const;
   int answer(const Verb& row) const;
-  /// If the spec contains a search, ranks its designs by their scatter. Otherwise computes the
-  /// scatter of the pair of the spec.
+  /// Ranks the designs of a search by their scatter if an option of a study is given, or if the
+  /// spec contains a search and no gear 1. Otherwise computes the scatter of the pair of the spec.
   int scatter(const Verb& row) const;
 
   Options options_;

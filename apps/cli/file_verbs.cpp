@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Reports the current file on stderr if the work takes more than a second.
+// Reports each file on stderr when its computation starts, but only after the first second of work.
 class SlowProgress {
  public:
   void operator()(std::string_view what) {
@@ -98,7 +98,7 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-// Writes files and prints their list, if all of them could be made.
+// Writes the files and prints their list, if all files could be made.
 int end_export(const Options& o, const Door& door, UnitSystem units,
                const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
   std::vector<JobFile> files;
@@ -119,7 +119,7 @@ int end_export(const Options& o, const Door& door, UnitSystem units,
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
 // Writes the requested files of a drive and returns the exit status. Each file contains the whole
-// drive or, if a gear number is given, one of its gears.
+// drive.
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())

@@ -1,4 +1,5 @@
-// The program gearwright. It parses the command line, calls the job room and prints the results.
+// The program gearwright. It parses the command line, calls the functions of gearwright/job and
+// prints the results.
 //
 // The exit status is 0 for success; 1 if the input is wrong or the gears are impossible; 2 if the
 // command line is wrong; 3 if the system failed, for example because of a full disk; 4 if the

@@ -1,5 +1,5 @@
-// The functions of the verbs. Each reads a spec, calls the job room, prints the result and returns
-// the exit status.
+// The functions of the verbs. Each reads a spec, calls the functions of gearwright/job, prints the
+// result and returns the exit status.
 #pragma once
 
 #include <optional>
@@ -44,7 +44,7 @@ struct Options {
 /// Runs any verb of the table. Prints the answer as JSON, CSV or text, or prints the spec of one of
 /// its proposals. If the spec has already been read, it is passed as `text`.
 int answering_verb(const Verb& verb, const Options& o, const SpecText* text = nullptr);
-/// `gear --as-rack`: prints the same teeth as they would be described by another rack.
+/// `gear --as-rack`: prints how another rack describes the same teeth.
 int gear_as_rack(const Options& o);
 /// `measure --points`: prints nominal points of the flanks.
 int nominal_points(const Options& o);
@@ -76,7 +76,8 @@ class Door {
   std::optional<GivenKeys> given_;
 };
 
-// Returns 4 if --strict is given and the verdict is not green, for use in scripts, and otherwise 0.
+// Returns 4 if --strict is given and the verdict is not green, so that scripts can react. Otherwise
+// returns 0.
 inline int status(const Options& o, const Verdict& verdict) {
   return o.strict && verdict.level != Level::green ? 4 : 0;
 }

@@ -25,23 +25,23 @@ void print_json(const Json& j);
 /// Prints a spec that a verb proposes, as JSON or as TOML. The notes precede the TOML. With JSON,
 /// all notes except the first one are written to stderr.
 void print_spec(const Json& spec, bool json, const std::vector<std::string>& notes = {});
-/// Prints an answer as JSON, as CSV or for users. With `take`, only the spec with this number is
-/// printed, and the error is returned if the answer has no such spec.
+/// Prints an answer as JSON, as CSV or as text. If `take` is given, only the spec with this number
+/// is printed, or an error is returned if the answer has no such spec.
 std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
                                   const std::optional<int>& take);
-/// The error of `--take` with a number that is greater than the number of specs. If there are none,
-/// `why_none` is the reason.
+/// The error of `--take` with a number that is greater than the number of specs. If there are no
+/// specs, `why_none` is the reason.
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
-/// Returns the position in the spec to which the error refers. It is absent if the error refers to
-/// an option, or if the table of the key is not in the text.
+/// Returns the position in the spec to which the error refers. The position is absent if the error
+/// refers to an option, or if the table of the key is not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
 /// Returns {"error": …} with the line, the column and the name of the spec, if they are known. The
 /// error must already refer to keys of the spec.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
 /// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
 /// requested, the report is also printed as JSON. The error must already refer to keys of the spec
-/// (catalogue/spelling.hpp). `text` is the spec that contains the error; its name and the line are
-/// reported too.
+/// (catalogue/spelling.hpp). `text` is the spec that contains the error. The report then also
+/// contains the name of the spec and the line.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// Reports a wrong command line and returns status 2.
 int usage(const std::string& message);
@@ -51,9 +51,9 @@ inline constexpr int kViolated = 5;
 /// reported and, if requested, also printed as JSON.
 int guarded(const std::function<int()>& work, bool json);
 
-/// The line on stderr that shows the progress of a computation, from two seconds after its start. On
-/// a terminal it is overwritten every half second and finally cleared. Elsewhere a new line is printed
-/// every ten seconds.
+/// The line on stderr that shows the progress of a computation, from two seconds after its start.
+/// On a terminal, the line is overwritten every half second and finally cleared. Elsewhere, a new
+/// line is printed every ten seconds.
 class StatusLine {
  public:
   ~StatusLine() { clear(); }

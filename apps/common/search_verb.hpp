@@ -25,7 +25,7 @@ struct CampaignCommand {
   int threads = 0;
 };
 
-/// Describes several processes that work together. A single process does not need it.
+/// Describes the group of processes to which this process belongs. Not used by a single process.
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
@@ -45,7 +45,7 @@ std::optional<std::string> fill_campaign(const CampaignCommand& command, const T
 /// The number of threads of this process. A rank has one by default.
 int threads_of(const CampaignCommand& command, const Together* together);
 
-/// The list of written files that ends a listing; empty if no file was written.
+/// The list of written files for the end of a listing; empty if no file was written.
 std::string written_files(const std::vector<std::filesystem::path>& files);
 
 struct SearchCommand : CampaignCommand {

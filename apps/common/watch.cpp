@@ -12,7 +12,8 @@ namespace gearwright::apps {
 
 namespace {
 
-constexpr std::chrono::milliseconds kNap(100);  // between checks of the work and of signals
+constexpr std::chrono::milliseconds kNap(100);  // time between two checks of the work and of
+                                                // signals
 constexpr int kStopped = 3;
 
 constexpr std::array kStops{SIGINT, SIGTERM};
@@ -74,7 +75,7 @@ std::string Watch::text(double seconds) const {
                                        words_.before_stage ? words_.before_stage() : "",
                                        s.stage ? s.stage : "reading the spec");
   if (s.of <= 0) return text;
-  // The number of steps is only an estimate, which the steps may exceed.
+  // The total number of steps is only an estimate, so more steps may have been done.
   if (s.done >= s.of) return text + ", last steps";
   return fmt::format("{}, {} % done", text, 100 * s.done / s.of);
 }

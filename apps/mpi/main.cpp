@@ -4,10 +4,10 @@
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //   mpirun -n 8 gearwright-mpi scatter spec.toml --designs found --out ranked
 //
-// Every rank computes. The number of the next chunk is a counter in a window of rank 0, which all
-// ranks increment by fetch-and-op, so no rank is reserved as a master. Finished chunks are saved in
-// the folder. Rank 0 combines them in order, so the result equals the result of a single process
-// byte for byte.
+// Every rank computes. The number of the next chunk is a counter in an MPI window of rank 0. All
+// ranks increment this counter by fetch-and-op, so no rank is reserved as a master. Finished chunks
+// are saved in the folder. Rank 0 combines them in order, so the result equals the result of a
+// single process byte for byte.
 #include <mpi.h>
 
 #include <CLI/CLI.hpp>
@@ -80,8 +80,8 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must still exist in the catch block, because freeing its window waits for all ranks.
-  // After an error, the other ranks may be waiting for this rank.
+  // The queue must not be destroyed before the catch block, because freeing its window waits for
+  // all ranks, and after an error the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;

@@ -30,7 +30,8 @@ namespace gearwright::python {
 namespace {
 
 // Runs find(job, progress) and makes a Self of its result. record(job, answer) returns the
-// quantities of the result, and judged(job, answer) its verdict. Ctrl-C stops the computation.
+// quantities of the result, and judged(job, answer) returns its verdict. Ctrl-C stops the
+// computation.
 template <class Self, class Find, class Record, class Judge>
 Self answered(const ModelPtr& asked, const Find& find, const Record& record, const Judge& judged) {
   const auto model = std::make_shared<Model>(*asked);
@@ -281,7 +282,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
     // The transmission error occurs twice in the table: as an angle, and as the displacement of a
-    // rack. Both have the same name, which denotes the angle.
+    // rack. Both have the same name. The attribute with this name is the angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

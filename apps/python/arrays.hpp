@@ -29,7 +29,8 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// without a warning.
 std::optional<Numbers> real_numbers(py::handle value);
 
-/// Returns an array of the numbers at `data`, without a copy. It keeps their owner alive.
+/// Returns an array that refers to the numbers at `data` without a copy and keeps their owner
+/// alive.
 template <class T, class Owner>
 py::array_t<T> array_of(std::shared_ptr<Owner> owner, const T* data,
                         std::vector<py::ssize_t> shape) {
@@ -56,10 +57,10 @@ class StructuredArray {
                   const std::vector<py::ssize_t>& shape = {});
   /// Allocates this number of rows. All columns must have been added before.
   void allocate(std::size_t rows);
-  /// Sets the values of one column in one row. Their number must agree with the shape of the
-  /// column. A missing value becomes NaN, false or "".
+  /// Sets the values of one column in one row. The number of values must agree with the shape of
+  /// the column. A missing value becomes NaN, false or "".
   void set(std::size_t row, std::size_t column, const std::vector<const Value*>& values);
-  /// Sets all columns of the table in one row from one of its records.
+  /// Sets all columns of the table in one row from a record of this table.
   void fill(std::size_t row, const ValueRecord& record);
   py::array take() { return std::move(array_); }
 

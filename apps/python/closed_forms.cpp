@@ -18,13 +18,13 @@ namespace gearwright::python {
 
 namespace {
 
-constexpr std::size_t kPart = 512;  // number of rows in a part, so that it fits into the
+constexpr std::size_t kPart = 512;  // number of rows in a part; a part of this size fits into the
                                     // processor's cache
 using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
 
-// An empty result with this number of rows.
+// A result with this number of rows, which are not yet set.
 py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }

@@ -1,4 +1,4 @@
-// Returns teeth as points and triangles, and the files of gears.
+// The methods that return teeth as points and triangles, and the methods that write files of gears.
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl/filesystem.h>
@@ -36,7 +36,7 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
   return tolerance;
 }
 
-// Raises the error. If there is only one gear, its keys do not begin with "gear1".
+// Raises the error. If there is only one gear, the keys in the error do not begin with "gear1".
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
   if (!model.job.pair && !model.job.rack) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
@@ -74,7 +74,7 @@ py::dict outline(const GearValue& gear, int points) {
   return all;
 }
 
-// The points on the circle of a land, which starts at `begin`.
+// The points on the circle of a land, from the start to the end of the piece.
 std::vector<Vec2> land_points(const ContourPiece& piece, int points) {
   std::vector<Vec2> all;
   const Vec2 across(-piece.begin.y(), piece.begin.x());

@@ -1,4 +1,5 @@
-// A spec and its results. Gear, Pair, Contact, Rating and Loaded refer to it.
+// A spec and its results. Values of the types Gear, Pair, Contact, Rating and Loaded refer to a
+// model.
 //
 // A model never changes after its construction, so threads may share it.
 #pragma once
@@ -42,22 +43,23 @@ ModelPtr with_two_gears(ModelPtr model);
 /// Raises SpecError with the keys as the caller has given them.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Converts names that stand for mm and rad to keys: helix_angle = 0.26 becomes helix_angle_deg =
-/// 14.9. An unknown name is unchanged, and the reader of the spec rejects it.
+/// Converts names without a unit, whose values are in mm or rad, to keys: helix_angle = 0.26
+/// becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the reader of the spec rejects
+/// it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// Returns the name that stands for mm or rad, such as normal_module for the key normal_module_mm.
-/// If there is no such name, returns the key itself.
+/// Returns the name without a unit, whose value is in mm or rad, such as normal_module for the key
+/// normal_module_mm. If the key has no such name, returns the key itself.
 std::string house_key(const Key& key);
 /// The number of units of the key in one mm or one rad.
 double units_per_house(const Key& key);
 /// Applies with_keys to all tables of a spec.
 Json spec_with_keys(Json tree);
 
-/// A quantity of a record, or a value without content if the record does not have this key.
+/// The quantity with this key, or an empty value if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key);
 
-/// Replaces members of `tree` by the members of `changes`, including those of nested tables. A null
-/// removes a member.
+/// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
+/// A null removes a member.
 void change(Json& tree, const Json& changes);
 
 /// A single gear, or one gear of a pair.
@@ -67,7 +69,7 @@ struct GearValue {
 
   std::vector<int> gears() const { return {which}; }
   const Gear& gear() const { return model->job.gears[static_cast<std::size_t>(which - 1)]; }
-  /// The halves of a double-helical gear. gear() is one of them.
+  /// The halves of a double-helical gear. gear() returns one of these halves.
   const std::optional<Halves>& halves() const {
     return model->job.halves[static_cast<std::size_t>(which - 1)];
   }

@@ -1,5 +1,5 @@
-// Computes a pair with errors of mounting. One set of errors is a table or a row of numbers. Many
-// sets are an array.
+// Computes a pair with errors of mounting. One set of errors is given as a table or a row of
+// numbers, and many sets are given as an array.
 #include <fmt/format.h>
 
 #include <cmath>

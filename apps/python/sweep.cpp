@@ -1,5 +1,5 @@
-// Computes a pair many times, with columns of numbers in place of some of its own numbers. The
-// result has a row of quantities for each row of numbers.
+// Computes a pair once for each row of given columns of numbers. These numbers replace some of the
+// pair's own numbers. The result has a row of quantities for each row of numbers.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -18,7 +18,7 @@ py::object type_of(const char* module, const char* name) {
 
 struct ToPython {
   bool by_name;       // true for an attribute: mm and rad, tuples, Records
-  double unit = 1.0;  // for an attribute, the unit of the numbers
+  double unit = 1.0;  // for an attribute, the size of the unit of the numbers in mm or rad
 
   py::object operator()(std::monostate) const { return py::none(); }
   py::object operator()(bool flag) const { return py::bool_(flag); }

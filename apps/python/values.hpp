@@ -23,7 +23,7 @@ namespace py = pybind11;
 /// rad, the name is the key without its unit: "tip_diameter" for tip_diameter_mm,
 /// "transmission_error" for transmission_error_arcsec. Otherwise it is the key itself.
 std::string name_of(const QuantityInfo& info);
-/// The size of one unit in mm or rad.
+/// The size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
 /// The text that help() prints for an attribute: "m_n, mm: normal module, as in the spec".
 std::string docstring(const QuantityInfo& info);
@@ -38,14 +38,17 @@ py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 
 /// Converts a Python value to a tree of a spec. Accepted are dicts, lists, numbers and texts, and
-/// also numbers and arrays of numpy, paths and Gears. `path` is the name in errors.   Throws
-/// SpecError if a number is not finite, TypeError if a spec cannot contain a value of this type
+/// also numbers and arrays of numpy, paths and Gears. `path` is the name of the value in error
+/// messages.
+///
+/// Throws    SpecError if a number is not finite, TypeError if a spec cannot contain a value of
+///           this type
 Json tree_of(py::handle value, const std::string& path);
 
 /// True for a text, bytes or a path object.
 bool is_path(py::handle value);
-/// Returns the path of a file or folder. `name` is the name in errors.   Throws  SpecError,
-/// TypeError
+/// Returns the path of a file or folder. `name` is the name of the argument in error
+/// messages.   Throws  SpecError, TypeError
 std::filesystem::path path_of(py::handle value, const std::string& name);
 std::optional<std::filesystem::path> path_or_none(py::handle value, const std::string& name);
 /// Checks and returns a number of threads; 0 means all cores.   Throws SpecError
@@ -53,8 +56,8 @@ int threads_in_range(int threads);
 
 /// Raises gearwright.SpecError.
 [[noreturn]] void raise(const Error& error);
-/// Raises gearwright.SpecError for a single gear. Its keys do not begin with "gear1": "teeth"
-/// instead of "gear1.teeth".
+/// Raises gearwright.SpecError for a single gear. The keys in the error do not begin with "gear1":
+/// "teeth" instead of "gear1.teeth".
 [[noreturn]] void raise_of_gear(Error error);
 
 template <class T>

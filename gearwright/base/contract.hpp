@@ -13,7 +13,8 @@
 
 namespace gearwright {
 
-/// A defect in Gearwright. what() has the condition, its file and line, and requests a report.
+/// A defect in Gearwright. what() contains the condition, its file and line, and a request to
+/// report the defect.
 class ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;

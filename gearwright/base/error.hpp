@@ -1,9 +1,9 @@
 // The error of an input, with the information that the user needs to correct the input.
 //
 //   field   the member of the library's structs, "tip_diameter", "rack.dedendum", "gear1.teeth"
-//   value   its value, with as many digits as the user needs
-//   rule    one sentence: the fault, the allowed range with its reason, and a remedy. The names of
-//           other members are in backticks, `pair.center_distance`
+//   value   the value of this member, with as many digits as the user needs
+//   rule    one sentence with the fault, the allowed range and its reason, and a remedy. The names
+//           of other members are in backticks: `pair.center_distance`
 //
 // C++ callers receive this text unchanged. Interfaces that read files replace the member names by
 // the keys of the file (catalogue/spelling.hpp) and keep the sentence.
@@ -58,8 +58,8 @@ Error refused(std::string field, int value, std::string rule);
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 
-/// An error of a member, with the name of its owner added in front: "rack.dedendum" of "gear1"
-/// becomes "gear1.rack.dedendum".
+/// The same error with the name of the owner `whole` in front of the field: in "gear1", the field
+/// "rack.dedendum" becomes "gear1.rack.dedendum".
 Error within(std::string_view whole, Error error);
 
 /// The error of a derived value, attributed to the input that causes it: "pair.center_distance =
@@ -71,8 +71,8 @@ Error following_from(std::string field, std::string value, std::string_view how,
 // them at once.
 
 /// The first error, with the others appended to its rule: "…; also missing: rating.quality (the
-/// accuracy grades …), …". Each field and each explanation occurs once. If an error has another
-/// kind than `missing`, that error is returned alone.
+/// accuracy grades …), …". Each field and each explanation occurs once. If there are errors of
+/// another kind than `missing`, only the first of these is returned.
 ///
 /// Domain    at least one error (contract)
 Error all_missing(const std::vector<Error>& errors);

@@ -1,4 +1,4 @@
-// Bytes of binary files, least significant first on every machine.
+// Appends numbers to binary files, with the least significant byte first on every machine.
 #pragma once
 
 #include <cstdint>

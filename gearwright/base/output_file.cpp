@@ -36,7 +36,8 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
 // The file that is finally written. A link is followed to its target, so the link is kept.
 struct Target {
   fs::path path;
-  bool straight;  // written directly, because renaming cannot replace a device or a pipe
+  bool straight;  // true if the path is written directly, because renaming cannot replace a device
+                  // or a pipe
 };
 
 Target target_of(const fs::path& path) {

@@ -36,7 +36,8 @@ class Progress {
   void stop() { stopped_ = true; }
   State state() const { return {stage_, done_, of_}; }
 
-  /// Marks the start of writing files. A request to stop then waits until the files are complete.
+  /// Marks the start of writing files. A signal then ends the program only after the files are
+  /// complete (apps/common/watch.hpp).
   void begin_writing() { writing_ = true; }
   bool writing() const { return writing_; }
 

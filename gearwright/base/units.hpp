@@ -23,9 +23,9 @@ inline constexpr double kMetresPerMm = 1e-3;
 
 // Torques in N m, as users read and write them, and in N mm, the internal unit.
 
-/// N m of a torque in N mm.
+/// Converts a torque from N mm to N m.
 constexpr double newton_metres(double torque) { return torque / kMmPerM; }
-/// N mm of a torque in N m.
+/// Converts a torque from N m to N mm.
 constexpr double from_newton_metres(double torque_Nm) { return torque_Nm * kMmPerM; }
 
 }  // namespace gearwright

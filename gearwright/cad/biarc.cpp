@@ -11,10 +11,11 @@ namespace gearwright {
 namespace {
 
 constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
-// Greatest angle, rad, between the tangents at the joint of two arcs that are merged into one.
+// If the angles between the chord and the two end tangents differ by less than this, rad, one arc
+// replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// Shortest biarc, relative to the arc, and accuracy of the length of a biarc, relative to that
-// length. Lengths are differences of the arc's parameter.
+// Length of the shortest biarc as a fraction of the arc, and error of a biarc's length as a
+// fraction of this length. Lengths are differences of the arc's parameter.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
@@ -138,9 +139,9 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // If the error has one or two humps, 24 samples locate its maximum to 1 %, unless the speed of
-  // the parametrization varies strongly. The verification detects this case, and the fit is then
-  // repeated with more samples.
+  // If the error along a biarc has one or two maxima, 24 samples give the greatest value to 1 %,
+  // unless the speed of the parametrization varies strongly. The verification with kVouching
+  // samples detects such an arc, and the fit is then repeated with more samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);

@@ -33,8 +33,9 @@ struct BiarcChain {
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
 /// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
-///           tangents of neighbouring arcs agree to 1e-9 rad, or to 4e-9 mm over the length of the
-///           arc if an arc with a sagitta below 1e-9 mm was replaced by a line
+///           tangents of neighbouring arcs agree to 1e-9 rad; if a line replaces an arc, its
+///           tangent error times its length is below 4e-9 mm, because the sagitta of the arc is
+///           below 1e-9 mm
 /// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each is as long as possible
 ///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
@@ -47,8 +48,8 @@ struct BiarcContour {
   double deviation_mm;         ///< greatest normal distance from the exact outline, as measured
 };
 
-/// Each land is one arc. Every other arc of the outline is fitted once by biarcs, which all teeth
-/// use.
+/// Returns the contour of all teeth. Each land is one arc. Every other arc of the half outline is
+/// fitted by biarcs once, and all teeth use this fit.
 ///
 /// Errors    `tolerance_mm` if an arc cannot be fitted within it
 /// Domain    tolerance_mm > 0 (contract)

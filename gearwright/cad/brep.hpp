@@ -16,8 +16,8 @@
 // 0.
 //
 // A double-helical gear has two stacks of walls, one for each hand of helix, either adjacent or
-// separated by a groove. A solid with several gears has a stack for each, separated by plain
-// cylinders, its necks.
+// separated by a groove. A solid with several gears has a stack for each gear. Plain cylinders, the
+// necks, separate the stacks.
 //
 //   Law   every edge is used twice, once in each direction
 #pragma once
@@ -66,8 +66,8 @@ Brep add_brep(Part21& out, const ToothedBody& body, const std::vector<GearFaces>
 //   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
 // All surfaces and edges are exact. Every face of the teeth is a strip of the plan view
-// (cad/rack_plan.hpp). A strip usually has four edges, one with a corner of the bar has five, and
-// one with two corners has six.
+// (cad/rack_plan.hpp). A strip has four edges. It has five if it contains a corner of the bar, and
+// six if it contains two corners.
 //
 //   Law   every edge is used twice, once in each direction
 

@@ -27,8 +27,8 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  ///< from the start to the end of the edge; empty for circles, and for lines in a
-              ///< level
+  Ids poles;  ///< from the start to the end of the edge; empty for circles and for lines that lie
+              ///< in one level
 };
 
 using Corners = std::vector<Corner>;
@@ -56,7 +56,7 @@ class ShellWriter {
   explicit ShellWriter(Part21& out) : out_(out) {}
 
   /// Adds one face per wall and slice. `side` is `along` if the metal is inside the loop. The walls
-  /// begin at the rim `base`. If it is null, a new rim is written.
+  /// begin at the rim `base`. If `base` is null, a new rim is written.
   Rims add_walls(const WallLoop& loop, const HelixSpline& helix, const Band& band, Side side,
                  const Rim* base = nullptr);
 
@@ -66,7 +66,8 @@ class ShellWriter {
     double z;  ///< mm
   };
   /// Adds a neck, which is a cylinder between teeth below and teeth above it, and the two plane
-  /// faces next to it. `side` is the side of the teeth. The neck of an internal gear is its groove.
+  /// faces next to it. `side` has the value with which the teeth were added. For an internal gear,
+  /// the neck is the groove.
   void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.
@@ -81,15 +82,16 @@ class ShellWriter {
   Edge spline_edge(const Corner& from, const Corner& to, std::size_t n, const WallKnots& knots,
                    const std::function<Vec3(std::size_t)>& pole);
 
-  /// The edges around a face. They run along the loop or upwards.
+  /// The edges around a face. `bottom` and `top` run along the loop, `left` and `right` run
+  /// upwards.
   struct Sides {
     const Edge& bottom;
     const Edge& right;
     const Edge& top;
     const Edge& left;
   };
-  /// The spline surface between its edges. pole(a, b) returns its inner poles; a counts along the
-  /// loop, b upwards.
+  /// The spline surface between its edges. pole(a, b) returns the inner poles of the surface; a
+  /// counts along the loop, b upwards.
   Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
                     const std::function<Vec3(std::size_t, std::size_t)>& pole);
   /// The bound of a face. It runs counter-clockwise, seen from the side to which the surface normal

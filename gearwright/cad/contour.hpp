@@ -30,8 +30,8 @@ namespace gearwright {
 struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
   int tooth;        ///< k; for a root land, the tooth before it
-  bool mirrored;  ///< true for the lower half of the tooth, which runs from root to tip; otherwise
-                  ///< the upper half, from tip to root
+  bool mirrored;  ///< true for a piece of the lower half of the tooth, which runs from root to tip;
+                  ///< false for a piece of the upper half, which runs from tip to root
   bool land;      ///< true if the piece consists of both halves of a land: a circle about the axis
                   ///< with the angle `sweep`, or for a rack a straight line with `sweep` 0
   Vec2 begin;     ///< mm
@@ -44,7 +44,7 @@ struct Contour {
   std::vector<ContourPiece> pieces;
   double inner_radius;  ///< smallest radius of the outline at the examined points, mm
   double outer_radius;  ///< greatest radius of the outline, mm
-  /// Set only for a rack. Tooth k of a rack is tooth 0 shifted along y by `rack->middle_of(k,
+  /// Set only for a rack. Tooth k of a rack is the outline shifted along y by `rack->middle_of(k,
   /// teeth)`.
   std::optional<RackBlock> rack{};
 };
@@ -66,8 +66,8 @@ Contour rack_contour(const Outline& outline, const RackBlock& rack);
 /// Moves points on an arc of the half outline, given from root to tip, to the position and
 /// direction of the piece. The points are mirrored or reversed, and turned. The first and the last
 /// point are replaced by the ends of the piece.
-/// Domain    the piece is not a land, there are at least two points, and the ends lie within 1e-6
-///           mm of the arc's ends (contract)
+/// Domain    the piece is not a land, there are at least two points, and the moved end points lie
+///           within 3e-6 mm of the ends of the piece (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
                          const std::vector<Vec2>& root_to_tip);
 

@@ -20,10 +20,11 @@ namespace gearwright {
 struct ContourOptions {
   enum class Style {
     biarcs,   ///< true circular arcs in one closed polyline, for laser and wire cutting
-    splines,  ///< one B-spline per arc of the outline and circles for lands, for CAD
+    splines,  ///< one B-spline per arc of the outline and exact circular arcs for lands, for CAD
   };
   Style style = Style::biarcs;
-  /// Permitted normal distance. If it is absent, the default of the drawing style applies.
+  /// Permitted normal distance from the exact curve. If it is absent, the default of the drawing
+  /// style applies.
   std::optional<double> tolerance_mm = std::nullopt;
 };
 

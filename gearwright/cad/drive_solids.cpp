@@ -76,7 +76,8 @@ class Workpieces {
   }
 
  private:
-  // Gears of one solid from bottom to top, with the radii of the necks between them.
+  // Gears of one solid from bottom to top, radii of the necks between them, and the reason why the
+  // lowest gear is not joined to the gear below it.
   struct Chain {
     std::vector<std::size_t> gears;
     std::vector<double> necks;
@@ -118,9 +119,9 @@ class Workpieces {
     return chains;
   }
 
-  // Radius of the cylinder between two gears of a body. It is below their roots, and it clears all
-  // other gears beside it. All copies have the same radius. The error is the reason why the gears
-  // are separate solids.
+  // Radius of the cylinder between two gears of a body. The cylinder lies below the roots of both
+  // gears and clears all other gears at its height. The necks of all copies of the body have the
+  // same radius. The error is the reason why the gears are separate solids.
   Result<double> neck_radius(std::size_t below, std::size_t above) const {
     const ToothedBody &a = shapes_[below], &b = shapes_[above];
     const auto separate = [](const char* why) { return Error{"", "", why}; };
@@ -152,7 +153,8 @@ class Workpieces {
     return radius;
   }
 
-  // Distance of an axis from another gear, mm. A hollow gear on the same axis leaves its bore.
+  // Greatest radius that a cylinder about `axis` can have beside or inside another gear, mm. Inside
+  // a hollow gear on the same axis, it is the radius of the bore.
   double room(const ToothedBody& shape, const PlacedGear& other, const Vec2& axis) const {
     constexpr double kSameAxis_mm = 1e-6;
     const Vec2 away = axis - other.axis;
@@ -166,7 +168,8 @@ class Workpieces {
     return away.norm() - tip;
   }
 
-  // True if the copies of a planet are clocked, so that their gears have different relative angles.
+  // True if the copies of a planet are clocked. The angle between the gears of one copy then
+  // differs from the angle between the gears of another copy.
   bool clocked(std::size_t body) const {
     return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;

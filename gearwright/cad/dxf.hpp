@@ -4,8 +4,8 @@
 //   layer BORE      the bore with its keyway, or the rim of an internal gear
 //
 //   biarcs    PROFILE is one closed LWPOLYLINE of lines and circular arcs; each land is one arc
-//   splines   PROFILE is one SPLINE per arc of the outline and one ARC per land; where two splines
-//             meet, their end poles are written as equal text
+//   splines   PROFILE has one SPLINE per arc of the outline and one SPLINE per land; on a rack,
+//             each land is a LINE; where two pieces meet, their ends are written as equal text
 //
 // Every number is written as the shortest decimal that a reader converts back to the same double.
 // Equal points are therefore equal text. A bore without a keyway is a CIRCLE. A bore with a keyway

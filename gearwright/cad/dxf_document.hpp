@@ -14,8 +14,7 @@
 
 namespace gearwright {
 
-/// Collects entities. Coordinates are in mm in the xy plane. Angles are in degrees in the file
-/// only.
+/// Collects entities. Coordinates are in mm in the xy plane.
 class DxfEntities {
  public:
   /// Sets the position of the entities that follow: a rotation about z and a shift in the plane. If
@@ -30,13 +29,13 @@ class DxfEntities {
   void line(const std::string& layer, const Vec2& a, const Vec2& b);
   /// Adds a SOLID, a filled triangle.
   void triangle(const std::string& layer, const Vec2& a, const Vec2& b, const Vec2& c);
-  /// Adds a TEXT whose base line starts at `at`. `height` is the height of capitals, and `degrees`
-  /// is the direction, counter-clockwise.
+  /// Adds a TEXT whose base line starts at `at`. `height` is the height of capitals. `degrees` is
+  /// the angle of the base line, counter-clockwise from the x axis.
   void text(const std::string& layer, const Vec2& at, const std::string& utf8, double height,
             double degrees);
   /// Adds an arc about the origin from `begin` to `end` as a rational quadratic SPLINE. `sweep` is
-  /// its angle, rad. The spline is exact and ends at the given points, whereas an ARC entity stores
-  /// its ends only as angles in degrees.
+  /// the angle of the arc, rad. The spline is exact and ends at the given points, whereas an ARC
+  /// entity stores its ends only as angles in degrees.
   void circular_spline(const std::string& layer, const Vec2& begin, const Vec2& end, double sweep);
   /// Writes a clamped non-rational SPLINE.
   void spline(const std::string& layer, int degree, const std::vector<double>& knots,
@@ -51,7 +50,7 @@ class DxfEntities {
   void begin(const char* type, const std::string& layer, const char* subclass);
 
   std::string text_;
-  bool moved_ = false;  // if false, points are written without any change
+  bool moved_ = false;  // if false, pose_ is not applied
   Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   int handle_ = 0x100;  // smaller handles belong to the sections around the entities
   bool has_words_ = false;
@@ -61,7 +60,7 @@ struct DxfLayer {
   std::string name;
   int color;            ///< AutoCAD colour index
   int line_width = -3;  ///< hundredths of a mm; −3 selects the default of the reader
-  bool chain = false;   ///< line type CENTER, long dashes and dots
+  bool chain = false;   ///< true for the line type CENTER, which has long dashes and dots
 };
 
 /// Returns the whole file. `extent` is a box that contains everything. Text uses the style SHEET

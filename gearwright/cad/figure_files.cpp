@@ -23,7 +23,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kMmPerPx = kMmPerInch / 96;  // of CSS
+constexpr double kMmPerPx = kMmPerInch / 96;  // one CSS px is 1/96 inch
 constexpr double kBold = 0.03;  // width of the line that makes letters bold, relative to their size
 
 using Tree = boost::property_tree::ptree;
@@ -37,7 +37,7 @@ double number(const Tree& node, const char* name) {
   return std::strtod(attribute(node, name).c_str(), nullptr);
 }
 
-// The numbers of a text, separated by anything.
+// The numbers in a text. All other characters separate them.
 std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   const char* at = text.c_str();
@@ -141,7 +141,8 @@ class PictureReader {
     if (!(ink->fill || ink->stroke) || (scale_.outlines && !styled && !ink->stroke)) return;
     const std::size_t first = sheet_.paths.size();
     add_pieces(d, place);
-    // Most teeth of a gear are outside the window of a mesh.
+    // Paths outside the sheet are omitted, because a figure of a mesh shows only a few teeth of
+    // each gear.
     if (!scale_.outlines && !on_sheet(first)) sheet_.paths.resize(first);
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
       sheet_.paths[i].ink = ink;
@@ -150,7 +151,7 @@ class PictureReader {
     }
   }
 
-  // True if the box around the paths from `first` on meets the sheet.
+  // True if the box around the paths with an index of at least `first` overlaps the sheet.
   bool on_sheet(std::size_t first) const {
     Bounds box;
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
@@ -259,8 +260,8 @@ class PictureReader {
     }
   }
 
-  // The letters that are printed: without the space of no width that ends a subscript, and with
-  // usual spaces for narrow ones.
+  // The text as it is printed: zero-width spaces, which end subscripts, are removed, and narrow
+  // spaces become normal spaces.
   static std::string printed(std::string text) {
     for (std::size_t at; (at = text.find("\u200b")) != text.npos;) text.erase(at, 3);
     for (std::size_t at; (at = text.find("\u202f")) != text.npos;) text.replace(at, 3, " ");
@@ -271,7 +272,7 @@ class PictureReader {
   PictureScale scale_;
   double height_;  // px
   Sheet sheet_ = {};
-  std::string name_ = {};  // classes of the last element, which name its layer
+  std::string name_ = {};  // classes of the current element; its layer has this name
   std::map<std::string, std::pair<std::string, const Tree*>, std::less<>> ids_ = {};
 };
 

@@ -2,8 +2,8 @@
 //
 // The SVG text of a figure is read together with figure_style.css and becomes a sheet, from which
 // the writers of drawings make the files. All files of a figure therefore have one layout and one
-// table of styles. A picture that the user has turned or zoomed on the page is written as it is
-// seen. The colours are those for paper.
+// table of styles. A picture that the user has turned or zoomed on the page is written as the page
+// shows it. The colours are the colours for paper.
 #pragma once
 
 #include <string>
@@ -18,17 +18,17 @@ namespace gearwright {
 struct PictureScale {
   double mm_per_px;
   Vec2 corner = Vec2::Zero();  ///< mm, the lower left corner of the picture
-  bool outlines = false;       ///< true if gears have no filled areas
+  bool outlines = false;       ///< true if the areas of gears are not filled
 };
 
-/// Domain    a picture that figure_svg() has written; other text may throw
+/// Domain    a picture that figure_svg() has written; another text may cause an exception
 Sheet picture_sheet(const std::string& svg, const PictureScale& scale);
 
 /// A PDF of one page that is as large as the picture, 0.75 pt per px.
 std::string picture_pdf(const std::string& svg, const std::string& title);
 
-/// The figure as a file whose name has this ending: ".svg", ".pdf" or ".dxf". A DXF file has the
-/// scale 1 : 1, and its layers are the classes of the marks.
+/// The contents of a file of the figure. `ending` selects the format: ".svg", ".pdf" or ".dxf". A
+/// DXF file has the scale 1 : 1, and its layers are the classes of the marks.
 ///
 /// Errors    another ending; ".dxf" for a figure with axes
 Result<std::string> figure_file(const Figure& figure, const std::string& ending);

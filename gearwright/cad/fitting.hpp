@@ -13,8 +13,9 @@
 // without a division by κ and without cancellation for large radii.
 //
 // An interval is covered by steps, each as long as a condition allows. This gives the smallest
-// number of steps if the condition, once it fails, also fails for every longer step. The bound of
-// an error that grows with the length of the step has this property.
+// number of steps if the condition, once it fails, also fails for every longer step. The condition
+// "the error is within the tolerance" has this property if the error grows with the length of the
+// step.
 #pragma once
 
 #include <algorithm>
@@ -45,14 +46,15 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 
 struct StepLimits {
   double shortest;  ///< relative to the interval; a step of this length is always accepted
-  double known;     ///< relative to the step; the search ends when its bracket is narrower
+  double known;     ///< relative to the step; the search ends when its bracket is narrower than
+                    ///< this
 };
 
 /// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search has
 /// the length `guess`.
 ///
-/// Accuracy  within limits.known of the step, on the side where fits(x) is true; from + shortest if
-///           no step fits
+/// Accuracy  the step is too short by at most limits.known times its length; if no step fits, its
+///           length is at most limits.shortest
 /// Domain    from < to, guess > 0
 template <class Fits>
 double longest_step(double from, double to, double guess, StepLimits limits, const Fits& fits) {

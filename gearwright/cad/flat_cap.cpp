@@ -44,8 +44,8 @@ class EarClipper {
     for (std::size_t left = points_.size(); left > 2; --left) {
       std::size_t best = best_ear();
       if (quality_[best] == kNoEar) {
-        // If three corners are collinear, cutting off an ear can also turn a corner that is not
-        // adjacent to it into an ear.
+        // If three corners are collinear, a corner that is not adjacent to the removed ear can also
+        // become an ear.
         for (std::size_t i = next_[last_], k = 0; k < left; i = next_[i], ++k) rate(i);
         best = best_ear();
         if (quality_[best] == kNoEar) return std::nullopt;
@@ -91,7 +91,7 @@ class EarClipper {
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<double> quality_;
-  std::size_t last_ = 0;  // a corner that has not been cut
+  std::size_t last_ = 0;  // a corner that has not been cut off
 };
 
 double polar(const Vec2& p) { return std::atan2(p.y(), p.x()); }
@@ -114,8 +114,8 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The list starts with the outer corner that has the angle of the first inner point or the next
-  // smaller angle. All angles are measured from this corner.
+  // The first triangle begins at the outer corner that has the polar angle of the first inner point
+  // or, if there is none, the next smaller polar angle. All angles are measured from this corner.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

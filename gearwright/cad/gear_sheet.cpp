@@ -26,8 +26,8 @@ constexpr auto kOutline = SheetLayer::outline;
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 12;
-// Distance of the datum of a gear without a bore from its left face, and end of the axis there, mm.
-// The gap between the views leaves 2 mm to the axis of the transverse view.
+// For a gear without a bore: distance of the datum symbol from the left face, and length of the
+// axis beyond this face, mm. The end of the axis is then 2 mm from the axis of the transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 constexpr const char* kWhere = "Section in the middle of the face width";
 

@@ -1,5 +1,6 @@
 // The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
-// keyway, and an axial section with datum, runout and surface texture, in a frame with a title block.
+// keyway, and an axial section with datum, runout and surface texture. A frame and a title block
+// surround them.
 //
 // The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. In the axial
 // section, teeth are not hatched and the reference circle is a chain line (ISO 2203). The scale is
@@ -28,8 +29,8 @@ struct DataGroup {
   std::vector<DataRow> rows;
 };
 
-/// What a drawing requires of the surfaces of a gear. An empty text is a visible blank. A texture
-/// that is absent has no symbol.
+/// What a drawing requires of the surfaces of a gear. If a text is empty, its symbol is drawn with
+/// an empty space. If a texture is absent, no symbol is drawn.
 struct SurfaceRequirements {
   std::optional<std::string> flank_texture, face_texture, bore_texture;  ///< "MRR Ra 0.8"
   std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
@@ -40,7 +41,7 @@ struct GearSheetInput {
   double reference_diameter;          ///< d    mm
   std::vector<DataGroup> data;        ///< in the order of the table
   DrawingInput words;                 ///< text of the title block, and the fits of bore and keyway
-  std::string tip_fit;                ///< fit of the tip diameter; empty if it has none
+  std::string tip_fit;                ///< fit of the tip diameter; empty if there is none
   SurfaceRequirements surfaces;       ///< runout and texture, with symbols in the axial section
   std::string mass;                   ///< "0.41 kg", empty if unknown
   std::string number;                 ///< number of the sheet, such as "1/2"
@@ -53,7 +54,7 @@ struct GearSheet {
   double deviation_mm;  ///< deviation of the outline, mm on the gear
 };
 
-/// `tolerance_mm` applies to the outline, in mm on the gear.
+/// `tolerance_mm` is the tolerance of the outline, in mm on the gear.
 ///
 /// Errors    as dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
 ///           that cannot be fitted within the tolerance

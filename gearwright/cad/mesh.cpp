@@ -32,8 +32,8 @@ constexpr double kWallMin_mm = 1e-3;
 constexpr double kWallShare = 0.25;
 
 // A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
-// which printers cannot read. With the limit of points, it takes a few seconds to triangulate the
-// cap of a tooth, because the cost is quadratic in the number of points.
+// which printers cannot read. At the limit of points, the triangulation of the cap of a tooth takes
+// a few seconds, because its cost is quadratic in the number of points.
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
@@ -85,8 +85,8 @@ std::vector<Column> neck_columns(double radius, double chord, double facet_turn)
 // One gear of a solid.
 class GearMesh {
  public:
-  /// `below` and `above` are the radii of the walls that end on its end faces: the reach of the bore
-  /// or the radius of a neck, or 0.
+  /// `below` and `above` are the radii of the inner walls that end on the lower and the upper end
+  /// face: the reach of the bore, the radius of a neck, or 0.
   ///
   /// Errors    as tessellate()
   static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
@@ -100,7 +100,7 @@ class GearMesh {
 
   double chord() const { return tolerance_.chord; }
 
-  /// Adds the teeth, and the rim of an internal gear.
+  /// Adds the walls of the teeth.
   void add_walls(MeshBuilder& builder) {
     if (const ModifiedTeeth* modified = body().modified.get()) {
       WallEdges edges = edges_of(pitch_columns(half_, copies_), copies_, lower_levels());
@@ -131,8 +131,8 @@ class GearMesh {
     top_->add(builder, top_place(), rim.top);
   }
 
-  /// Adds the lower or the upper end face of an external gear. `columns` belong to the wall that
-  /// ends there, with first vertex `hole`.
+  /// Adds the lower or the upper end face of an external gear. `columns` are the columns of the
+  /// inner wall that ends there. `hole` is the first vertex of the end ring of this wall.
   void add_bottom(MeshBuilder& builder, const std::vector<Column>& columns,
                   std::uint32_t hole) const {
     bottom_->add(builder, bottom_place(), columns, hole);
@@ -249,7 +249,8 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // The cap at the height z above the middle of the face, around a hole with this radius.
+  // The cap at the height z above the middle of the face. `radius` is the radius of the hole or,
+  // for an internal gear, of the rim or groove.
   std::optional<Cap> cap_at(double radius, double z) const {
     const int teeth = body().outline.teeth;
     const Circle circle = ring_ ? rim_circle(radius, copies_, tolerance_)
@@ -271,8 +272,8 @@ class GearMesh {
 
   // The band of a circular wall of an internal gear: the rim or the groove. At both ends, the
   // columns of this wall must have the rotation of the teeth. The wall therefore has the screw
-  // motion of the teeth. For a double-helical gear, it turns evenly from one end rotation to the
-  // other.
+  // motion of the teeth. For a double-helical gear, the wall turns evenly from one end rotation to
+  // the other.
   Band around(double width) const {
     if (!body().two_helices) return bands_.front();
     const double stagger = body().two_helices->stagger;
@@ -286,7 +287,8 @@ class GearMesh {
   bool ring_;
   std::vector<Band> bands_;
   int steps_ = 1;
-  double given_ = 0.0;  // chord tolerance of the teeth with their modifications, mm
+  double given_ = 0.0;  // chord tolerance of the whole mesh, mm; with modifications, tolerance_ is
+                        // only a part of it
   SectionTolerance tolerance_{};
   std::vector<SectionPoint> half_;
   std::optional<ModifiedGrid> grid_;

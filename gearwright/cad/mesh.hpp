@@ -58,15 +58,16 @@ struct TriangleMesh {
 struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< mesh in the gear frame
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to the file's frame
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the frame of
+                                                           ///< the file
   std::optional<std::size_t> colour{};                     ///< index for part_colour(); if absent,
                                                            ///< the index of the part
   std::optional<std::size_t>
       same_as{};  ///< an earlier part with the same mesh; `mesh` is then empty
 };
 
-/// The body as a closed oriented mesh in the gear frame; `body.pose` is not applied. Gears above it
-/// belong to the same mesh.
+/// The body as a closed oriented mesh in the gear frame. `body.pose` is not applied. The gears in
+/// `body.above` belong to the same mesh.
 ///
 /// Accuracy  no point of a wall triangle is farther than chord_tolerance_mm from the exact wall;
 ///           the caps are plane. If the distance from the bore (or rim) to the root is less than

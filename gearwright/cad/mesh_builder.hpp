@@ -67,9 +67,9 @@ struct WallEnds {
 class MeshBuilder {
  public:
   /// Adds a closed wall of `copies` equal parts. If `inward` is true, the material lies outside the
-  /// wall. Copy k is exactly copy 0 turned by sincos_turn(k, copies). The lowest ring is the top
-  /// ring of the wall `below`, which has the same columns there. If `below` is null, it is a new
-  /// ring.
+  /// wall. Copy k is exactly copy 0 turned by sincos_turn(k, copies). If `below` is given, the wall
+  /// begins at the top ring of that wall, which must have the same columns. If `below` is null, the
+  /// wall begins with a new ring.
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
@@ -99,7 +99,8 @@ class MeshBuilder {
     std::size_t count;
     std::uint32_t shaded;
   };
-  // Shaded columns of one part. The normals `before` belong to the quad that ends at the column.
+  // Indices of the shaded columns of one part. For column i, before[i] belongs to the quad that
+  // ends there, and after[i] to the quad that begins there.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

@@ -17,7 +17,7 @@ namespace {
 using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids, brep::Rims,
     brep::Side;
 
-// A wall of tooth 0, in counter-clockwise order: an arc of a side, or a land.
+// A wall of tooth 0: an arc of one side, or a land. The walls are in counter-clockwise order.
 struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
   bool left;                       // true if the arc is on the left side, where its poles run from

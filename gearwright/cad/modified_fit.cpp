@@ -22,8 +22,8 @@ constexpr int kLineChecks = 12, kFaceChecks = 8;  // number of checked points be
                                                   // knots
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
 // Least distance between a plane and the line at which an end relief begins, relative to the height
-// of a slice. Removing the material c moves this line out of a plane by c sin β_b, which is about a
-// hundredth of a module.
+// of a slice. Removing the material c moves this line out of its plane z = const by c sin β_b,
+// which is about a hundredth of a module.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
@@ -40,8 +40,8 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// Fits one side of the teeth. Along an arc, u is the curve's own parameter or the relative arc
-// length, whichever the spline of the arc as cut uses.
+// Fits one side of the teeth. Along an arc, u is the parameter that the spline of the arc as cut
+// uses: the curve's own parameter or the relative arc length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {
@@ -114,8 +114,8 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
   return true;
 }
 
-// The basis with the fewest poles that meets the targets on both sides. If there is none, the last
-// basis that was tried.
+// The basis with the fewest poles that meets the targets on both sides. If none meets them, the
+// result has kMaxPoles poles.
 BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& layer) {
   const auto both = [&](const BSplineBasis& basis) {
     return serves(basis, fitters[0], layer) && serves(basis, fitters[1], layer);
@@ -126,9 +126,10 @@ BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& 
   return {5, kMaxPoles};
 }
 
-// Computes the poles of a face. `begin` and `below` are the poles of the first row and of the lower
-// edge that the neighbouring faces already have. They replace the face's own samples, so that
-// common edges are exactly equal.
+// Computes the poles of a face. `begin` and `below` are the samples of the neighbouring faces on
+// the common edges, at the start of the arc and at the lower level. They replace the face's own
+// samples, so that common edges are exactly equal. `end` and `above` receive the samples for the
+// next faces.
 ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
                       const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,
                       const std::vector<Vec3>* begin, const std::vector<Vec3>* below,
@@ -228,8 +229,8 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
     for (std::size_t arc = 0; arc < fitters[side].arcs(); ++arc)
       fit.along_u[side].push_back(knots_of(fitters[side].basis(arc)));
 
-  std::array<std::vector<std::vector<Vec3>>, 2> above;  // upper edges of the faces in the layer
-                                                        // below, by arc
+  std::array<std::vector<std::vector<Vec3>>, 2> above;  // samples on the upper edges of the faces
+                                                        // in the layer below, by arc
   for (std::size_t l = 0; l + 1 < fit.levels.size(); ++l) {
     const Layer layer{fit.levels[l], fit.levels[l + 1]};
     const BSplineBasis along_v = basis_along(fitters, layer);

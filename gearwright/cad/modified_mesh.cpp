@@ -84,7 +84,8 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // The greatest error of c in the middle of a segment, without the error of the chord as cut.
+  // The greatest error in the middle of a segment if c, or the shift of a fillet, is interpolated
+  // linearly. The error of the chord of the outline as cut is not included.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;
@@ -142,7 +143,7 @@ class GridMaker {
     bool left;
     ModifiedSide::Row row;
   };
-  std::vector<ProbedRow> rows_;  // heights at which segments are examined
+  std::vector<ProbedRow> rows_;  // rows in which segments are examined
 };
 
 // The row at a level, and the rows just below and above it, from which the normals are computed.

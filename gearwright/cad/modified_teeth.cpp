@@ -14,7 +14,7 @@ namespace gearwright {
 
 namespace {
 
-// Two arcs of a flank form one surface if their tangents at the joint differ by less than this,
+// Two arcs of a flank form one surface if their tangents at the joint differ by at most this angle,
 // rad.
 constexpr double kSmooth = 1e-6;
 // Starts of reliefs do not divide the arc if they are closer than this to each other or to the end
@@ -175,8 +175,7 @@ ModifiedSide::Row ModifiedSide::row(const ToothLevel& low, const ToothLevel& hig
 double ModifiedSide::weight(std::size_t arc, double rho) const {
   const bool tip = arc > last_;
   const auto& arcs = outline_->arcs;
-  std::size_t end = arc;  // the arc at which the fade ends: the one that meets a land or the centre
-                          // line
+  std::size_t end = arc;  // the last arc of the fade, which meets a land or the centre line
   if (tip) {
     while (end + 1 < arcs.size() && role(end + 1) == Role::fade) ++end;
   } else {

@@ -2,7 +2,8 @@
 //
 //   c(u, ζ)   material removed along the normal, mm, at the nominal point with the radius e^u mm
 //             and the height ζ (gear/modifications.hpp)
-//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p the outline, n its normal
+//   M(a, ζ)   R(τζ) p(a) + ζ k − c n, the modified flank [T10.27]; p(a) point of the outline, n its
+//             normal there
 //   ζ, z      heights of the nominal and of the moved point, mm; z = ζ − c n_z
 //   w         weight of a fade, from 1 at the form diameter to 0 at the root or the tip
 //

@@ -2,9 +2,9 @@
 //
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
-// An instance refers to other instances by their numbers. Every instance is written after those to
-// which it refers, so a file is written in one pass over the gears and needs no memory except for
-// its text. Internal to cad/.
+// An instance refers to other instances by their numbers. Every instance is written after all
+// instances to which it refers, so a file is written in one pass over the gears and needs no memory
+// except for its text. Internal to cad/.
 //
 //   Laws  (1) a real has the fewest digits that a reader converts back to the same double
 //         (2) text can be read back unchanged, because characters other than printable ASCII are

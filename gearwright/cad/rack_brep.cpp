@@ -141,7 +141,8 @@ class RackShell {
     return {at, point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
   }
 
-  // The height at a line of constant s is taken from the strip that ends at this line.
+  // The height at a line of constant s is taken from the strip that ends at this line or, at the
+  // first line, from the first strip.
   Station station(double s) {
     const auto& strips = plan_.strips();
     const auto strip = std::find_if(strips.begin(), strips.end() - 1,
@@ -239,7 +240,7 @@ class RackShell {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
     return {at, straight(top, at)};
   }
-  // Adds the wall below the part `top` of the border, which leads from above `a` to above `b` with
+  // Adds the wall below `top`, a part of the border that begins above `a`, ends above `b` and has
   // the metal on its left. Returns the lower edge of the wall.
   RackUse add_wall(const RackLoop& top, const Foot& a, const Foot& b, const Vec3& normal) {
     const RackUse floor = straight(a.at, b.at);
@@ -264,7 +265,7 @@ class RackShell {
   }
 
   // Adds the walls below the border of the teeth, and the back. Seen from the teeth, the border is
-  // counter-clockwise. It runs along the low chain and returns along the high chain.
+  // counter-clockwise. The border runs along the low chain and returns along the high chain.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);

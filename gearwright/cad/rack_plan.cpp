@@ -56,8 +56,8 @@ RackPlan::RackPlan(const ToothedBody& body) {
   const double y = length_ / 2, climb = std::abs(slope_) * width_ / 2;
   corners_ = {-y - climb, std::min(-y + climb, y - climb), std::max(-y + climb, y - climb),
               y + climb};
-  // The low end of the line first runs along the end y = −l/2 of the bar if q > 0, and finally
-  // along the end y = l/2 if q < 0.
+  // As s increases, the low end of the line starts on the end y = −l/2 of the bar if q > 0, and
+  // finishes on the end y = l/2 if q < 0.
   low_corner_ = slope_ > 0.0 ? -y + climb : slope_ < 0.0 ? y - climb : first();
   high_corner_ = slope_ > 0.0 ? y - climb : slope_ < 0.0 ? -y + climb : first();
 
@@ -85,9 +85,9 @@ Vec2 RackPlan::at(double s, double z) const {
   return {std::clamp(s + slope_ * z, -length_ / 2, length_ / 2), z};
 }
 
-// Returns the low or the high end of a line of constant s. It lies on the side z of the bar, or on
-// the end y if the line is before (y < 0) or beyond (y > 0) the corner (y, z), whose s is `corner`.
-// For a spur rack, it always lies on the side z. Corners are exact.
+// Returns the low or the high end of a line of constant s. This end lies on the side z of the bar,
+// or on the end y if the line is before (y < 0) or beyond (y > 0) the corner (y, z), whose s is
+// `corner`. For a spur rack, it always lies on the side z. Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

@@ -8,7 +8,7 @@
 // lines of constant s and by the border of the rectangle. As s increases, a line of constant s
 // moves over the rectangle from one corner to the opposite one (for a spur rack, from one end to
 // the other). The two ends of the line run along the border, one on the low side and one on the
-// high side of z. Each of them passes one corner.
+// high side of z. Each end of the line passes one corner.
 #pragma once
 
 #include <array>

@@ -44,7 +44,7 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
 // Returns the normal distance from q to the curve near its parameter t: the distance from q to the
 // tangent at t, minus the sagitta κ s²/2 of the osculating circle. s is the offset of q along the
 // tangent, and the error is of third order in s. If |κ s| ≥ 0.01, the function returns the distance
-// from q to the point at t, which is larger.
+// from q to the point at t, which is larger than the normal distance.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;
@@ -80,8 +80,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement from 16
-// poles on by halving spans.
+// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement of 16
+// uniform spans by halving.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;

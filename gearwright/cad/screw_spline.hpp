@@ -48,11 +48,11 @@ struct SectionSpline {
 
 /// Fits a spline of degree 5 to the arc, with the fewest poles that reach the target.
 ///
-/// Both the curve's own parameter and its arc length are tried, and the one with fewer poles is
-/// used. A trochoid needs fewer poles with the arc length, and an involute near its base circle
-/// with the roll angle. The curve's own parameter is used only if its slowest speed exceeds 1/100
-/// of the mean. Otherwise the spline would have no normal at its ends. If uniform knots do not
-/// converge, spans that miss the target are halved.
+/// Both the curve's own parameter and the arc length are tried, and the parameter that needs fewer
+/// poles is used. A trochoid needs fewer poles with the arc length, and an involute near its base
+/// circle with the roll angle. The curve's own parameter is used only if its slowest speed exceeds
+/// 1/100 of the mean, because a spline has no normal at an end where the speed vanishes. If uniform
+/// knots do not converge, spans that miss the target are halved.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve
@@ -67,7 +67,7 @@ inline constexpr int kMaxPoles = 240;
 /// The points (k + ½)/n of each span between two knots, k = 0 … n − 1.
 std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 
-/// The greatest error at these points, per span.
+/// The greatest error at the points of places_between_knots(), per span.
 std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
                                   const std::function<double(double)>& error);
 

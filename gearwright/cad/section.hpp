@@ -7,8 +7,9 @@
 // The area follows from Green's theorem, A = ½ ∮ (x dy − y dx). The two rays that bound half a
 // tooth pass through the axis and contribute nothing, so A is 2|z| times the integral over the half
 // outline. A curve provides points but no derivatives with respect to its parameter. Therefore
-// dy/dt and dx/dt are taken from the polynomial through the points at 16 Gauss nodes, for which the
-// quadrature is exact. The panels are halved until the sum converges.
+// dy/dt and dx/dt are taken from the polynomial through the points at 16 Gauss nodes. The
+// quadrature of x dy − y dx is exact for this polynomial. The panels are halved until the sum
+// converges.
 #pragma once
 
 #include "gearwright/cad/toothed_body.hpp"
@@ -40,8 +41,8 @@ double bore_area(const Bore& bore);
 double metal_area(const ToothedBody& body);
 
 /// Volume of the body with its teeth as cut: the area of the metal times the face width, minus the
-/// groove of a double-helical gear. The volume of a solid with several gears includes them all and
-/// the cylinders between them.
+/// groove of a double-helical gear. The volume of a solid with several gears includes all its gears
+/// and the cylinders between them.
 ///
 /// Units     mm³
 /// Domain    as for metal_area

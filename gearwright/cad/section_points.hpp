@@ -1,4 +1,4 @@
-// Places points on the section of half a tooth, using as few as a chord tolerance permits.
+// Places as few points on the section of half a tooth as the chord tolerance permits.
 //
 //   κ   curvature, 1/mm      a   chord of a segment, mm     Δ   turn between adjacent levels of the
 //       grid, rad
@@ -28,16 +28,16 @@ struct SectionPoint {
 
 struct SectionTolerance {
   double chord;       ///< ε  mm
-  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment (from the
-                      ///< curvature)
+  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment, computed
+                      ///< from the curvature
   double level_turn;  ///< |Δ|  rad
   double radius;      ///< ρ  mm
 };
 
 /// Returns the points from the middle of the space to the centre line of the tooth. The first point
 /// lies exactly on the ray π/|z| and the last one exactly on the x axis. Neighbouring points that
-/// are closer than chord/50 are merged, which moves the boundary by less than that distance. At
-/// most `most` points are returned; the rest are omitted.
+/// are closer than chord/50 are merged, which moves the boundary by less than that distance. If
+/// more than `most` points are needed, the list ends early, but it has more than `most` points.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε; the ends lie within 1e-6 ρ of their rays (contract)

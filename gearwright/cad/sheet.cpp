@@ -11,7 +11,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kArrow = 2.5;      // mm, length of an arrow head
-constexpr double kArrowHalf = 0.4;  // mm, half of its width
+constexpr double kArrowHalf = 0.4;  // mm, half of the width of an arrow head
 // Size of a subscript or superscript relative to the text, and offsets of their base lines.
 constexpr double kIndex = 0.7, kBelow = 0.3, kAbove = 0.45;
 

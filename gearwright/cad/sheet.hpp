@@ -2,7 +2,7 @@
 // of the sheet is (0, 0), with x to the right and y upwards. PDF, SVG and DXF files are written
 // from such a sheet (sheet_files.hpp).
 //
-//   h    height of capitals, mm (ISO 3098). The letters are those of Helvetica. Their widths are
+//   h    height of capitals, mm (ISO 3098). The font is Helvetica. The widths of its letters are
 //        known (text_width), so that a layout can avoid overlaps of text and lines.
 //   b    bulge of a segment of a path: tan(sweep/4), > 0 counter-clockwise, 0 for a line
 #pragma once
@@ -44,7 +44,8 @@ struct SheetInk {
   double fill_opacity, stroke_opacity;
   double line_width;           ///< mm
   std::vector<double> dashes;  ///< mm
-  bool even_odd;               ///< rule for the inside of an area; otherwise by winding numbers
+  bool even_odd;               ///< true if areas are filled by the even-odd rule, false for
+                               ///< non-zero winding numbers
 };
 
 struct SheetPath {
@@ -56,7 +57,7 @@ struct SheetPath {
   bool filled = false;                            ///< true for an arrow head, a black triangle
   std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a mark of a drawing
   bool more = false;                  ///< true if the next path is a further piece of the same area
-  std::optional<SheetBox> clip = {};  ///< the visible part; nothing for the whole sheet
+  std::optional<SheetBox> clip = {};  ///< the visible part; absent if the whole sheet is visible
 };
 
 struct SheetCircle {

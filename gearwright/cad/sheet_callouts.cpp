@@ -12,28 +12,29 @@ namespace gearwright {
 namespace {
 
 constexpr auto kLeaders = SheetLayer::dimension;
-constexpr const char* kBoth = "2×";  // a requirement of both faces
+constexpr const char* kBoth = "2×";  // the requirement applies to both faces
 
 // Lengths in mm. kEnd: right end of the upper callouts. kFlankLeader, kBoreLeader: distances of
-// vertical leaders from the left face. kLeaderLength: horizontal leader of the faces. kApart: between
-// two callouts. kClear: to lines of the views. kLeast: of a leader with an arrow.
+// vertical leaders from the left face. kLeaderLength: horizontal leader of the faces. kApart:
+// distance between two callouts. kClear: distance from lines of the views. kLeast: least length of
+// a leader with an arrow.
 constexpr double kEnd = -8, kFlankLeader = -2, kBoreLeader = -5, kLeaderLength = 6;
 constexpr double kApart = 1.5, kClear = 2, kLeast = 4;
-// Projection of centre lines beyond the circle, and height of the dimensions of the right-hand side
-// and of a datum above the outermost circle.
+// Projection of centre lines beyond the outermost circle, and heights above this circle up to which
+// the dimensions and the datum on the right-hand side extend.
 constexpr double kCentreLine = 3, kDimensionTop = 8, kDatumTop = 12;
-constexpr double kTipFrame = 0.8;   // lower end of the frame of the tip circle above the circle
+constexpr double kTipFrame = 0.8;   // distance from the circle up to the frame of the tip circle
 constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower end of the section
 
 double texture_width(const std::string& words) { return texture_left() + texture_right(words); }
 
-// A symbol of surface texture above its shelf, which ends at kEnd.
+// The box of a symbol of surface texture that stands at the height `shelf` and ends at kEnd.
 SheetBox texture_box(const std::string& words, double shelf) {
   return {{kEnd - texture_width(words), shelf}, {kEnd, shelf + kTextureHeight}};
 }
 
-// The greatest horizontal extent of a circle, with its centre line, on one side between two
-// heights.
+// The greatest horizontal distance of a circle from its centre between two heights. If the
+// horizontal centre line lies between these heights, its projection is included.
 double half_chord(double radius, double lo, double hi) {
   if (lo <= 1 && hi >= -1) return radius + kCentreLine;
   const double y = std::min(std::abs(lo), std::abs(hi));
@@ -48,8 +49,8 @@ Callouts::Callouts(AxialSection section, SurfaceRequirements required)
   place_above();
 }
 
-// The callout of the faces is at the lower left. Its leader passes below all dimensions. If one of
-// them reaches lower, the callout is at the upper right.
+// The callout of the faces is at the lower left. Its leader passes below all dimensions. If a
+// dimension reaches lower, the callout is at the upper right.
 void Callouts::place_faces() {
   const double number = text_width(kBoth, kUsual) + 1;
   double width = runout_width(required_.face_runout), height = kFrameHeight + kUsual + 1;
@@ -80,7 +81,7 @@ void Callouts::place_above() {
   for (const OccupiedSpace& s : section_.on_left) floor = std::max(floor, s.hi + kClear);
 
   if (section_.ring) {
-    // The frame of the tip circle has its leader from the inside, or from above if the ring is small.
+    // The leader of the tip circle comes from the inside, or from above if the ring is small.
     double frame = section_.tip - kLeast - kFrameHeight / 2;
     if (frame < floor) frame = std::max(floor, section_.tip + kLeast - kFrameHeight / 2);
     double shelf = frame + kFrameHeight + kApart;
@@ -115,7 +116,7 @@ std::vector<SheetBox> Callouts::boxes() const {
 double Callouts::distance() const {
   double distance = 0.0;
   for (const SheetBox& box : boxes()) {
-    if (box.hi.x() > 0) continue;  // the faces at the upper right
+    if (box.hi.x() > 0) continue;  // the callout of the faces, at the upper right
     const double chord = half_chord(section_.body, box.lo.y(), box.hi.y());
     distance = std::max(distance, chord + kClear - box.lo.x());
   }

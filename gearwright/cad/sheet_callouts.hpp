@@ -6,8 +6,8 @@
 // axis at the left face.
 //
 //     [tip runout]──────┐
-//      flank ─────────┐ ↓          ring: the frame of the tip circle is below the flank, because its
-//      bore ───────┐  ↓ ┌─────      leader comes from the inside
+//      flank ─────────┐ ↓          ring: the runout of the tip circle is below the flank, because
+//      bore ───────┐  ↓ ┌─────      the leader of the runout comes from the inside
 //                  │  - │
 //    - - - - - - - ↓ - -│- - axis
 //       faces           │
@@ -29,7 +29,8 @@ struct OccupiedSpace {
 /// The axial section on paper, mm.
 struct AxialSection {
   bool ring;
-  double width, half;          ///< face width, and face width of the part at the left face
+  double width, half;          ///< face width, and width of the teeth at the left face (of one half
+                               ///< if there is a groove)
   double body;                 ///< radius of the outermost circle
   double tip, reference;       ///< radii of tip circle and reference circle
   std::optional<double> bore;  ///< radius of the bore of an external gear
@@ -42,7 +43,8 @@ class Callouts {
 
   /// The space that each callout covers, without its leader.
   std::vector<SheetBox> boxes() const;
-  /// The distance of the left face from the centre of the transverse view that the callouts need.
+  /// The distance that the callouts need between the centre of the transverse view and the left
+  /// face.
   double distance() const;
   double top() const;    ///< greatest height of a callout above the axis
   double right() const;  ///< extent beyond the right face; 0 if no callout is there

@@ -18,7 +18,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr int kDecimals = 4;  // decimals of a mm
+constexpr int kDecimals = 4;  // of a length in mm
 // A cubic approximates an arc of at most π/8. The error is 4e-8 of the radius.
 const double kMostBulge = std::tan(std::acos(-1.0) / 32);
 
@@ -357,7 +357,7 @@ std::string sheets_dxf(const std::vector<Sheet>& sheets) {
     const auto hundredths = static_cast<int>(std::lround(100 * style.line_width));
     layers.push_back({style.name, style.dxf_color, hundredths, style.chain});
   }
-  // A layer of a figure has the line width of the reader.
+  // A layer of a figure has the default line width of the reader.
   const auto define = [&](const SheetInk* ink) {
     const auto same = [&](const DxfLayer& layer) { return layer.name == ink->name; };
     if (!ink || std::any_of(layers.begin(), layers.end(), same)) return;
@@ -375,7 +375,7 @@ std::string sheets_dxf(const std::vector<Sheet>& sheets) {
     for (const SheetCircle& c : sheet.circles)
       entities.circle(style_of(c.layer).name, c.radius, c.center);
     for (const SheetText& t : sheet.texts) {
-      if (t.ink && !t.ink->fill) continue;  // the light ground behind a text
+      if (t.ink && !t.ink->fill) continue;  // the light outline behind a text
       define(t.ink.get());
       entities.text(layer_of(t), t.at, t.text, t.height, t.upright ? kUpright_deg : 0.0);
     }

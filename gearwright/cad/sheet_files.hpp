@@ -2,8 +2,8 @@
 // no time and no host name.
 //
 //   PDF   1.4, one page per sheet; the fonts are Helvetica and Symbol, which need not be embedded
-//   SVG   in mm, the sheets side by side; every text has its width, so a substitute font does not
-//         exceed it
+//   SVG   in mm, the sheets side by side; the file states the width of every text, so that a
+//         substitute font keeps this width
 //   DXF   AutoCAD 2000, in mm on paper, the sheets side by side; layers and line types have names;
 //         texts are TEXT entities
 #pragma once

@@ -49,7 +49,7 @@ struct Dimension {
   bool datum = false;  ///< true if the axis of this diameter is the datum; only with Direction::up
 };
 
-/// The lowest and the highest point of a dimension along its direction, with its text and its datum,
+/// The lowest and the highest point of a dimension along its direction, including text and datum,
 /// mm.
 struct Reach {
   double lo, hi;
@@ -57,8 +57,8 @@ struct Reach {
 Reach reach_of(const Dimension& dimension);
 
 /// Draws a dimension. Its text is above the dimension line if the space between the edges is
-/// sufficient. Otherwise it follows the end of a horizontal line, or is below a vertical one. The
-/// datum is below the dimension, or above it if its text is below.
+/// sufficient. Otherwise the text follows the end of a horizontal line, or is below a vertical
+/// line. The datum is below the dimension, or above the dimension if the text is below.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
 /// Draws text within a box, starting at the top. The letters are as large as possible, and several

@@ -17,7 +17,8 @@ constexpr auto kThin = SheetLayer::dimension;
 // line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
 constexpr double kTriangle = 3,
-                 kStem = kDatumHeight - kFrameHeight;  // side of the datum's triangle
+                 kStem = kDatumHeight - kFrameHeight;  // side of the datum's triangle; distance
+                                                       // from the triangle's base to the box
 const double kTan60 = std::sqrt(3.0);
 
 struct Texture {
@@ -54,7 +55,7 @@ void draw_texture(Sheet& sheet, const Vec2& foot, std::string_view words) {
   sheet.line(kThin, foot, foot + right);
   sheet.line(kThin, foot + right, foot + Vec2(texture_right(words), kTextureHeight));
   if (texture.bar) sheet.line(kThin, foot + left, foot + Vec2(-left.x(), kShort));
-  // The circle touches both legs and the level of the shorter one.
+  // The circle touches both legs and the level at which the shorter leg ends.
   if (texture.circle) sheet.circle(kThin, foot + Vec2(0, kShort * 2 / 3), kShort / 3);
   if (!texture.words.empty())
     sheet.text(kThin, foot + right + Vec2(kNear, -kUsual - 1), texture.words, kUsual);

@@ -1,10 +1,11 @@
-// Graphical symbols of a workshop drawing, drawn with the lines and texts of a sheet, so that all
-// its writers have them: surface texture, runout, datum and edge. Internal to cad/.
+// Graphical symbols of a workshop drawing: surface texture, runout, datum and edge. They consist of
+// lines and texts of a sheet, so that every file format contains them. Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
 //
 // Shapes and proportions follow ISO 1302, annex A (ISO 21920-1), ISO 7083 for tolerance frames of
-// ISO 1101 and datums of ISO 5459, and ISO 13715 for edges. An empty text is a visible blank.
+// ISO 1101 and datums of ISO 5459, and ISO 13715 for edges. If a text is empty, its symbol is drawn
+// with an empty space.
 #pragma once
 
 #include <string>
@@ -14,17 +15,19 @@
 
 namespace gearwright {
 
-/// Height of a symbol of surface texture, of a tolerance frame, and of a datum with its triangle, mm.
+/// Heights of a symbol of surface texture, of a tolerance frame, and of a datum with its triangle,
+/// mm.
 inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight = 9.5;
 /// Half of the width of the box of a datum, mm.
 inline constexpr double kDatumHalf = kFrameHeight / 2;
 
-/// The letter of the only datum of a sheet. It is the axis of a gear.
+/// The letter of the only datum of a sheet. The datum is the axis of a gear.
 inline constexpr const char* kDatum = "A";
 
-/// The symbol of a surface texture, such as "MRR Ra 0.8". The first word selects the symbol: MRR has
-/// a bar (material is removed), NMR has a circle (no material is removed), and APA or no such word is
-/// the basic symbol (any process). Only the rest is written.
+/// The symbol of a surface texture, such as "MRR Ra 0.8". The first word selects the symbol. MRR
+/// gives a bar (material is removed), and NMR gives a circle (no material is removed). APA, or a
+/// text without any of these words, gives the basic symbol (any process). The selecting word is not
+/// written.
 ///
 /// Units  mm, to the left and to the right of the point of the symbol
 double texture_left();
@@ -42,8 +45,9 @@ enum class DatumSide { above, below };
 /// Draws the triangle of the datum on a line at `at`, with its box on the given side.
 void draw_datum(Sheet& sheet, const Vec2& at, DatumSide side);
 
-/// Draws the angle that stands for an edge, with its corner at `corner` and these lengths of its two
-/// lines. The permitted size of the edge is written within the angle.
+/// Draws the symbol of an edge: an angle with its corner at `corner`. `lengths` are the signed
+/// lengths of the horizontal and the vertical line. The caller writes the permitted size of the
+/// edge within the angle.
 void draw_edge(Sheet& sheet, const Vec2& corner, const Vec2& lengths);
 
 }  // namespace gearwright

@@ -88,7 +88,8 @@ struct Cell {
   bool edge = false;  // true if the text is within the symbol of an edge
 };
 
-// The space for text in a cell, below the label. The symbol of an edge is at its left and lower end.
+// The space for text in a cell, below the label. The symbol of an edge runs along the left and the
+// lower side of this space.
 SheetBox room(const SheetBox& box, const Cell& cell) {
   const Vec2 symbol = cell.edge ? Vec2(1, 0.4) : Vec2(0, 0);
   return {box.lo + Vec2(kFieldInset, kFieldInset / 2) + symbol,

@@ -61,8 +61,8 @@ Error too_many(std::size_t faces, int slices) {
               faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
-// Adds the arcs of half a tooth with modifications. Each arc has the greatest degree, number of
-// poles and deviation of all its faces.
+// Adds the arcs of half a tooth with modifications. For each arc, the report contains the greatest
+// degree, number of poles and deviation of the faces of this arc.
 void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
                        const ModifiedFit& fit, std::size_t body) {
   const auto& arcs = teeth.outline().arcs;
@@ -93,8 +93,8 @@ std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<To
   return tooth * static_cast<std::size_t>(std::abs(teeth.outline().teeth));
 }
 
-// Divides a gear of the body with this index into faces, and adds the faces of half a tooth to the
-// report.
+// Divides a gear into faces, and adds the faces of half a tooth to the report. `index` is the index
+// of the body to which the gear belongs.
 Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
                            std::vector<StepFace>& faces) {
   auto walls = make_walls(gear);

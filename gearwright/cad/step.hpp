@@ -54,7 +54,7 @@ struct StepReport {
                                   ///< of 1e-6 of the body's volume
   std::size_t face_count = 0;     ///< faces of all solids; a shape that several parts share is
                                   ///< counted once
-  std::size_t edge_count = 0;     ///< each shared edge once
+  std::size_t edge_count = 0;     ///< edges of all solids; each shared edge counts once
 };
 
 inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid, which corresponds to

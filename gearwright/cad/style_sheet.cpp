@@ -53,7 +53,8 @@ void StyleSheet::read(std::string_view css) {
   }
 }
 
-// Selectors that need an ancestor other than svg, a state or an attribute are for the page only.
+// Selectors with a state, with an attribute, or with an ancestor other than svg apply to the page
+// only and are skipped.
 void StyleSheet::add(std::string_view selector, std::string_view declarations) {
   const std::vector<std::string_view> steps = split(selector, ' ');
   if (selector.find_first_of(":[>*") != selector.npos || steps.size() > 2) return;

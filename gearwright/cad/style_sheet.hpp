@@ -19,12 +19,12 @@ class StyleSheet {
   explicit StyleSheet(std::string css);
 
   const Style& root() const { return root_; }  ///< variables
-  /// Sets the properties of the rules for an element with these classes.
+  /// Sets the properties of all rules that apply to an element with this tag and these classes.
   void apply(std::string_view tag, std::string_view classes, Style& style) const;
 
  private:
   struct Rule {
-    std::string tag;                   // empty for every element
+    std::string tag;                   // empty if the rule applies to every tag
     std::vector<std::string> classes;  // all of which the element must have
     int weight;
     std::string declarations;
@@ -39,13 +39,14 @@ class StyleSheet {
 /// The rules of figure_style.css.
 const StyleSheet& figure_styles();
 
-/// Sets the properties "name:value;…". Values that a newer CSS defines are ignored.
+/// Sets the properties "name:value;…". Values with color-mix() are ignored.
 void apply_declarations(std::string_view declarations, Style& style);
 
-/// The value of a property, with its variable replaced; empty if it is absent.
+/// The value of a property; empty if the property is absent. If the value is a variable, the value
+/// of the variable.
 std::string text_in(const Style& style, std::string_view name);
 double number_in(const Style& style, std::string_view name, double absent);
-/// The colour 0xRRGGBB, or nothing for "none".
+/// The colour 0xRRGGBB; nothing for "none". If the property is absent, the result is `absent`.
 std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
                                        std::optional<std::uint32_t> absent);
 

@@ -50,7 +50,7 @@ struct BezierChain {
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract)
 /// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² pieces suffice; the caller must check this
-/// Laws      the end points are those of the arc, to the last bit
+/// Laws      the end points are identical to the end points of the arc, to the last bit
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm);
 
 }  // namespace gearwright

@@ -90,10 +90,12 @@ struct ToothedBody {
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< gear frame to housing frame
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the housing
+                                                           ///< frame
   std::optional<std::size_t> colour{};      ///< index for part_colour(); by default, the body's own
                                             ///< index
-  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape
+  std::optional<std::size_t> same_as{};     ///< index of an earlier body of the file with the same
+                                            ///< shape
   std::optional<RackBlock> rack{};          ///< set for a rack, which has no bore and no twist
   std::optional<TwoHelices> two_helices{};  ///< set for a double-helical gear
   /// The teeth with flank modifications, made by modify(); null if the teeth are as cut. Drawings
@@ -175,8 +177,8 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 /// Returns the rack in its own frame (pair/rack_pair.hpp). Its pose is
 /// `rack_pair.pose_2().isometry()`.
 ///
-/// Errors    `gear2.teeth` or `gear2.height` if it is not given; `gear2.height` if the back lies
-///           above the roots, with the smallest permissible height; errors of rack_outline()
+/// Errors    `gear2.height`, with the smallest permissible height, if the back lies above the
+///           roots; errors of rack_outline()
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright

@@ -11,9 +11,9 @@
 //
 // Rules that ensure valid faces
 //   lands     an arc named a land is a true circle if its radius is constant within 1e-8 mm. The
-//             two halves of a tip land form one wall unless it spans more than half a turn (z = 1).
-//             The same applies to a root land. Any other arc is a spline, and so is its mirror
-//             image.
+//             two halves of a tip land form one wall unless the land spans more than half a turn,
+//             which is possible for z = 1. The same applies to a root land. Any other arc is a
+//             spline, and so is its mirror image.
 //   slivers   an arc shorter than kShortestArc_mm gives no wall. The next wall begins at the start
 //             of this arc. If a whole land is omitted, its two neighbours meet on the centre line.
 //   slices    the number is the smallest for which a slice turns by at most π, and this turn plus
@@ -36,7 +36,8 @@ inline constexpr double kShortestArc_mm = 1e-6;
 
 enum class WallShape { spline, circle, line };
 
-/// Knots of a section spline. All teeth share them. u runs from 0 to 1, counter-clockwise.
+/// Knots of a spline. The knots of a section spline run from 0 to 1, counter-clockwise, and all
+/// teeth share them.
 struct WallKnots {
   int degree;
   std::vector<double> distinct;

@@ -78,7 +78,7 @@ ChunkRead broken(std::string damage) {
 
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
-// The value of `text`, if the whole text is a number ≥ 0.
+// The value of `text`, or nothing if the text is not a whole number ≥ 0.
 std::optional<std::int64_t> number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -213,8 +213,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   GW_EXPECTS(counts.rejected.size() <= kMaxConstraints);
   const fs::path place = path(chunk);
   const std::string head = header(stamp_, chunk, payload, counts);
-  // The first free name is used. Another thread may be writing the same chunk, and a dead process
-  // may have had the same process id.
+  // The first free name is used, because another thread may be writing the same chunk, and a dead
+  // process may have had the same process id.
   std::string part;
   FileHandle file;
   for (int n = 0; !file.is_open(); ++n) {
@@ -224,8 +224,8 @@ void ChunkFolder::write(std::int64_t chunk, std::string_view payload,
   }
   int error = file.write(head);
   if (error == 0) error = file.write(payload);
-  // The file is closed before it is renamed, because a network file system shows its bytes to other
-  // hosts only after closing.
+  // The file is closed before it is renamed, because a network file system shows the bytes of a
+  // file to other hosts only after the file is closed.
   if (const int closing = file.close(); error == 0) error = closing;
   std::error_code renaming, ignored;
   if (error == 0) fs::rename(part, place, renaming);

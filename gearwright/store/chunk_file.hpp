@@ -30,7 +30,7 @@
 
 namespace gearwright {
 
-constexpr std::size_t kMaxConstraints = 500;  ///< limit with which a header fits into one page
+constexpr std::size_t kMaxConstraints = 500;  ///< with this limit, a header fits into 4096 bytes
 
 /// The content of a chunk file and its state.
 struct ChunkRead {
@@ -44,7 +44,7 @@ struct ChunkRead {
 
 class ChunkFolder {
  public:
-  enum class Depth { header, payload };  ///< header: checks only the length of the payload
+  enum class Depth { header, payload };  ///< header: the content of the payload is not read
 
   /// `stamp` distinguishes the chunks of different campaigns.
   ChunkFolder(std::filesystem::path folder, std::uint32_t stamp);

@@ -15,13 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A call waits this long for a lock and then fails. A process that holds a lock longer hangs.
+// A call waits this long for a lock and then fails. A process that holds a lock for longer is
+// assumed to hang.
 constexpr int kBusyMilliseconds = 60'000;
 constexpr int kLongestNap = 5;  // longest wait between two attempts, ms
 
-// SQLite calls this with the number of earlier calls and tries again if the result is 1. With its
-// default handler, which sleeps up to 100 ms, two processes that wrote continuously kept each other
-// waiting for 20 s.
+// SQLite calls this function while it waits for a lock. `before` is the number of earlier calls.
+// SQLite tries again if the result is 1. With SQLite's default handler, which sleeps up to 100 ms,
+// two processes that wrote continuously kept each other waiting for 20 s.
 int nap(void*, int before) {
   const int longest_of_all = kBusyMilliseconds / kLongestNap;
   if (before >= longest_of_all) return 0;
@@ -33,7 +34,8 @@ bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// Quoted names of columns. All are different for SQLite, which ignores case.
+// The quoted column names of the constraints. All names differ even if case is ignored, as SQLite
+// does.
 std::vector<std::string> column_names(const std::vector<std::string>& constraints) {
   std::set<std::string> taken = {"chunk", "tested", "feasible", "bytes", "writer", "finished"};
   std::vector<std::string> columns;
@@ -66,7 +68,8 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   const std::u8string name = path.u8string();  // SQLite reads names in UTF-8 on all systems
   const int status = sqlite3_open_v2(reinterpret_cast<const char*>(name.c_str()), &database,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  database_.reset(database);  // also after a failure, because the connection contains the message
+  database_.reset(database);  // also after a failure, because fail() reads the message from the
+                              // connection
   if (status != SQLITE_OK) fail();
   if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();
   // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
@@ -114,7 +117,7 @@ void ChunkJournal::bind(const Statement& statement, int place, const std::string
 bool ChunkJournal::step(const Statement& statement) const {
   const int status = sqlite3_step(statement.get());
   if (status != SQLITE_ROW && status != SQLITE_DONE) {
-    // The message belongs to the connection, so reset does not erase it. Without the reset a lock
+    // The message belongs to the connection, so reset does not erase it. Without the reset, a lock
     // would remain.
     sqlite3_reset(statement.get());
     fail();

@@ -1,5 +1,5 @@
-// The journal of a campaign, which is a search cut into chunks. It is an SQLite database that
-// serves users and progress output and coordinates writers.
+// The journal of a campaign, which is a search cut into chunks. It is an SQLite database. Users and
+// the progress output read it, and it coordinates the writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)
@@ -55,9 +55,10 @@ class ChunkJournal {
     bool open_ = true;
   };
 
-  /// The contents of `campaign`, empty before a campaign has begun. Call it within a transaction.
+  /// The contents of the table `campaign`; empty before a campaign has begun. The caller must hold
+  /// a transaction.
   std::map<std::string, std::string> campaign();
-  /// Makes the tables and begins the campaign. Call it within a transaction.
+  /// Makes the tables and begins the campaign. The caller must hold a transaction.
   void begin(const std::map<std::string, std::string>& campaign);
 
   std::set<std::int64_t> chunks();

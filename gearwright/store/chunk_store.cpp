@@ -119,8 +119,8 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
     changed = fmt::format("{} belongs to another search, and there is no journal",
                           files.path(chunks[i]).filename().string());
   }
-  // A search of this campaign without chunks was killed before its first chunk was finished, so it
-  // can start again.
+  // If the folder contains this campaign without any chunk, the search was killed before its first
+  // chunk was finished. It can then start again.
   const bool just_begun = changed.empty() && chunks.empty();
   if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
@@ -187,8 +187,9 @@ std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   return chunks;
 }
 
-// Renames a broken chunk and returns its fault, or nothing if the chunk is not broken. The chunk is
-// read again under the lock, because another process may have renamed or replaced it in between.
+// Renames a broken chunk and returns its fault. Returns nothing if the chunk is no longer broken or
+// no longer exists: the chunk is read again under the lock, because another process may have
+// renamed or replaced it.
 std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   const std::lock_guard lock(mutex);
   ChunkJournal::Transaction transaction(journal);
@@ -237,7 +238,7 @@ void ChunkStore::Impl::square_accounts() {
   for (const std::int64_t chunk : finished()) {
     lost.erase(chunk);
     const auto read = files.read(chunk, Depth::payload);
-    if (!read) continue;  // another process has just renamed it and updated its row
+    if (!read) continue;  // another process has just renamed the file and updated its row
     if (read->state == ChunkRead::State::whole) {
       add(chunk, read->counts);
       if (rows.count(chunk) == 0) without_row.push_back({chunk, read->counts, read->size});
@@ -274,7 +275,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
                                      std::move(writer), std::move(files), rejected_names);
   {
     // If several processes start at the same moment, one begins the campaign, and the others find
-    // it.
+    // the campaign in the journal.
     ChunkJournal::Transaction transaction(impl->journal);
     const Record old = impl->journal.campaign();
     if (auto error = refusal(folder, old, record, impl->files, as)) return *std::move(error);

@@ -5,14 +5,14 @@
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
 //
-// The chunk files are authoritative. The journal only serves users and progress output. A file is
-// renamed to its final name before its row is written, so a process that is killed loses only its
-// current chunk. The next process that opens the folder writes the missing rows. Shards, ranks and
-// nodes on one file system may work in one folder at the same time. They are coordinated by the
-// journal and by SQLite's locks, which the file system must support (Lustre must be mounted with
-// flock). Nothing is synced to the disk. After a power failure, a chunk file may be too short,
-// which its checksum detects. The journal may also be broken, but it can be moved away without
-// loss.
+// The chunk files are authoritative, and no result depends on the journal. The journal serves users
+// and the progress output, and it coordinates processes. A file is renamed to its final name before
+// its row is written, so a process that is killed loses only its current chunk. The next process
+// that opens the folder writes the missing rows. Shards, ranks and nodes on one file system may
+// work in one folder at the same time. The journal and SQLite's locks coordinate them. The file
+// system must support these locks (Lustre must be mounted with flock). Nothing is synced to the
+// disk. After a power failure, a chunk file may be too short, which its checksum detects. The
+// journal may also be broken, but it can be moved away without loss.
 #pragma once
 
 #include <cstdint>
@@ -34,11 +34,12 @@ struct Campaign {
   std::int64_t chunks = 0;
 };
 
-/// The numbers of the candidates of a chunk, by result.
+/// The numbers of candidates in a chunk that were tested, are feasible, and were rejected.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;
-  std::vector<std::int64_t> rejected;  ///< by constraint, in the order of the store's names
+  std::vector<std::int64_t> rejected;  ///< per constraint, in the order of `rejected_names` in
+                                       ///< ChunkStore::open()
 
   friend bool operator==(const ChunkCounts&, const ChunkCounts&) = default;
 };
@@ -46,19 +47,19 @@ struct ChunkCounts {
 enum class OpenAs {
   fresh,   ///< starts a campaign; rejected if one exists with finished chunks
   resume,  ///< continues an existing campaign
-  join     ///< either of the two, for shards and ranks that start at the same moment
+  join     ///< starts or continues a campaign, for shards and ranks that start at the same moment
 };
 
-/// Every member may be called from several threads at once. A store does not survive fork().
+/// Every member may be called from several threads at once. A store must not be used after fork().
 ///
 /// Throws    IoError from every member if a folder cannot be read or written, if the disk is full,
 ///           or if SQLite fails (with its message and the path of the journal)
 class ChunkStore {
  public:
   /// Opens `folder` and checks every chunk file in it against its checksum. A broken file is
-  /// renamed, reported by notes() and counts as missing. Temporary files are removed if their
-  /// process on this host is dead or if they are older than a day. `writer` is the name of this
-  /// process in the rows of the journal.
+  /// renamed, reported by notes() and counts as missing. A temporary file is removed if it was
+  /// written by a process of this host that is now dead, or if it is older than a day. `writer` is
+  /// the name of this process in the rows of the journal.
   ///
   /// Errors    key "--out" if a search exists and `as` is fresh, if no search exists and `as` is
   ///           resume, or if fingerprint, number of chunks or list of names differ; the message

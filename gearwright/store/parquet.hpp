@@ -10,10 +10,10 @@
 //                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
-// All pages are compressed by zstd with its checksum, so a reader detects a damaged file. For each
-// column of numbers, a row group states the least and the greatest value, so that readers can skip
-// groups that a query does not need. The same rows and the same version of zstd give the same
-// bytes.
+// All pages are compressed by zstd and contain its checksum, so a reader detects a damaged file.
+// For each column of numbers, a row group states the least and the greatest value, so that readers
+// can skip groups that a query does not need. The same rows and the same version of zstd give the
+// same bytes.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ namespace gearwright {
 enum class ParquetType { int32, int64, float64, text };
 
 struct ParquetColumn {
-  std::string name;  ///< UTF-8, unique in its table regardless of the case of a to z
+  std::string name;  ///< UTF-8, unique in its table even if the case of A to Z is ignored
   ParquetType type;
   bool optional = false;  ///< a row may omit it, which gives null
 };
@@ -50,7 +50,7 @@ class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
   /// A group also ends with the row in which the total length of its texts reaches this many bytes.
-  /// This limits the memory for long texts, and a page remains within the 2 GiB that the format
+  /// This limits the memory for long texts and keeps a page within the 2 GiB that the format
   /// allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
@@ -61,7 +61,7 @@ class ParquetWriter {
   ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,
                 std::vector<std::pair<std::string, std::string>> key_values = {});
 
-  /// Without close() the file has no footer, and readers reject it.
+  /// If close() was not called, the file has no footer, and readers reject it.
   ~ParquetWriter();
   ParquetWriter(const ParquetWriter&) = delete;
   ParquetWriter& operator=(const ParquetWriter&) = delete;
@@ -69,8 +69,8 @@ class ParquetWriter {
   /// Sets the value of `column`, counted from 0, in the current row. The file contains every bit of
   /// the value.
   ///
-  /// Domain    the column has that type and was not set in this row before; the value of an int32
-  ///           column fits into int32; text is UTF-8 below 1 GiB (contract)
+  /// Domain    the column has the type of the value and was not set in this row before; the value
+  ///           of an int32 column fits into int32; text is UTF-8 below 1 GiB (contract)
   void set(std::size_t column, double value);
   void set(std::size_t column, std::int64_t value);
   void set(std::size_t column, std::int32_t value) { set(column, std::int64_t{value}); }

@@ -15,10 +15,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Definition levels, 1 for a value and 0 for null, in the hybrid encoding of the format, which
-// consists of runs and bits. The length of the hybrid comes first. If there are no nulls, or only
-// nulls, the hybrid is one run of all rows. Otherwise it consists of bits only, 8 kB before
-// compression. Runs of equal levels would need up to 16 times as much.
+// Returns the definition levels, 1 for a value and 0 for null. The format encodes them as a mixture
+// of runs and bits, preceded by its length in bytes. If there are no nulls, or only nulls, one run
+// represents all rows. Otherwise only bits are used, which take at most 8 kB before compression.
+// Runs of equal levels would need up to 16 times as much.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {

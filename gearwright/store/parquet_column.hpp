@@ -23,13 +23,13 @@ void append_bytes(std::string& bytes, Number value) {
 
 struct ColumnChunk {
   ParquetColumn column;
-  std::string values = {};   ///< the values that are not null, PLAIN
+  std::string values = {};   ///< the values that are not null, in the encoding PLAIN
   std::string defined = {};  ///< one bit per row of an optional column, 1 for a value, 0 for null
   std::size_t count = 0;     ///< number of values that are not null
   bool is_set = false;       ///< true if the value was set in the current row
 };
 
-/// Ends row number `row` of the group. If no value was set in this row, it is null.
+/// Ends row number `row` of the group. If no value was set in this row, the value is null.
 void end_row(ColumnChunk& chunk, std::size_t row);
 
 /// The data page, before compression: definition levels if nulls are possible, then the values.

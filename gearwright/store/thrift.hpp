@@ -1,8 +1,8 @@
 // Writes structs in Thrift's compact protocol, which Parquet uses for headers and footer.
 //
-// Integers are zigzag varints. A field is identified by its distance from the previous field of the
-// same struct, and a struct ends with a zero byte. Fields must be given in ascending order of their
-// numbers in the protocol. Internal to store/.
+// Integers are zigzag varints. A field is identified by the difference between its number and the
+// number of the previous field in the same struct. A struct ends with a zero byte. Fields must be
+// given in ascending order of their numbers in the protocol. Internal to store/.
 #pragma once
 
 #include <cstddef>

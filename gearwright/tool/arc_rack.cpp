@@ -51,7 +51,7 @@ std::optional<Error> check_numbers(const ArcRack& rack) {
   return std::nullopt;
 }
 
-// The joint of flank and rounding must lie on the arc of the flank.
+// The joint between flank and tip rounding must lie on the arc of the flank.
 std::optional<Error> check_joint(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   if (!is_F(rack) && !(rho < rack.arc_radius)) {
@@ -95,8 +95,8 @@ ArcRack default_arc_rack(ArcRack::Cutter cutter) {
 }
 
 double full_radius(const ArcRack& rack) {
-  // The distance between the centres of rounding and flank is q + ρ. The centre of a full radius lies in
-  // the middle of the cutter's tip.
+  // The distance between the centres of rounding and flank is q + ρ. The centre of a full radius
+  // lies in the middle of the cutter's tip.
   const RackArc flank = flank_of(rack);
   const double q = flank.radius;
   const double c =
@@ -109,8 +109,9 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   if (auto error = check_numbers(rack)) return *error;
   if (auto error = check_joint(rack)) return *error;
   RackArc flank = flank_of(rack);
-  // cos τ at the end of the arc, where both sides meet, limited to the range from 0 to 1. At 0, the
-  // tangent of the arc is parallel to the datum line; at 1, it is perpendicular.
+  // cos τ at the end of the arc, where both sides meet, limited to the range from 0 to 1. If cos τ
+  // is 0, the tangent of the arc is parallel to the datum line. If it is 1, the tangent is
+  // perpendicular to this line.
   const double meeting = std::min(1.0, std::max(0.0, -flank.center_offset / flank.radius));
   if (is_F(rack)) {
     if (!(meeting < 1.0)) {

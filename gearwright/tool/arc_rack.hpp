@@ -1,13 +1,13 @@
 // The rack cutters F and P of circular-arc (Wildhaber-Novikov) gears.
 //
-//   ρ*, a*, b*   radius of the flank's arc and position of its centre, in the notation of the paper of
-//                Litvin and Tsay: rack points  x = ρ sin θ − b, |y| = ρ cos θ − a. x is measured from
-//                the axis of gear 1 towards the axis of gear 2, and |y| from the middle of the space
-//                of F, which is the middle of the tooth of P
+//   ρ*, a*, b*   radius of the flank's arc and position of its centre, in the notation of Litvin
+//                and Tsay: rack points  x = ρ sin θ − b, |y| = ρ cos θ − a. x is measured from the
+//                axis of gear 1 towards the axis of gear 2, and |y| from the middle of the space of
+//                F, which is the middle of the tooth of P
 //   ψ_c          pressure angle where the two racks touch    theory: docs/theory/07-circular-arc.md
 //
-// F cuts the convex teeth of one gear, and P cuts the concave teeth of the mating gear. On both racks,
-// θ is the normal angle τ of tool/cutter_edge.hpp. All lengths are in normal modules.
+// F cuts the convex teeth of one gear, and P cuts the concave teeth of the mating gear. On both
+// racks, θ is the normal angle τ of tool/cutter_edge.hpp. All lengths are in normal modules.
 #pragma once
 
 #include <optional>
@@ -22,24 +22,24 @@ struct ArcRack {
   double arc_radius = 1.4;                ///< ρ*
   double center_a = 0.0;                  ///< a*
   double center_b = 0.0;                  ///< b*
-  std::optional<Angle> pressure_angle{};  ///< ψ_c from the drawing, used as a check only
+  std::optional<Angle> pressure_angle{};  ///< ψ_c from the drawing, used only for a check
   double addendum = 0.9;                  ///< addendum of the gear tooth above the pitch cylinder
   double dedendum = 0.3;                  ///< depth of the cutter below the datum line
   double root_fillet_radius = 0.35;       ///< radius of the cutter's tip rounding; 0 for a sharp
                                           ///< corner
 };
 
-/// Default addendum, dedendum and tip rounding: 0.9, 0.3 and 0.35 for F; 0, 1.05 and 0.5 for P. These
-/// numbers are in the figures of the paper, not in the text.
+/// Default addendum, dedendum and tip rounding: 0.9, 0.3 and 0.35 for F; 0, 1.05 and 0.5 for P. The
+/// paper gives these numbers in its figures, not in its text.
 ArcRack default_arc_rack(ArcRack::Cutter cutter);
 
-/// The greatest radius of the tip rounding. With this radius, the roundings of both sides meet in the
-/// middle of the cutter's tip. [T7.5]
+/// The greatest radius of the tip rounding. With this radius, the roundings of both sides meet in
+/// the middle of the cutter's tip. [T7.5]
 double full_radius(const ArcRack& rack);
 
-/// Tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip of the gear
-/// tooth. It ends where both sides meet; the arc of P ends at a normal angle of 1° if this angle is
-/// reached first. [T7.1], [T7.2], [T7.4]
+/// Tip rounding and flank as a chain of arcs. The arc of the flank extends beyond the tip of the
+/// gear tooth. This arc ends where both sides meet. On P, it ends at a normal angle of 1° if this
+/// angle is reached first. [T7.1], [T7.2], [T7.4]
 ///
 /// Errors    `rack.arc_radius`, `rack.center_a`, `rack.dedendum`, `rack.root_fillet_radius`,
 ///           `rack.addendum`, each with the allowed limit; `rack.pressure_angle` if no point of the

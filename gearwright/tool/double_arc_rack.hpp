@@ -1,16 +1,18 @@
-// The basic rack of double circular-arc gears. It has a convex arc in the addendum, a concave arc in
-// the dedendum and a step between the two arcs. Two gears cut by the same rack mesh with each other.
+// The basic rack of double circular-arc gears. It has a convex arc in the addendum, a concave arc
+// in the dedendum and a step between the two arcs. Two gears cut by the same rack mesh with each
+// other.
 //
 //   α            pressure angle at the contact with the mating gear
 //   ρ_a, ρ_f     radii of the convex arc in the addendum and of the concave arc in the dedendum
 //   x_a, x_f     heights of the centres of these arcs above the datum line
 //   l_a          distance of the convex arc's centre beyond the middle of the tooth
 //   e_f          width of the space at the contact point of the concave arc
-//   h_ja, h_jf   height and depth at which the step begins and ends; all lengths in normal modules
-//                                              theory: docs/theory/07-circular-arc.md, 7.3
+//   h_ja, h_jf   height of the upper end of the step, depth of its lower end
 //
-// Some of the numbers in the table of the standard follow from the others by tangency. These numbers
-// are computed here, and the tests compare them with the table.
+// All lengths are in normal modules.               theory: docs/theory/07-circular-arc.md, 7.3
+//
+// Some of the numbers in the table of the standard follow from the others, because the arcs are
+// tangent. These numbers are computed here, and the tests compare them with the table.
 #pragma once
 
 #include "gearwright/tool/rack_of_arcs.hpp"
@@ -32,7 +34,8 @@ struct DoubleArcRack {
   bool named = false;                         ///< true if the numbers come from the standard
 };
 
-/// The rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or over 32 to 50 mm.
+/// The rack of GB/T 12759-1991 for a module from 1.5 to 3, over 3 to 6, over 10 to 16 or over 32 to
+/// 50 mm.
 ///
 /// Errors    `rack` for a module outside these ranges
 Result<DoubleArcRack> gbt12759_rack(double normal_module);
@@ -57,7 +60,8 @@ struct DoubleArcDerived {
 /// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
-/// The chain of full-radius tip, concave arc, step, and convex arc up to the point where both sides meet.
+/// The chain of full-radius tip, concave arc, step and convex arc. The convex arc ends where both
+/// sides meet.
 ///
 /// Errors    as derived; `rack.addendum`, `rack.dedendum`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);

@@ -10,7 +10,8 @@
 
 namespace gearwright {
 
-/// A StraightRack cuts involute teeth. The other racks cut circular-arc teeth; `arcs_of` returns their arcs.
+/// A StraightRack cuts involute teeth. The other racks cut circular-arc teeth, and `arcs_of`
+/// returns their arcs.
 using Rack = std::variant<StraightRack, ArcRack, DoubleArcRack, RackOfArcs>;
 
 inline bool is_straight(const Rack& rack) { return std::holds_alternative<StraightRack>(rack); }

@@ -45,7 +45,8 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   return std::nullopt;
 }
 
-// The chain of arcs with corners inserted and with ends that are equal to the last bit.
+// The chain of arcs, with corners inserted. Each arc is moved so that it begins where the previous
+// arc ends.
 Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   std::vector<RackArc> chain;
   for (std::size_t i = 0; i < rack.arcs.size(); ++i) {
@@ -84,7 +85,8 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   return chain;
 }
 
-// If a shift by `thinner` (modules) makes the two sides cross, ends the last arc where they meet.
+// If a shift by `thinner` (modules) makes the two sides cross, ends the last arc where the sides
+// meet.
 void end_in_the_middle(RackArc& arc, double thinner) {
   const double c = -(arc.center_offset + thinner) / arc.radius;
   const bool crossed = point_at(arc, arc.end).y() + thinner < 0.0;

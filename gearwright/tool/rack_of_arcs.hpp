@@ -2,12 +2,13 @@
 //
 //   x, y   height above the datum line and distance from the middle of the gear's tooth, as in
 //          tool/cutter_edge.hpp                           theory: docs/theory/07-circular-arc.md
-//   q      signed radius: q > 0 cuts a convex part of the tooth, q < 0 a concave part; q = 0 is a corner
+//   q      signed radius: q > 0 cuts a convex part of the tooth, q < 0 a concave part,
+//          q = 0 a corner
 //   τ      normal angle; the points of an arc are  centre + q (sin τ, cos τ)
 //
-// The arcs follow each other from the cutter's tip, which lies one dedendum below the datum line, to
-// the end of the edge, where a land ends the tooth. All racks of circular-arc gears are converted to
-// this form.
+// The arcs follow each other from the cutter's tip, which lies one dedendum below the datum line,
+// to the end of the edge, where a land ends the tooth. All racks of circular-arc gears are
+// converted to this form.
 #pragma once
 
 #include <optional>
@@ -34,7 +35,8 @@ struct RackOfArcs {
   std::vector<RackArc> arcs;
 };
 
-/// Largest gap between neighbouring arcs, modules. The later arc is moved to close the gap.
+/// Largest permitted gap between neighbouring arcs, modules. The later arc is moved to close the
+/// gap.
 constexpr double kSameRackPoint = 1e-6;
 
 Vec2 point_at(const RackArc& arc, Angle tau);
@@ -42,12 +44,13 @@ Vec2 point_at(const RackArc& arc, Angle tau);
 /// Height of the end of the edge above the datum line, modules.
 double reach(const RackOfArcs& rack);
 
-/// Half of the gear tooth's thickness on the datum line, modules; empty if no arc crosses that line.
+/// Half of the gear tooth's thickness on the datum line, modules; empty if no arc crosses this
+/// line.
 std::optional<double> half_thickness_on_datum(const RackOfArcs& rack);
 
-/// The edge in mm, for a gear tooth with a thickness allowance. An allowance E_sn < 0 moves every arc
-/// by |E_sn|/2 towards the middle of the gear tooth. If the normal angle decreases from one arc to the
-/// next, the corner between the two arcs also cuts and becomes an arc of radius 0. [T7.3]
+/// The edge in mm, for a gear tooth with a thickness allowance. An allowance E_sn < 0 moves every
+/// arc by |E_sn|/2 towards the middle of the gear tooth. If the normal angle decreases from one arc
+/// to the next, the corner between the two arcs also cuts and becomes an arc of radius 0. [T7.3]
 ///
 /// Units     mm
 /// Errors    `rack.arcs`, `rack.addendum` or `rack.dedendum` if the edge violates a law of

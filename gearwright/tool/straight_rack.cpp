@@ -101,8 +101,9 @@ std::optional<StraightRack> iso53_rack(std::string_view name) {
 }
 
 double full_radius(const StraightRack& rack, Angle normal_pressure_angle) {
-  // The rounding touches the tip land and, at τ = α_n, a line that is offset from the flank by pr_P*.
-  // With the full radius, the centre of the rounding lies in the middle of the cutter's tooth.
+  // The rounding touches the tip land and, at τ = α_n, a line that is offset from the flank by
+  // pr_P*. With the full radius, the centre of the rounding lies in the middle of the cutter's
+  // tooth.
   const double s = std::sin(normal_pressure_angle.rad());
   const double c = std::cos(normal_pressure_angle.rad());
   return (std::numbers::pi / 4 * c - rack.dedendum * s + rack.protuberance) / (1 - s);
@@ -213,8 +214,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (rho_1 > 0.0) {
     const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
     if (center.y() < 0.0) {
-      // If the end of the flank is given, the limit is the half width at this end. Otherwise the
-      // height of the end depends on ρ_1*, and the limit is solved for ρ_1*.
+      // If the end of the flank is given, the limit follows from the half width at this end.
+      // Otherwise the height of the end itself depends on ρ_1*, and the limit accounts for this.
       const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
                                                   : (std::numbers::pi / 4 - rack.addendum * s / c) /
                                                         (c - (1 - s) * s / c);

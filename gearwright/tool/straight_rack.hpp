@@ -22,13 +22,16 @@ struct StraightRack {
   std::optional<double> tool_addendum{};  ///< height of the flank's end above the datum line
   std::optional<Angle>
       semi_topping_angle{};   ///< pressure angle of a ramp that replaces the bottom rounding
-  double protuberance = 0.0;  ///< pr_P*  height above the straight flank, normal to it
-  Angle protuberance_angle = Angle::degrees(10);  ///< α_pr  of its straight line
+  double protuberance = 0.0;  ///< pr_P*  height above the straight flank, perpendicular to it
+  Angle protuberance_angle = Angle::degrees(10);  ///< α_pr   angle of the straight line of the
+                                                  ///< protuberance
   bool named =
-      false;  ///< true for ISO 53; a tip rounding that does not fit is then replaced by the full radius
+      false;  ///< true for a rack of a standard; if its tip rounding does not fit, the full radius
+              ///< replaces it
 };
 
-/// The rack with the name "ISO53-A" … "ISO53-D"; nothing for other names.   Source: ISO 53:1998, table 2
+/// The rack with the name "ISO53-A" … "ISO53-D"; nothing for other names.
+/// Source    ISO 53:1998, table 2
 std::optional<StraightRack> iso53_rack(std::string_view name);
 
 /// The full radius, which is the greatest ρ_fP* that fits: the roundings of both sides meet in the
@@ -53,8 +56,8 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double normal_modul
 //   AGMA-14.5          full depth      ASA B6.1-1932, for gears in service
 //   AGMA-stub          stub, 20°       ASA B6.1-1932
 //
-// Lengths are in 1/P, which is a module. The tip rounding is 0.3 for AGMA-20 and AGMA-25, 4/3 of the clearance for
-// AGMA-14.5 and 3/2 of the clearance for AGMA-stub.
+// Lengths are in 1/P, which is a module. The tip rounding is 0.3 for AGMA-20 and AGMA-25, 4/3 of
+// the clearance for AGMA-14.5 and 3/2 of the clearance for AGMA-stub.
 
 struct AgmaRack {
   std::string_view name;

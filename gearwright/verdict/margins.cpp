@@ -27,8 +27,8 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       "The clearance between the tip of gear {} and the root of the mating gear",
                       kMarginTip};
 
-// Example: "0.1500 mm". A length below 1 µm is written as "0.021 µm", because it would otherwise
-// read 0.0000 mm.
+// Example: "0.1500 mm". A length below 1 µm is written as "0.021 µm", because it would otherwise be
+// written as 0.0000 mm.
 std::string millimetres(double mm) {
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
@@ -193,7 +193,7 @@ std::vector<Finding> rating_findings(const JudgedRating& rating) {
     judge(WarningCode::root_safety, "root breakage", which, r.S_F[i].value, rating.wanted.root);
     judge(WarningCode::flank_safety, "pitting", which, r.S_H[i].value, rating.wanted.flank);
   }
-  // Within a level, the lowest safety factor comes first.
+  // The safety factor that is lowest relative to its required value comes first.
   std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return a.values.front().value / a.values.back().value <
            b.values.front().value / b.values.back().value;

@@ -16,10 +16,10 @@ namespace gearwright::detail {
 std::vector<Finding> margin_findings(const Pair& pair);
 
 /// A finding if the normal backlash j_n, mm, is 0. `recommended` is the smallest recommended j_n,
-/// mm; it is none for a rack.
+/// mm; it is absent for a rack.
 std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended);
 
-/// Findings for contact at edges, and for a contact pattern away from the middle of the face.
+/// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
 std::vector<Finding> contact_findings(const ContactResult& contact,
                                       const std::array<double, 2>& face_widths);
 

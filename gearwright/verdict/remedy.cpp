@@ -51,7 +51,8 @@ class Trials {
     return done_.emplace(key, attempt_(change, depth)).first->second;
   }
 
-  /// The score after a change, if the change removes the finding and makes no other finding worse.
+  /// The score after a change. Nothing if the change does not remove the finding, or if it adds or
+  /// worsens another finding.
   std::optional<Score> score(const Finding& finding, const SpecChange& change, TryDepth depth) {
     // The computation without tolerances and contact is done first, because it is the cheapest and
     // rejects most changes.
@@ -154,8 +155,8 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     for (const Lever& lever : levers(*cure, finding, judged)) {
       const auto found = least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
-      // For a finding of a contact analysis, the search stops at the first change that removes it,
-      // because each trial takes milliseconds.
+      // For a finding of a contact analysis, the search stops at the first change that removes the
+      // finding, because each trial takes milliseconds.
       if (best && (best->score == Score{} || cure->needs_contact)) break;
     }
     if (!best) continue;

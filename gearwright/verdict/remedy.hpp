@@ -1,9 +1,10 @@
 // Remedies of findings. Each remedy is tried before it is printed.
 //
 // For each finding code, a table lists the numbers of the spec that can help and the direction in
-// which to change them. For each of these numbers, the smallest change is computed that removes the
-// finding and neither adds nor worsens another one. If several changes succeed, the one with the
-// fewest remaining findings is used. If no change succeeds, the remedy contains no number.
+// which to change them. For each of these numbers, the program computes the smallest change that
+// removes the finding and neither adds nor worsens another finding. If several changes succeed, the
+// one with the fewest remaining findings is used. If no change succeeds, the remedy contains no
+// number.
 #pragma once
 
 #include <vector>

@@ -14,7 +14,7 @@
 
 namespace gearwright::detail {
 
-/// The part of the spec whose number is changed: the gear of the finding, its mating gear, gear 1,
+/// The part of the spec whose number is changed: the gear of the finding, the mating gear, gear 1,
 /// gear 2 or the pair.
 enum class Whose { own, mate, first, second, pair };
 
@@ -40,7 +40,7 @@ struct Lever {
   int direction;                  ///< +1 or −1, the sign of the change of the value
   double span;                    ///< greatest permitted change
   int digits;                     ///< number of decimals of the values that are tried
-  std::optional<double> hint{};   ///< start value from a closed formula
+  std::optional<double> hint{};   ///< value from a closed formula, which is tried in addition
   std::optional<double> exact{};  ///< if set, the only value that is tried
 
   double step() const;
@@ -53,7 +53,7 @@ const Cure* cure_of(const Finding& finding);
 
 std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);
 
-/// Example: "With a profile shift of 0.54 on gear 1 (now 0), the contact ratio is 1.286."
+/// Example: "With a profile shift of 0.54 on gear 1, the contact ratio is 1.286."
 std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
                          const Judged& judged, const ChangedState& trial);
 

@@ -162,7 +162,7 @@ std::string not_running(const Judged& judged, const Verdict& verdict) {
   return worst.remedy.empty() ? text : text + " " + worst.remedy;
 }
 
-// The amber findings other than the one in the headline.
+// The amber findings other than the finding in the headline.
 std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
@@ -189,7 +189,7 @@ std::string headline(const Judged& judged, const Verdict& verdict) {
   return fmt::format("{} Check: {}{}{}", standing(judged), where, worst.whole(), besides(verdict));
 }
 
-// The number to which a warning refers, if the pair or the gear contains it.
+// The number to which a warning refers, if it is a value of the pair or of the gear.
 std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if ((w.code == WarningCode::thin_tip || w.code == WarningCode::pointed) && w.gear > 0) {
     const auto& s_an =
@@ -278,8 +278,8 @@ std::vector<Finding> findings_of(const Judged& judged) {
 
 namespace {
 
-// True if `a` is listed before `b`. The more severe finding comes first. Two findings about safety
-// factors are never exchanged, because they are already sorted with the lowest factor first.
+// True if `a` is listed before `b`. The more severe finding comes first. Two findings of one level
+// about safety factors keep their order, because rating_findings() has already sorted them.
 bool before(const Finding& a, const Finding& b) {
   if (a.level != b.level) return a.level > b.level;
   if (a.level == Level::green) return false;

@@ -6,7 +6,7 @@
 // print the same verdict.
 //
 // Findings are computed for the nominal values, or for every combination of tolerance ends. In the
-// second case, findings of the same kind are merged and the worst one is kept. verdict_of adds
+// second case, findings of the same kind are merged, and the worst finding is kept. verdict_of adds
 // remedies that were tried (remedy.hpp) and the headline.
 #pragma once
 
@@ -74,11 +74,12 @@ struct Finding {
   Level level;       ///< green if the finding is for information only
   int gear;          ///< 1, 2, or 0 for the pair
   std::string message, remedy{};       ///< one sentence each; the remedy may be empty
-  std::vector<FindingValue> values{};  ///< the first one is the value that is too small
+  std::vector<FindingValue> values{};  ///< the first value is the one that is too small
   std::string at{};  ///< tolerance ends at which the finding occurs; empty for the nominal values
   std::optional<SpecChange> change{};  ///< the change in the remedy, if one was tried successfully
 
-  /// The message, followed by the tolerance ends at which the finding occurs and by the remedy.
+  /// The tolerance ends at which the finding occurs, the message and the remedy, in this order.
+  /// Empty parts are omitted.
   std::string whole() const;
 };
 
@@ -91,15 +92,15 @@ struct Verdict {
 };
 
 /// Margins in normal modules. A clearance below its margin produces a finding. The fillet margin is
-/// small, because the tip corner passes close to the fillet in every good pair, after it has left
-/// the mating flank. A 20:40 pair without profile shift has a clearance of only 0.0009 modules
+/// small, because in every good pair the tip corner, after it has left the mating flank, passes
+/// close to the fillet. A 20:40 pair without profile shift has a clearance of only 0.0009 modules
 /// there, and few pairs exceed 0.01 modules.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
-/// Greatest distance of the pattern from the middle of a face, relative to half its width, at which
-/// the pattern still counts as central.
+/// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
+/// width, at which the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
 
-/// A rating with its inputs, which are needed to rate the remedies.
+/// A rating, with the inputs that are needed to rate the gears again for a remedy.
 struct JudgedRating {
   const RatedPair* pair = nullptr;
   const RatingInput* input = nullptr;
@@ -138,11 +139,12 @@ struct ChangedState {
   double contact_ratio = 0.0;  ///< 0 without a pair
   double backlash = 0.0;       ///< j_n  mm
 };
-/// How much is computed for a changed spec. as_drawn covers the gears and the pair as drawn.
-/// at_tolerances adds all tolerance ends. with_contact adds the contact under the errors.
+/// How much is computed for a changed spec. as_drawn covers the nominal gears and the nominal pair.
+/// at_tolerances adds all combinations of tolerance ends. with_contact adds the contact under the
+/// errors.
 enum class TryDepth { as_drawn, at_tolerances, with_contact };
-/// Computes the results of a spec with one change. Returns nothing if these gears cannot be made or
-/// mounted.
+/// Computes the results of a spec with one change. Returns nothing if the changed gears cannot be
+/// made or mounted.
 using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, TryDepth)>;
 
 /// All findings of one state of the gears, without remedies, in no particular order.

@@ -15,8 +15,8 @@ SpecText spec_text(std::string text);
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The feature that does not accept a spec in inch, as named in the error. The page has its own
-/// switch between mm and inch.
+/// The name of the page in the error that rejects a spec in inch. The page has its own switch
+/// between mm and inch.
 inline constexpr std::string_view kInPage =
     "an interactive session, such as the page, whose own switch shows lengths in inch";
 
@@ -30,8 +30,8 @@ std::string answer(std::string_view verb, const std::string& text);
 /// The same spec in mm, as TOML. Comments of the text are lost.
 Result<std::string> metric(const std::string& text);
 
-/// Converts JSON to TOML, or TOML to JSON, with the same tree. Returns an error if the text cannot
-/// be read.
+/// Converts JSON to TOML, or TOML to JSON. In the JSON, a material that was only a name becomes a
+/// table with this name. Returns an error if the text cannot be read.
 Result<std::string> to_toml(const std::string& json);
 Result<std::string> to_json_text(const std::string& toml);
 

@@ -89,7 +89,8 @@ Error caught() {
   }
 }
 
-// Returns the result of the work, or a Failed if the work fails.
+// Returns the result of the work. If the work fails, returns an object of the type Failed
+// (engine.d.ts).
 template <class Work>
 val guarded(const Work& work) {
   try {
@@ -110,8 +111,8 @@ std::string guarded_text(const Work& work) {
 const Session& session_of(const Session& session) { return session; }
 const Session& session_of(const Work& work) { return work.session(); }
 
-// Calls a method of a session or of a work. Returns its result, or its error with the line in the
-// text of the spec.
+// Calls a method of a Session or a Work. Returns its result, or its error with the line in the text
+// of the spec.
 template <auto method, class Of, class... Arguments>
 val call(Of& of, Arguments... arguments) {
   return guarded([&] {
@@ -193,7 +194,7 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// Calls a function of a text. Returns its result, or its error with the line in this text.
+// Converts the result of a function of a text. An error contains the line in this text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);

@@ -228,8 +228,8 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, and gear 2 turns as gear 1 drives it. Mounting errors tilt
-// and displace axis 1, while ΔC displaces axis 2. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z, and gear 2 turns as gear 1 drives it. The mounting error ΔC
+// displaces axis 2. All other mounting errors tilt or displace axis 1. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!has_pair()) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");
@@ -251,9 +251,10 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
       for (const int i : {0, 1, 2}) {
-        // The conversion D between the housing frame and the frame of the contact analysis, the
-        // function direction_in_housing(), is its own inverse. The tilt M of axis 1 in that frame
-        // is therefore D M D in the housing frame. The columns of D M D are computed one by one.
+        // The function direction_in_housing() converts between the housing frame and the frame of
+        // the contact analysis. This conversion D is its own inverse. A tilt M of axis 1 in the
+        // frame of the contact analysis is therefore D M D in the housing frame. The columns of
+        // this product are computed one by one.
         const Vec3 axis = contact->direction_in_housing(
             contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
         errors.linear().col(i) = axis;

@@ -20,7 +20,7 @@ class PatternWork : public Work {
       : Work(std::move(session)), positions_(positions), size_(size) {}
 
   // The first step uses a sixteenth of the nodes, the second step a quarter, and the third step all
-  // of them. All three together take at most a third longer than the third step alone.
+  // nodes. All three steps together take at most a third longer than the third step alone.
   Result<Steps> step(double) override {
     constexpr int kSteps = 3;
     if (next_ == kSteps) return Steps{kSteps, kSteps, true};

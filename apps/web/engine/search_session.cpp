@@ -14,7 +14,8 @@ namespace gearwright::web {
 
 namespace {
 
-// Number of trials in the first part. The sizes of later parts follow from the requested duration.
+// Number of trials in the first part. The sizes of later parts are chosen so that a part takes
+// kPartMs.
 constexpr std::int64_t kFirstPart = 1 << 12;
 constexpr std::int64_t kLeastPart = 1 << 8, kMostPart = 1 << 20;
 constexpr double kPartMs = 8.0;

@@ -1,7 +1,7 @@
 // Runs a search in steps, so that a worker can handle messages between them.
 //
 // Each step computes a part of the trials. The final designs, their order and the text are the same
-// as the result of the program.
+// as in the result of the program.
 #pragma once
 
 #include <memory>

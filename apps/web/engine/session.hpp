@@ -25,7 +25,7 @@ struct ContactView {
   int positions = 64;                 ///< number of positions per pitch
   int index = 0;                      ///< index of the position whose gap is shown on the flanks
   std::vector<FlankRaster> patterns;  ///< result of `pattern`; empty if not yet computed
-  bool curves = true;                 ///< false to draw only the flanks
+  bool curves = true;                 ///< if false, only the flanks are drawn
 };
 
 /// Options of the figure of the gears in section.
@@ -33,14 +33,14 @@ struct MeshView {
   MeshFrame frame = MeshFrame::mesh;
   double width = 560.0, height = 420.0;  ///< px, size of the figure
   std::optional<Bounds> window;          ///< mm; by default the window of the frame
-  bool bodies = false;                   ///< true to omit circles and lines
+  bool bodies = false;                   ///< if true, circles and lines are omitted
   std::string name = "mesh";             ///< name of the shapes, unique in the page
 };
 
 /// Options of the figure of the profile shifts.
 struct ShiftView {
   double width = 560.0;          ///< px, width of the figure
-  double aspect = 1.25;          ///< width over height of the plot
+  double aspect = 1.25;          ///< width of the plot divided by its height
   std::optional<Bounds> window;  ///< range of (x1, x2); by default around the region
 };
 
@@ -57,7 +57,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
   /// Sets the system of units of figures, report and drawings. All other results are in mm.
   void show_in(UnitSystem units) { units_ = units; }
-  /// A figure in this system of units.
+  /// A figure in the system of units that show_in() has set.
   Json drawn(Figure figure, double width) const;
 
   std::string json(std::string_view verb) const;
@@ -79,8 +79,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<std::string> contact_point(double rotation1_deg);
   Result<FlankRaster> gap_map(double rotation1_deg, int k, const RasterSize& size);
   /// The patterns on both gears, or on the pinion of a rack. If the halves of a double-helical pair
-  /// differ, these are the patterns of the half at z > 0, and the patterns of the other half
-  /// follow.
+  /// differ, the list begins with the patterns of the half at z > 0, and the patterns of the other
+  /// half follow.
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
   /// The transmission error over a pitch, rad, if two errors are replaced by `values`. `keys` are
   /// the indices of these errors in error_entries().
@@ -92,10 +92,12 @@ class Session : public std::enable_shared_from_this<Session> {
   /// estimated to first order, with figures.
   Result<Json> scatter_sketch(double width);
   /// The percentiles from complete contact analyses, with the probabilities of events. The number
-  /// of samples is limited to 1024, or to the number that takes about three seconds.
+  /// of samples is doubled, from 4 to at most 128, as long as the next analysis is expected to take
+  /// less than a second.
   Result<Json> scatter(double width);
 
-  /// The x1–x2 chart. It contains a figure if `view` is given and the region is not empty.
+  /// The x1–x2 chart. If `view` is given, the chart contains a figure of the region or, if the
+  /// region is empty, of the limits.
   Result<Json> shift_region(const std::optional<ShiftView>& view) const;
   Result<Json> file(const std::string& kind, int gear, double tolerance);
 
@@ -121,7 +123,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<const Found*> found(int positions);
   Result<ToothedBody> body(int gear, bool in_place) const;
   Result<Json> rack_figure(const MeshView& view) const;
-  std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if any
+  std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if there
+                                           // is no second gear or it is a rack
   std::vector<NamedCircle> circles(int gear) const;
   std::array<const Gear*, 2> flanked_gears() const;
 

@@ -10,7 +10,8 @@ namespace gearwright::web {
 
 namespace {
 
-// Chord tolerance relative to the greatest diameter, which is not visible, and its limits, mm.
+// Chord tolerance relative to the greatest root diameter, and the limits of this tolerance, mm. A
+// deviation within the tolerance is not visible.
 constexpr double kShare = 1e-4, kFinest = 0.002, kCoarsest = 0.05;
 
 double tolerance_of(const Drive& drive) {

@@ -49,7 +49,8 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
   if (kind == "json") return row(json(has_pair() ? "pair" : "gear"));
   FileOptions options;
   if (kind == "report") {
-    SolvedJob job = job_;  // a copy, because files with omitted parts add warnings to the job
+    SolvedJob job = job_;  // a copy, because make_everything() adds warnings about omitted parts to
+                           // the job
     options.only = {"report"};
     auto made = make_everything(job, "", options);
     if (!made) return spelled(made.error(), job_.spec.given);

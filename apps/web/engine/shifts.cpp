@@ -143,8 +143,8 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
   const Vec2 asked = turned(point);
-  // The least margin over all limits. Each limit has its own unit, so only the sign of the margin
-  // is used, and whether it is nearly 0.
+  // The least margin over all limits. Each limit has its own unit, so the code uses only the sign
+  // of the margin and whether the margin is nearly 0.
   const auto range = graph.sums();
   const double room = range.lo <= range.hi ? graph.margin(asked.x(), asked.y())
                                            : -std::numeric_limits<double>::infinity();

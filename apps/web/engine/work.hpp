@@ -49,13 +49,14 @@ struct ErrorAxis {
   double from = 0.0, to = 0.0;
   int n = 2;
 };
-/// The peak-to-peak transmission error as a function of two errors. For each point of this map, the
+/// The peak-to-peak transmission error as a function of two errors. For each point of the map, the
 /// transmission error over one pitch is computed.
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance tables of the last gears under load. They do not depend on torque, errors and
-/// modifications. If only these change, only the positions are computed again.
+/// The compliance tables of the gears that were last computed under load. The tables do not depend
+/// on torque, errors and modifications. If only torque, errors or modifications change, only the
+/// positions are computed again.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,
@@ -71,8 +72,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. The first step makes a table for each gear, which takes longest. The next
-/// steps compute one position after the other.
+/// Teeth under load. Each of the first two steps makes the table of one gear, which takes longest.
+/// The next steps compute one position after the other.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);
