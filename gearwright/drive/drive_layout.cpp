@@ -177,7 +177,7 @@ class Layout {
       }
     }
     if (meshes.empty()) return turn_rider(set, copy, k + 1);
-    if (!set.assembly.clocking.empty()) {  // every gear of the planet has its own angle
+    if (!set.assembly.clocking.empty()) {  // the gears of a clocked planet have separate angles
       for (const auto& [two, side] : meshes) meet(two, side);
       return turn_rider(set, copy, k + 1);
     }
