@@ -60,7 +60,8 @@ class AxisCircle final : public Curve {
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)
 ///       (3) the radius of curvature is r_b |ξ|
 /// Domain  any ξ. The branch ξ > 0 is the flank of an external tooth. The branch ξ < 0, behind the
-///         cusp, is the flank of an internal tooth. Its half angle ψ_b + inv α grows with the radius
+///         cusp, is the flank of an internal tooth. The half angle of an internal tooth, ψ_b +
+///         inv α, grows with the radius
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
