@@ -45,9 +45,9 @@ struct Ends {
   std::size_t fixed, input, output;
 };
 
-// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Both
-// differences are products of three numbers of teeth, which are exact in double. The result is 0 if
-// no finite ratio exists.
+// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Numerator
+// and denominator are computed as whole numbers from products of three numbers of teeth, which are
+// exact in double. The result is 0 if no finite ratio exists.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -409,7 +409,8 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // The candidates are sorted by their costs, so only an earlier one can dominate a candidate.
+  // The candidates are sorted by their costs, so a candidate can be dominated only by an earlier
+  // one.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

@@ -102,7 +102,7 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 for a train
   double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
   double size =
-      0.0;  ///< mm: diameter over the planets and the root circles of rings without shifts;
+      0.0;  ///< mm, without shifts: greatest diameter over planets, suns and root circles of rings;
             ///< for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;

@@ -3,9 +3,9 @@
 //
 //   x1, x2   profile shifts of pinion and wheel, the unknowns     C    clearance at both tips, mm
 //
-// The cutter of the wheel is a pinion like the designed one, but longer by C at the tip. The wheel
-// is therefore conjugate to the pinion, including the tip fillet and the root fillet of the pinion.
-// After cutting, the tips of both gears are shortened by C.
+// The wheel is cut by a cutter that has the shape of the pinion, but is longer by C at the tip. The
+// wheel is therefore conjugate to the pinion, including the tip fillet and the root fillet of the
+// pinion. After cutting, the tips of both gears are shortened by C.
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps

@@ -218,7 +218,7 @@ Result<Fit> fit(const FitProblem& p) {
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // First, the gears must be able to mesh at this shaft angle.
+    // The first check is whether the gears can mesh at this shaft angle at all.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

@@ -39,7 +39,7 @@ struct NearestChanges {
   /// Members for which not all trials were evaluated. For such a member, a change smaller than the
   /// one in `changes` may be sufficient.
   std::vector<std::string> bounded;
-  std::vector<std::string> tried;  ///< all members that were changed, whether it helped or not
+  std::vector<std::string> tried;  ///< all members that were changed, with or without success
   std::int64_t asked = 0;          ///< number of graphs computed
   bool stopped = false;  ///< true if the watch stopped the search; changes may then be missing
   /// The rated design whose safety factors come nearest to the required ones.

@@ -57,7 +57,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   inv_alpha_t_ = involute(alpha_t);
   pitch_ = std::numbers::pi * std::cos(alpha_t) / cos_beta;
   if (crossed_) {
-    // [T9.10]: N = Σ r_i sin α_ti/cos β_bi + Σ/sin α_n, for X = Σ.
+    // [T9.10]: N = r_1 sin α_t1/cos β_b1 + r_2 sin α_t2/cos β_b2 + Σ/sin α_n, for X = Σ.
     pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle.rad());
     for (std::size_t i : {0, 1}) {
       weight_[i] = 1.0 / gears_[i].cos_base_helix;
@@ -124,8 +124,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // If there is no working pressure angle, there is no contact ratio. This condition is therefore
-  // assigned to the limit of the contact ratio.
+  // If there is no working pressure angle, there is no contact ratio. Sums without a working
+  // pressure angle are therefore excluded together with the limit of the contact ratio.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
