@@ -24,8 +24,8 @@ namespace gearwright {
 /// peak that is 5 % too large.
 inline constexpr int kErrorPositions = 256;
 
-/// A function that returns the errors of mounting of a mesh, by its index; empty if there are no
-/// errors.
+/// A function that returns the errors of mounting of the mesh with a given index. The function is
+/// empty if there are no errors.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
 /// The transmission error with the harmonics 1 … `harmonics` of each mesh frequency, at most

@@ -1,7 +1,7 @@
 // Computes the geometry of the teeth of a drive: centre distances, profile shifts, and each mesh as
 // a pair of gears.
 //
-//   a      centre distance; all meshes of a planet with central gears share one [T13.15]
+//   a      centre distance, the same for all meshes of a planet with central gears [T13.15]
 //   c      least distance between the tips of neighbouring planets, mm [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
@@ -73,8 +73,8 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// The clearance between planets, and their greatest number. None if a distance or a gear is
-/// missing, or if an idler has no possible position (`fault` gives the reason).
+/// The clearance between planets, and the greatest number of planets. None if a distance or a gear
+/// is missing, or if an idler has no possible position (`fault` gives the reason).
 ///
 /// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours at the distance a from the carrier's axis
 ///           and the angle Δ from each other; if the distances of the riders differ, the gap

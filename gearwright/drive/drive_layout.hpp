@@ -28,7 +28,7 @@ struct PlacedGear {
   double height;     ///< z of the middle of its face  mm
 };
 
-/// A plane across the axes, and the gears that it cuts.
+/// A plane perpendicular to the axes, and the gears that it cuts.
 struct DriveSection {
   double height;                   ///< z  mm
   std::vector<std::size_t> gears;  ///< indices of DriveLayout::gears

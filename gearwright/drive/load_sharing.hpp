@@ -24,7 +24,7 @@ struct SharingProblem {
     const LoadSpring* spring = nullptr;
     Eigen::VectorXd row;   ///< c, approach per displacement
     double offset = 0.0;   ///< y_0 + e  mm, the approach δ at x = 0
-    double weight = 1.0;   ///< w, due to losses in the springs before this one
+    double weight = 1.0;   ///< w, which accounts for the losses in the springs before this one
     double nominal = 0.0;  ///< N, force at the start of the iteration
   };
   std::vector<Spring> springs;
