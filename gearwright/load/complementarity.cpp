@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr int kMost = 200;  // greatest number of steps
 constexpr int kOneByOne =
     30;  // after this many steps, only one place is added or removed per step, to avoid cycles
-constexpr double kStill = 1e-11;     // last step, relative to the greatest load
+constexpr double kStill = 1e-11;     // greatest last step, relative to the greatest load
 constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
 constexpr double kRough = 1e-3;  // greatest accepted rounding error, relative to the greatest load
 constexpr double kOverlap =

@@ -29,8 +29,8 @@ struct LoadedPoint {
   double pressure = 0.0;                       ///< MPa, greatest pressure
   double semi_major = 0.0, semi_minor = 0.0;   ///< mm
   std::array<double, 2> diameter{}, height{};  ///< mm, position of the middle on each gear
-  /// Both semi-axes on the flank of each gear, mm. A semi-axis is given by its component along the
-  /// face and the change of radius along it.
+  /// Both semi-axes on the flank of each gear, mm: the step along the face, and the change of
+  /// radius, from the middle of the ellipse to the end of the semi-axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
   int track = 0;        ///< number of the contact path; a tooth with double circular arcs has two

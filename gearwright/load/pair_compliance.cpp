@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
-constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: no solution below
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: narrower slices have
+                                                                 // no solution
 constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
                                      // if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;

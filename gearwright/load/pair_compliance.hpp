@@ -51,9 +51,9 @@ struct LoadRequest {
   LoadRequest undeflected() const;
 };
 
-/// A number of slices of the common face with which results are accurate and exist. It is 32, or
-/// less if the slices would be narrower than a quarter of a module (0.4 modules for helical teeth),
-/// but at least 4.
+/// A number of slices of the common face that is great enough for accurate results, and usually
+/// small enough for a solution to exist. It is 32, or less if the slices would be narrower than a
+/// quarter of a module (0.4 modules for helical teeth), but at least 4.
 ///
 /// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
 /// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite matrix at
