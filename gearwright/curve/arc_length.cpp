@@ -13,8 +13,8 @@ constexpr int kDeepest = 10;  // halvings, which give 1024 panels at most
 
 // A series has converged if its last coefficients are below these limits, relative to the size of
 // the curve. Rounding causes errors of about 1e-16 in the coefficients of the points.
-// Differentiation multiplies them by degree² = 256, so the errors in the coefficients of the speed
-// are 3e-14. Both limits are well above these errors.
+// Differentiation multiplies these errors by degree² = 256, so the errors in the coefficients of
+// the speed are about 3e-14. Each limit is well above the corresponding error.
 constexpr double kPointTail = 1e-14;
 constexpr double kSpeedTail = 1e-12;
 // Newton's method ends when a step in the parameter x of a panel is at most this long, which is two
@@ -37,9 +37,9 @@ double ArcLength::value(const Series& series, double x) {
 
 void ArcLength::add(const Curve& curve, double t_begin, double t_end, double scale, int depth) {
   constexpr std::size_t n = kDegree;
-  // The nodes are x_j = cos(π j/n); x_n = −1 is the beginning of the panel. The angle of
-  // cos(π jk/n) is given as the fraction jk/(2n) of a full turn, so that cosines at multiples of a
-  // right angle are exact.
+  // The nodes are x_j = cos(π j/n). The panel begins at x_n = −1. The cosines cos(π jk/n) are
+  // computed from the fraction jk/(2n) of a full turn, so they are exact at multiples of a right
+  // angle.
   const auto cosine = [](std::size_t j, std::size_t k) {
     return sincos_turn(static_cast<long long>(j * k), 2 * static_cast<long long>(n)).cos;
   };

@@ -3,15 +3,16 @@
 //   W(t)   point of the curve, mm           s(t) = ∫ |W'| dt from t0, mm       L = s(t1)
 //
 // A Curve provides points but no speed |W'|, so the speed is computed from points. The range [t0,
-// t1] is divided into panels, which are halved until the series converges. On each panel, W is
-// interpolated at Chebyshev points (degree 16) and differentiated, and |W'| is integrated term by
-// term (Trefethen, Approximation Theory and Approximation Practice, ch. 19, 21).
+// t1] is divided into panels. On each panel, W is interpolated at Chebyshev points (degree 16), the
+// interpolant is differentiated, and the series of |W'| is integrated term by term (Trefethen,
+// Approximation Theory and Approximation Practice, ch. 19, 21). A panel on which the series have
+// not converged is halved.
 //
-// A spline through a curve usually needs fewer poles if its parameter is the arc length. The
-// trochoid of a rounded cutter tip has the angle of the rack's normal as its own parameter, and its
-// speed is high at one end only. A quintic with uniform knots and an error of 1e-6 mm needs 25
-// poles for this parameter and 13 poles for arc length (20 teeth, module 2). A curve with a cusp at
-// its end needs more poles for arc length.
+// A spline through a curve usually needs fewer poles if its parameter is the arc length. An example
+// is the trochoid that a rounded cutter tip cuts (20 teeth, module 2). The parameter of this curve
+// is the angle of the rack's normal, and the speed is high at one end only. With this parameter, a
+// quintic with uniform knots and an error of 1e-6 mm needs 25 poles. With the arc length, it needs
+// 13 poles. Only a curve with a cusp at its end needs more poles with the arc length.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, to the last bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed
@@ -28,8 +29,8 @@ namespace gearwright {
 class ArcLength {
  public:
   /// Domain    t0 ≠ t1 (contract); if t1 < t0, s also increases from 0 at t0 to L at t1
-  /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves that are analytic on [t0, t1], also
-  ///           with a cusp at an end. For other curves, at most 1024 panels are used, and
+  /// Accuracy  |error of L| < 1e-13 (L + max|W|) for curves that are analytic on [t0, t1], even if
+  ///           they have a cusp at an end. For other curves, at most 1024 panels are used, and
   ///           error_estimate() returns the remaining error
   ArcLength(const Curve& curve, double t0, double t1);
 

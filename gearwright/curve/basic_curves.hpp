@@ -27,8 +27,8 @@ inline Complex times(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// A point W = factor · e^{i phase} of a curve. Factor and phase are stored separately, so that the
-/// phases of flank, lead and rotation can be added before sine and cosine are computed.
+/// A point W = factor · e^{i phase} of a curve. Factor and phase are stored separately. Therefore,
+/// the phases of flank, lead and rotation can be added before sine and cosine are computed.
 struct PolarJet {
   Complex factor;  ///< mm
   double phase;    ///< rad
@@ -59,8 +59,9 @@ class AxisCircle final : public Curve {
 ///
 /// Laws  (1) |W| = r_b √(1 + ξ²)   (2) arg W = ψ_b − (ξ − atan ξ)
 ///       (3) the radius of curvature is r_b |ξ|
-/// Domain  any ξ. ξ > 0 is the flank of an external tooth. ξ < 0, the branch behind the cusp, is
-///         the flank of an internal tooth, whose half angle ψ_b + inv α grows with the radius
+/// Domain  any ξ. The branch ξ > 0 is the flank of an external tooth. The branch ξ < 0, behind the
+///         cusp, is the flank of an internal tooth. The half angle of an internal tooth, ψ_b +
+///         inv α, grows with the radius
 class Involute final : public Curve {
  public:
   Involute(double base_radius, double base_half_angle)
@@ -109,8 +110,9 @@ class OffsetCircle final : public Curve {
   double distance() const { return distance_; }
   double direction() const { return direction_; }
   double radius() const { return radius_; }
-  /// |t − γ| of the two points at which a ray from the gear axis touches the circle. There,
-  /// cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the circle.
+  /// |t − γ| of the two points at which a ray from the gear axis is tangent to the circle. At these
+  /// points, cos(t − γ) = −r/D, and the polar angle is stationary. None if the axis lies inside the
+  /// circle.
   std::optional<double> tangent_ray() const;
 
  private:

@@ -4,10 +4,10 @@
 //   W    point as a complex number x + iy, mm
 //                                                          theory: docs/theory/01-frames.md
 //
-// Curves are immutable and shared. An envelope contains the curve that generates it, so a pinion
-// that is cut by a rack can itself be the cutter of a wheel. Most code uses only the points of a
-// curve. Code with a closed form for one class of curves checks whether a curve belongs to this
-// class. The files of curve/ do not name classes of curves that higher-level folders define.
+// Curves are immutable and shared. An envelope contains the curve that generates it. Therefore, a
+// pinion that is cut by a rack can itself be the cutter of a wheel. Most code uses only the points
+// of a curve. Code that has a closed form for one class of curves checks whether a curve belongs to
+// this class. The files of curve/ do not name classes of curves that other folders define.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ namespace gearwright {
 
 struct CurvePoint {
   Vec2 point;            ///< mm
-  double tangent_angle;  ///< rad, direction of growing t, not limited to one turn
+  double tangent_angle;  ///< rad, direction in which t grows; not limited to one turn
   double curvature;      ///< 1/mm, > 0 where the tangent turns counter-clockwise
 };
 
@@ -68,8 +68,8 @@ auto visit_curve(const Curve& curve, const Visitor& visit) {
     return visit(&curve);
 }
 
-// The five parts of half a tooth from root to tip (ISO 21771). Each arc of a cutter generates one
-// part.
+// The five parts of the outline of half a tooth, from root to tip (ISO 21771). Each arc of a cutter
+// generates one part.
 
 enum class ArcName { root_land, root_fillet, flank, tip_fillet, tip_land };
 

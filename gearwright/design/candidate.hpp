@@ -1,11 +1,12 @@
-// Computes with vector instructions what a search compares with its limits. A candidate is a pair
-// of gears with its profile shifts, and its values are stored in columns. A trial is a pair without
-// shifts. The filter (`sieve`) decides whether any shifts within given ranges can meet the limits.
+// Computes, with vector instructions, the values that a search compares with its limits. A
+// candidate is a pair of gears with given profile shifts. The values of a batch of candidates are
+// stored in columns. A trial is a pair whose shifts are not yet chosen. The filter (`sieve`)
+// decides whether any shifts within given ranges can meet the limits.
 //
 // The formulas are written once (design/candidate_formulas.inc) and compiled for double and for
 // every instruction set. At run time, the best available instruction set is used. The last bits of
-// the vector results depend on the machine. Therefore the scalar formulas of the pair are used
-// within kSieveDoubt of a limit and for every printed number.
+// the vector results depend on the machine. Therefore, every value within kSieveDoubt of a limit
+// and every printed number is computed with the scalar formulas of the pair.
 //
 //   Laws  (1) the vector results agree with the scalar results to 1e-12
 //         (2) the verdicts are the same on every machine
@@ -66,8 +67,8 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
 /// trial. kSievePass means that the point with the longest path meets these three limits. kSieveAsk
-/// means that the filter cannot decide. In these two cases, the s1–s2 graph of the trial decides
-/// (design/shift_graph.hpp).
+/// means that the filter cannot decide. After kSievePass or kSieveAsk, the s1–s2 graph of the trial
+/// decides (design/shift_graph.hpp).
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 
@@ -79,8 +80,8 @@ struct SieveConstants {
   double min_path = 0.0;             ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the limit of the contact ratio is evaluated, which requires an
-                      ///< external pair at extended centres
+  bool path = false;  ///< true if the limit of the contact ratio is evaluated; only permitted for
+                      ///< an external pair at extended centres
 };
 
 struct SieveBatch {

@@ -1,5 +1,5 @@
-// The scalar formulas, which are used if Google Highway is not available. They are also the
-// reference for the tests of the vector code.
+// This file replaces candidate_simd.cpp if Google Highway is not available. It uses the scalar
+// formulas, which are also the reference for the tests of the vector code.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

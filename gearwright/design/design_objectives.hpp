@@ -1,5 +1,5 @@
-// Values by which the designs of a search are ranked and that combine its other results: balance of
-// the safety factors, relative cost, and an estimate of the noise.
+// Objectives of a search that are computed from the other values of a design: the balance of the
+// safety factors, the relative cost, and an estimate of the noise.
 //
 //   R_H, R_F   load reserves of flank and root: (S_H/S_Hmin)², S_F/S_Fmin
 //   δ          mean deflection of the teeth along the line of action, µm
@@ -14,18 +14,19 @@
 
 namespace gearwright {
 
-/// The greatest load reserve divided by the least one, ≥ 1. The flanks, root 1 and root 2 have one
-/// reserve each. The square makes flank and root comparable, because the pressure on the flanks
-/// grows with the square root of the load, and the stress at the root in proportion to it. Only the
-/// weaker flank counts, because both flanks have the same pressure, and no profile shift changes
-/// the ratio of their safety factors. A limit that is not given counts as 1. Absent if the row has
-/// no safety factors.
+/// The greatest load reserve divided by the least one, ≥ 1. There are three reserves: one for both
+/// flanks, one for root 1 and one for root 2. The stress at the root is proportional to the load,
+/// but the pressure on the flanks grows only with the square root of the load. Therefore, S_H is
+/// squared. Only the weaker flank counts, because both flanks have the same pressure, and no
+/// profile shift changes the ratio of their safety factors. A limit that is not given counts as 1.
+/// Absent if the row has no safety factors.
 ///
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);
 
-/// The relative cost, kg: the mass times a factor that grows with the face width. It ranks designs
-/// of the same kind and is no price: no published relation was found, so the exponent is an input.
+/// The relative cost, kg: the mass times a factor that grows with the face width. It serves only to
+/// rank designs of the same kind. The exponent e is an input, because no published relation between
+/// face width and price was found.
 ///
 /// Formula   m (b/d_1)^e; [T9.18]
 double relative_cost(const SearchProblem& problem, const DesignRow& row);

@@ -67,13 +67,13 @@ double greatest(const F& f, double a, double b, double bend) {
 
 // `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
-// Considers the points on the line of balanced strength that keep the desired distance from the
-// borders (kWallDistance), and returns the one with Σ nearest 0.
+// Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
+// kWallDistance from the borders. If no point does, half the distance that can be reached suffices.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
-  // If fillets are checked, the distance from the borders jumps as a function of Σ, so its second
-  // derivative has no upper limit.
+  // If fillets are checked, the distance from the borders is a discontinuous function of Σ, so its
+  // second derivative has no upper limit.
   const double bend =
       fillets == Fillets::asked ? std::numeric_limits<double>::infinity() : kMostBend;
   const Trial& t = graph.trial();
@@ -146,7 +146,7 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
   if (!graph.problem().limits.avoid_interference) {
     // If interference is permitted, the point with Σ nearest 0 is used. If this point lies at a
-    // border, it is computed only together with the region.
+    // border, the result is empty, and the caller must compute the region to choose a point.
     const ShiftGraph::Sums range = graph.sums();
     if (!(range.lo <= range.hi)) return std::nullopt;
     const Trial& t = graph.trial();
@@ -154,8 +154,8 @@ std::optional<Vec2> point_off_walls(const ShiftGraph& graph) {
         balanced_point(t.z1, t.z2, std::clamp(0.0, range.lo, range.hi), graph.problem().lambda);
     return graph.wall_distance(p[0], p[1]) > kSameEnd ? std::optional(p) : std::nullopt;
   }
-  // The check of fillets takes longer than the checks of all other borders and rarely fails. The
-  // point is therefore first computed without it.
+  // The check of fillets takes longer than the checks of all other borders, and it rarely excludes
+  // a point. The point is therefore first computed without the check of fillets.
   const auto place = place_off_walls(graph, Fillets::left_out);
   return place && fillet_is_cut(graph, *place) ? place_off_walls(graph, Fillets::asked) : place;
 }
@@ -174,8 +174,9 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // The middle must keep at least half the distance of `inside` from the borders. If the slice at
-  // one end of the region is a point, it keeps exactly half, so a tolerance is subtracted.
+  // `middle` is used if its distance from the borders is at least half the distance of `inside`.
+  // If the slice at one end of the region is a point, the distance of `middle` is exactly half.
+  // Therefore, a tolerance is subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

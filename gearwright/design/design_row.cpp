@@ -33,8 +33,9 @@ double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
 
 namespace {
 
-// Mean E_sn of each gear: from the table of the series, or half of the sum that gives the required
-// backlash. A gear outside the table gets no allowance, and its drawing is later rejected.
+// Mean E_sn of each gear. If a backlash is required, each gear gets half of the sum of allowances
+// that produces it. Otherwise, E_sn is read from the table of the series. A gear outside the table
+// gets no allowance, and its drawing is later rejected.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
@@ -183,8 +184,8 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // If designs are drawn, a point away from the borders may exist even though its drawing was
-  // rejected above.
+  // OffWalls::none states that no point away from the borders exists. If designs are drawn, such a
+  // point may exist, because it is possible that only its drawing was rejected above.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
@@ -230,8 +231,8 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
 
 namespace {
 
-// Rounds a cost to multiples of kSame. Otherwise, rounding errors, which depend on the module,
-// would rank designs of equal cost.
+// Rounds a cost to multiples of kSame. Without this, designs of equal cost would be ranked by their
+// rounding errors, which depend on the module.
 double settled(double cost) {
   constexpr double kSame = 1e-11;
   constexpr double kTooLarge = 1e4;  // from this value on, rounding errors exceed a step of kSame

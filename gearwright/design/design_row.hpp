@@ -1,7 +1,7 @@
 // One feasible design: its values at a point of the region, and the criteria by which it is ranked.
 //
-// The values are computed with the formulas for a mounted pair (pair/mesh.hpp), so they equal the
-// values of the mounted design.
+// All values are computed with the formulas for a mounted pair (pair/mesh.hpp). They are therefore
+// equal to the values of the design after it is mounted.
 #pragma once
 
 #include <array>
@@ -49,8 +49,8 @@ struct DesignRow {
   /// the root.
   std::array<std::optional<double>, 2> flank_safety{}, root_safety{};
   bool runs = true;  ///< false if the verdict on the drawing contains a finding worse than green
-  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest value for the
-                                                         ///< tolerances of the drawing
+  std::array<std::optional<double>, 2> backlash_ends{};  ///< j_n, least and greatest value within
+                                                         ///< the tolerances of the drawing
   /// True if the members below, which describe the region, are computed.
   bool whole = false;
   double area = 0.0;
@@ -64,21 +64,21 @@ struct DesignRow {
 };
 
 /// The row of a trial, if the trial is feasible. With RegionDetail::point, the values of the region
-/// are omitted. They take a hundred times as long as all other values. The shifts are the same in
-/// both cases.
+/// are omitted, because they take a hundred times as long as all other values. Both details give
+/// the same shifts.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 /// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// True if a design exists. This requires a region and, if fillets are checked, a point in it at
-/// which the tips do not cut into the fillets. The design must also meet the limits of the safety
-/// factors if it is rated, and of the verdict if it is drawn.
+/// True if a design exists. This requires a region and, if fillets are checked, a point of the
+/// region at which the tips do not cut into the fillets. If designs are rated, the design must also
+/// meet the limits of the safety factors. If designs are drawn, the verdict must accept it.
 bool has_design(const ShiftGraph& graph);
 /// The row at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 /// The cost of a design for one objective; a smaller cost is better. Only rows on the line of
-/// balanced strength have costs. All other rows come last.
+/// balanced strength have costs. All other rows are ranked last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
 /// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial
 /// number. The order is total, and the smaller key comes first.

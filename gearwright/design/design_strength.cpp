@@ -27,8 +27,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the tip of the mating gear touches the flank of gear i only on its involute, which is the
-// part cut by the straight flank of the rack.
+// True if the tip of the mating gear touches the flank of gear i only on the involute, which is the
+// part of the flank that is cut by the straight flank of the rack.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -38,8 +38,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of an internal gear whose pair has a closed form. Absent if the tip of the pinion reaches
-// the fillet, if the tips are shortened, or if the internal gear has an allowance.
+// The cut of the internal gear, if the pair has a closed form. Absent if the tip of the pinion
+// reaches the fillet, if the tips are shortened, or if the internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -153,8 +153,8 @@ struct Safeties {
   std::optional<double> deflection{};  // µm, teeth under the rated torque
 };
 
-// The safety factors for one state of the teeth: the design itself, or the pair at one combination
-// of tolerance ends. `input` contains the gear body of the design.
+// The safety factors for one state of the teeth. A state is the nominal design, or the pair at one
+// combination of tolerance ends. `input` contains the gear body of the nominal design.
 Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
@@ -172,7 +172,8 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
 }
 
 // The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
-// drawings are checked, a limit that is not given counts as 1, because the verdict requires this.
+// drawings are checked, a limit that is not given counts as 1, because the verdict requires safety
+// factors of at least 1.
 double share_of(const SearchProblem& problem, const Safeties& found) {
   double share = std::numeric_limits<double>::infinity();
   const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {
@@ -186,8 +187,8 @@ double share_of(const SearchProblem& problem, const Safeties& found) {
   return share;
 }
 
-// The smallest ratio of safety factor to limit over all states, at the face width of the row. The
-// safety factors for the first state are stored in the row.
+// The smallest ratio of a safety factor to its limit in all states, at the face width of the row.
+// The safety factors for the first state are stored in the row.
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
@@ -208,9 +209,9 @@ double required_share(const SearchProblem& problem, const std::vector<RatedPair>
 }
 
 // Sets the smallest face width of the band for which the safety factors are sufficient in all
-// states of the teeth. If there is none, the greatest width is set. Safety factors grow with at
+// states of the teeth. If no width suffices, the greatest width is set. Safety factors grow with at
 // most the fourth power of the width (rating/sizing.cpp), so widths that are certainly insufficient
-// are skipped. The row gets the safety factors for the first state, which is the design itself.
+// are skipped. The row gets the safety factors for the first state, which is the nominal design.
 void size_face(const ShiftGraph& graph, const std::vector<RatedPair>& states, DesignRow& row) {
   constexpr double kPower = 4.0;
   const SearchProblem& problem = graph.problem();

@@ -4,9 +4,8 @@
 //
 // The rating uses values of a mounted pair. If the path of contact lies on the involute parts of
 // the flanks, all these values have a closed form. For an internal gear, the closed form also uses
-// data of its cutter (RingCuts). All other designs are undercut or have tips that reach
-// beyond the start of a flank. Their gears are cut and mounted, which takes a hundred times as
-// long.
+// data of its cutter (RingCuts). If there is no closed form, for example because of undercut, the
+// gears are cut and mounted, which takes a hundred times as long.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 #pragma once
 
@@ -29,9 +28,9 @@ namespace gearwright {
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The pair of a design, computed from gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
-/// Returns the row with its safety factors. The face width is the smallest of the band for which
-/// they are sufficient, or the greatest if there is none. If drawings are checked, the verdict on
-/// the drawing is included.
+/// Returns the row with its safety factors. The face width is the smallest one of the band that
+/// gives sufficient safety factors. If no face width does, it is the greatest one of the band. If
+/// drawings are checked, the row also contains the verdict on the drawing.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 /// The first limit that the row violates: a safety factor that is too low or has no value, or the
 /// verdict. Absent if the row meets all limits.
@@ -61,8 +60,8 @@ struct RingCut {
 
 class RingCuts {
  public:
-  /// The cut of the wheel of a trial with this profile shift, by cut_by_default(). Absent if the
-  /// gear cannot exist. Thread-safe.
+  /// The cut that cut_by_default() chooses for the wheel of `trial` with the profile shift `shift`.
+  /// Absent if the gear cannot exist. Thread-safe.
   std::optional<RingCut> of(const SearchProblem& problem, const Trial& trial, double shift);
 
   /// The number of stored cuts, as a measure of the work.

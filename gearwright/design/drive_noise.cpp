@@ -1,4 +1,4 @@
-// Estimates the noise of the candidates of a search for drives from their numbers of teeth.
+// Estimates the noise of drives from their numbers of teeth, for a search that ranks drives.
 #include <cmath>
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Every stage of a train has its own mesh frequency. λ_m/T_o is the torque of its wheel per tooth,
-// for the torque 1 on the output.
+// Every stage of a train has its own mesh frequency. The output torque is 1. λ_m/T_o of a stage is
+// therefore the torque on its wheel divided by the number of teeth of the wheel.
 std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCandidate& candidate) {
   std::vector<WindupMesh> meshes;
   double torque = 1.0;

@@ -45,8 +45,9 @@ struct Ends {
   std::size_t fixed, input, output;
 };
 
-// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Products of
-// three numbers of teeth are exact in double. The result is 0 if no finite ratio exists.
+// i = (α_in − α_fixed)/(α_out − α_fixed), where α is the speed relative to the carrier. Numerator
+// and denominator are computed as whole numbers from products of three numbers of teeth, which are
+// exact in double. The result is 0 if no finite ratio exists.
 double ratio_of(const TeethOfSet& z, const Ends& ends) {
   const Share f = share_of(z, ends.fixed), i = share_of(z, ends.input),
               o = share_of(z, ends.output);
@@ -74,9 +75,9 @@ struct SetMeshes {
   }
 };
 
-// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs of meshes, where a and b are the
-// numbers of teeth of the planet gear and the central gear. The relations between two meshes
-// generate all integer relations, because the a_i/gcd(a) have no common divisor. [T13.12]
+// N* is the gcd of (a_i b_j − a_j b_i)/gcd(a) over all pairs i, j of meshes. In mesh i, a_i is the
+// number of teeth of the planet gear, and b_i that of the central gear. The relations between two
+// meshes generate all integer relations, because the a_i/gcd(a) have no common divisor. [T13.12]
 long long places_of(const SetMeshes& meshes) {
   long long common = 0, places = 0;
   for (std::size_t i = 0; i < meshes.count; ++i) common = std::gcd(common, meshes.list[i].rider);
@@ -279,8 +280,8 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
       threads);
 }
 
-// Replaces every candidate by one candidate per module, whose size is in mm instead of modules. If
-// the size is not permissible, the candidate is rejected.
+// Replaces every candidate by one candidate for each module, and converts the size from modules to
+// mm. A candidate whose size exceeds the limit is rejected.
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   const std::vector<double>& modules = problem.modules;
   if (modules.empty()) return;
@@ -408,7 +409,8 @@ std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // The candidates are sorted by their costs, so only an earlier one can dominate a candidate.
+  // The candidates are sorted by their costs, so a candidate can be dominated only by an earlier
+  // one.
   std::vector<std::size_t> front;
   const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
     return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());

@@ -73,9 +73,9 @@ struct DriveSearchProblem {
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
   std::string
       series;  ///< tolerance series of DIN 3967, such as "cd25", for the allowances of all gears;
-               ///< if empty, the allowances of `base` apply
-  /// Helix angle, losses, spacing, and the fixed and driving members. Its numbers of teeth are
-  /// ignored.
+               ///< if empty, the allowances given in `base` are used
+  /// Helix angle, losses, spacing, and the fixed and driving members. Numbers of teeth in `base`
+  /// are ignored.
   PlanetarySpec base;
 
   double target() const { return target_ratio.value_or((ratio[0] + ratio[1]) / 2); }
@@ -102,14 +102,14 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 for a train
   double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
   double size =
-      0.0;  ///< mm: diameter over the planets and the root circles of rings without shifts;
+      0.0;  ///< mm, without shifts: greatest diameter over planets, suns and root circles of rings;
             ///< for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width
   GearShifts shifts{};                 ///< x  if the search chooses the profile shifts
-  /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]; none if not
-  /// requested, or if a mesh loses contact.
+  /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
+  /// not requested, or if a mesh loses contact.
   std::optional<double> noise{};
 };
 
@@ -123,7 +123,7 @@ struct DriveSearchResult {
 /// All candidates that meet the limits.
 ///
 /// Formula   all meshes of a set have the same module, so meshes with a common centre distance must
-///           have nearly equal sums of teeth: they differ by at most `coaxial_teeth`
+///           have nearly equal sums of teeth. These sums differ by at most `coaxial_teeth`
 /// Domain    bands from 1 to kMostDriveTeeth (contract)
 /// Errors    `drive.fixed`, `drive.input` or `drive.output` if the set has no such member, or if
 ///           one member has two of these functions
@@ -135,7 +135,8 @@ void complete_ends(DriveSearchProblem& problem);
 /// The set of a candidate, with the losses and the fixed, input and output members of the
 /// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-/// The greatest face width that the search may choose, mm. It follows from the band and from b/d.
+/// The greatest face width that the search may choose, mm. It is limited by the band of face widths
+/// and by the greatest b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
 
 /// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that

@@ -17,8 +17,8 @@ double rounded_up(double x) {
   return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
 }
 
-// x_u of each external gear. A thickness allowance moves the cutter by x_E − x, so x_u is less or
-// greater by this amount.
+// x_u of each external gear. A thickness allowance moves the cutter by x_E − x. Therefore, this
+// amount is subtracted from the limit for teeth without allowance.
 GearShifts undercut_limits(const DriveGraph& graph) {
   GearShifts limits;
   for (const DriveGear& gear : graph.gears) {
@@ -34,9 +34,9 @@ GearShifts undercut_limits(const DriveGraph& graph) {
   return limits;
 }
 
-// The division of the least sum ≥ 0 with which neither of two external gears is undercut. Along the
-// line, each shift grows by z/(z1 + z2) per unit of the sum. A sum of 0 stays 0 if both shifts are
-// rounded.
+// The shifts of two external gears with the least sum ≥ 0 for which neither gear is undercut. The
+// sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of the sum. If the sum is
+// 0, it stays 0 after both shifts are rounded.
 std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
                                       const std::array<double, 2>& limits) {
   const auto start = divided_shift_sum(z[0], z[1], 0.0);
@@ -49,7 +49,7 @@ std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
 }
 
 // Sets the shift of a gear to x_u if the shift that follows from the centre distance would cause
-// undercut. The shift of its mating gear then follows.
+// undercut. The shift of the mating gear then follows from the centre distance.
 void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
   bool all_given = true;
   for (std::size_t g = 0; g < shifts.size(); ++g) {
@@ -71,7 +71,7 @@ std::vector<GearShifts> shift_trials(const DriveGraph& graph) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];
     GW_EXPECTS(!mesh.center_distance);
-    // The other meshes of a planet have the centre distance of the first.
+    // The other meshes of a planet have the centre distance of the first mesh.
     if (m > 0 && graph.frame(mesh)) continue;
     for (const std::size_t g : mesh.gears)
       if (limits[g]) balanced[g] = least[g] = std::max(0.0, rounded_up(*limits[g]));

@@ -22,9 +22,9 @@ inline int coaxial_slack(const DriveSearchProblem& problem) {
 /// of teeth (z < 0 for a ring) and used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
-/// Sets the noise of all candidates, for gears without profile shift. Helical teeth have the face
-/// width of the search and its first module, if both are given. It is used for the ranking until the
-/// teeth are computed.
+/// Sets the noise of all candidates, for gears without profile shift. If the search has a face
+/// width and modules, helical teeth are computed with this face width and the first module. The
+/// estimate is used for ranking until the teeth are computed.
 void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
                     int threads);
 

@@ -4,7 +4,7 @@
 //        which the design meets its limits
 //   ε_β  overlap ratio
 //
-// Bands can be given for b, b/m_n and b/d_1. The face width lies within all of them. It is a
+// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. It is a
 // multiple of a step, because drawings show round numbers.
 #pragma once
 
@@ -19,8 +19,8 @@ namespace gearwright {
 /// permissible.
 std::array<double, 2> face_widths(const SearchProblem& problem, const Trial& trial);
 
-/// The smallest permissible width with the required overlap ratio, mm. If there is none, the
-/// greatest permissible width.
+/// The smallest permissible width with the required overlap ratio, mm. If no permissible width has
+/// this overlap ratio, the result is the greatest permissible width.
 double first_face_width(const ShiftGraph& graph);
 
 /// The smallest permissible face width of the trial that is at least `width` and greater than

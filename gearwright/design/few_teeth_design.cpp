@@ -20,8 +20,9 @@ namespace gearwright {
 namespace {
 
 constexpr int kSteepestHelix = 75;     // degrees; greatest helix angle
-constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; a cutter
-                                       // of this shape with a smaller radius would overheat
+constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fillet, modules; the
+                                       // cutter has the same fillet and would overheat if the
+                                       // radius were smaller
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
@@ -51,7 +52,8 @@ struct Rank {
 struct Verdict {
   int stage = 0;
   double shortfall =
-      0.0;  // amount by which the check failed; the candidate with the smallest amount is reported
+      0.0;  // amount by which the check failed; among candidates that failed at the same check, the
+            // one with the smallest amount is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
 };
@@ -143,8 +145,8 @@ class FewTeethSearch {
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->rank->is_better_than(*b->rank);
     });
-    // Candidates are mounted in parallel in groups of 1, 2, 4 and so on, because usually one of the
-    // first is accepted.
+    // Candidates are mounted in parallel in groups of 1, 2, 4 and so on. The first groups are
+    // small, because usually one of the first candidates is accepted.
     begin_stage(p_.progress, "mounting the pairs", static_cast<std::int64_t>(order.size()));
     std::size_t together = 1;
     for (std::size_t from = 0; from < order.size(); from += together, together *= 2) {
@@ -381,8 +383,8 @@ class FewTeethSearch {
     return {15, 0.0, "", std::move(design)};
   }
 
-  // True if the concave root of the pinion cuts a cusp into the wheel, whose flank then ends before
-  // the point that is conjugate to the start of the pinion's flank.
+  // True if the concave root of the pinion cuts a cusp into the wheel. In this case, the wheel's
+  // flank ends before the point that is conjugate to the start of the pinion's flank.
   bool has_cusp(const Gear& cutter, const Gear& whole, double distance) const {
     const Arc& flank = *cutter.tooth->outline.find(ArcName::flank);
     const auto& involute = curve_as<Involute>(*flank.curve);

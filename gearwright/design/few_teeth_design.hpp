@@ -3,14 +3,15 @@
 //
 //   x1, x2   profile shifts of pinion and wheel, the unknowns     C    clearance at both tips, mm
 //
-// A pinion whose tip is longer by C cuts the wheel. The wheel is therefore conjugate to the tip
-// fillet and the root fillet of the pinion. The tips of both gears are then shortened by C.
+// The wheel is cut by a cutter that has the shape of the pinion, but is longer by C at the tip. The
+// wheel is therefore conjugate to the pinion, including the tip fillet and the root fillet of the
+// pinion. After cutting, the tips of both gears are shortened by C.
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps
-// of 0.05, and then on finer grids around the best candidate, down to steps of 0.001. Candidates
-// are mounted by rank until one has no interference, because the check for interference takes ten
-// times as long as the generation of the teeth.
+// of 0.05, and then on finer grids around the best candidate, down to steps of 0.001. The check for
+// interference takes ten times as long as the generation of the teeth. Candidates are therefore
+// mounted in the order of their rank, until one has no interference.
 #pragma once
 
 #include <array>
@@ -33,13 +34,13 @@ struct FewTeethProblem {
                                           ///< centre distance
   std::optional<double> center_distance;  ///< a; free if absent
   std::optional<double> pinion_shift;     ///< x1; computed if absent
-  StraightRack rack;                      ///< rack of the pinion; a circular fillet replaces its
-                                          ///< root
+  StraightRack rack;                      ///< rack of the pinion; the pinion has a circular root
+                                          ///< fillet instead of the fillet of the rack
   double root_offset = 0.0;               ///< distance between the root fillet and the undercut
                                           ///< limit
   double min_tip_land = 0.0;              ///< least normal thickness at both tips
-  double min_gap = 0.0;                   ///< least permissible chord of the tooth spaces of both
-                                          ///< gears at the start of the flanks
+  double min_gap = 0.0;                   ///< least permissible chord of a tooth space at the start
+                                          ///< of the flanks, for both gears
   double clearance = 0.0;                 ///< C
   double backlash = 0.0;                  ///< circumferential backlash
   double contact_ratio = 1.2;             ///< total contact ratio, which determines the face width
@@ -59,8 +60,9 @@ struct FewTeethDesign {
 
 struct FewTeethAnswer {
   std::optional<FewTeethDesign> design;
-  std::string limit;  ///< if there is no design: the condition that rejected the candidate which
-  ///< passed the most checks
+  /// If there is no design: the condition that rejected the most successful candidate, which is the
+  /// one that passed the most checks.
+  std::string limit;
   int candidates = 0;  ///< number of candidates tried
 };
 /// Returns the design with the greatest transverse contact ratio. Among designs whose contact

@@ -79,16 +79,16 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     if (gap < least) least = gap, best = i;
   }
   if (least == kInfinite) return least;
-  // Between nodes, the gap may be smaller than at the lowest node. The difference from its
-  // neighbours bounds this decrease. If the gap is positive even after subtracting this difference,
-  // the value at the lowest node is returned.
+  // Between nodes, the gap may be smaller than at the lowest node. The decrease is at most the
+  // difference between the lowest node and its higher neighbour. If the gap is positive even after
+  // this difference is subtracted, the value at the lowest node is returned.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
   // There is one minimum between the neighbours of the lowest node. Golden section locates it to a
-  // thousandth of a step, which changes the gap by a millionth of a step.
+  // thousandth of a step. This causes an error of only a millionth of a step in the gap.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));
@@ -121,8 +121,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const std::array<TrialGear, 2>& g = graph.gears();
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
-  // If Σ = 0, both gears mesh with one rack, so the corners do not reach the fillets that the
-  // rounding of this rack cuts.
+  // If Σ = 0, both gears mesh with the same rack. The corners then do not reach the fillets, which
+  // are cut by the rounding of this rack.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -132,8 +132,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the line of action that results if the centre distance exceeds the backlash-free
-  // one.
+  // Backlash along the line of action. It results from a centre distance that is greater than the
+  // backlash-free centre distance.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);
   double least = kInfinite;
@@ -155,8 +155,8 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
 
 bool fillet_is_cut(const ShiftGraph& graph, const Vec2& shifts) {
   if (!graph.problem().limits.clear_fillets) return false;
-  constexpr double kClear = 1e-6;  // modules: tolerance for values that were rounded in a printed
-                                   // spec
+  constexpr double kClear = 1e-6;  // modules; least gap, so that a design still has a positive gap
+                                   // after its values are rounded in a printed spec
   const auto gap = fillet_gap(graph, shifts);
   return gap && *gap < kClear;
 }

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// Relative tolerance, so that a centre distance given with ten digits counts as equal to the
-// computed one.
+// Relative tolerance, with which a centre distance that is given with ten digits counts as equal
+// to the computed centre distance.
 constexpr double kSameDistance = 1e-9;
 
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
@@ -154,7 +154,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
       {}};
 }
 
-// Computes the sum of the shifts of gears whose helix angles and position are known.
+// Computes the sum of the shifts for gears whose helix angles and position are known.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
     return absent_input(
@@ -167,7 +167,8 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
   const bool parallel = axes_are_parallel(gears);
   std::optional<Angle> shaft_angle = p.shaft_angle;
   if (!parallel && !shaft_angle) {
-    // By default, Σ is the shaft angle for which the given centre distance is the minimum.
+    // By default, Σ is the shaft angle at which the given centre distance is the minimum centre
+    // distance of the gears.
     const auto alpha = transverse_angle_at_pitch_sum(gears, *p.center_distance);
     if (!alpha) {
       Fit none;
@@ -217,7 +218,7 @@ Result<Fit> fit(const FitProblem& p) {
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // First, the gears must be able to mesh at this shaft angle.
+    // The first check is whether the gears can mesh at this shaft angle at all.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

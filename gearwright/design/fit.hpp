@@ -1,5 +1,5 @@
-// Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of computing
-// a pair.
+// Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of the
+// computation of a pair from its gears.
 //
 //   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in
 //        units of p_n/π
@@ -8,9 +8,9 @@
 //
 // H is convex, so H = T has at most two solutions. If the gears are known, their positions are
 // computed. If the position is known, the gears are computed. If a helix angle is free, only
-// designs at their minimum centre distance are considered. Their pitch planes coincide (X = 0), so
-// an error of Σ has no first-order effect. On parallel axes, every backlash-free pair is such a
-// design.
+// designs at their minimum centre distance are considered. The pitch planes of these designs
+// coincide (X = 0), so an error of Σ has no first-order effect. On parallel axes, every
+// backlash-free pair is at its minimum centre distance.
 #pragma once
 
 #include <array>
@@ -65,7 +65,7 @@ struct Fit {
 ///                              distance, with the given α_wn, helix angle or shifts; if none of
 ///                              these is given, x1 + x2 = 0
 ///
-/// Errors    the member that is missing, or the one that overdetermines the pair
+/// Errors    the member that is missing, or the member that overdetermines the pair
 Result<Fit> fit(const FitProblem& problem);
 
 /// The designs that meet the given condition, which is α_wn, a helix angle, or x1 + x2 (by default

@@ -1,11 +1,11 @@
-// The closed intervals in which a continuous function of one variable is not negative, with solved
-// ends.
+// The closed intervals in which a continuous function of one variable is not negative. Their ends
+// are computed as roots of the function.
 //
 // The function is evaluated at nodes. Between two nodes of different sign, one root is found by
-// bracketing. If a node is below zero but higher than its neighbours, golden section first climbs
-// from it to the maximum, so that a narrow interval between nodes is also found. The result is
-// exact except for rounding if the function is quasiconcave, which means that its superlevel sets
-// are intervals.
+// bracketing. If the function is negative at a node but smaller at both neighbours, golden section
+// first searches for the maximum between these neighbours, so that a narrow interval between nodes
+// is also found. If the function is quasiconcave, which means that its superlevel sets are
+// intervals, the result is exact except for rounding.
 // docs/theory/09-design-search.md proves for which arguments the functions of the s1–s2 graph are
 // quasiconcave. For other functions, a maximum may be missed if it is narrower than the distance of
 // the nodes and lies next to a higher maximum.
@@ -48,9 +48,9 @@ struct Hump {
 
 namespace detail {
 
-/// The greatest possible value of a concave function between a and b, from its values at a < x < y
-/// < b. f(a) and f(b) may be −∞ if they are unknown. A concave function stays below a secant
-/// outside the interval of its two points.
+/// The greatest possible value of a concave function between a and b, from its values at a, x, y
+/// and b, where a < x < y < b. An unknown f(a) or f(b) is given as −∞. Outside the interval between
+/// two of its points, a concave function lies below the secant through these points.
 inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double y, double f_y,
                               double b, double f_b, double bend) {
   const auto rise = [](double lower, double upper) { return std::max(upper - lower, 0.0); };
@@ -98,9 +98,9 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// True if the node x is a root except for rounding: the chord to the next node then crosses zero
-/// within the rounding error of x. An example is a corner of the shift limits. Bracketing would not
-/// improve such a root.
+/// True if the node x is a root except for rounding. This is the case if the chord to the next node
+/// crosses zero within the rounding error of x, for example at a corner of the shift limits.
+/// Bracketing would not improve such a root.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -165,8 +165,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i].value < 0.0) continue;
     Interval piece{at[i].x, at[i].x};
-    // Because of rounding, the computed root may lie beyond the inner node. The interval always
-    // includes this node.
+    // Because of rounding, the computed root may lie on the wrong side of the inner node. The
+    // interval always includes the inner node.
     const auto end = [&](const Node& outside, const Node& inside) {
       if (detail::is_root(outside.x, outside.value, inside.x, inside.value)) return outside.x;
       return find_root([&f](double x) { return f(x); }, std::min(outside.x, inside.x),
@@ -199,8 +199,8 @@ template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // A maximum that is zero within rounding counts as an interval. The tolerance must not change the
-  // ends of other intervals.
+  // A maximum that is zero except for rounding counts as an interval. Therefore, f ≥ −touch is
+  // used, but only if there are no other intervals, because the tolerance would change their ends.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

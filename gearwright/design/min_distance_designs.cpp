@@ -66,8 +66,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the solution lies outside the range of β_w1. H is so great
-      // there that no practical gear has this value.
+      // If the bracket contains no root, the solution lies outside the range of β_w1. Outside this
+      // range, H is greater than for any practical gears.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);

@@ -56,7 +56,8 @@ class Least {
   bool stopped() const { return stopped_; }
 
  private:
-  // Moves the far end of the range nearer until there are few enough trials.
+  // Moves the far end of the range towards the given value until the number of trials is small
+  // enough.
   bool reach() {
     far_ = knob_->far;
     for (int i = 0; i < 60; ++i) {

@@ -4,14 +4,15 @@
 // Each number is changed separately, by the smallest amount with which a design exists. Numbers
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
-//                   over all trials. They are evaluated in random order, each first with a change
-//                   slightly smaller than the best one so far. Only for a trial that is then
-//                   feasible (about ln n of n trials), its smallest change is found by bisection.
+//                   over all trials. The trials are evaluated in random order. Each trial is first
+//                   evaluated with a change slightly smaller than the smallest one found so far. If
+//                   the trial is feasible (about ln n of n trials are), the smallest change for
+//                   this trial is found by bisection.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
-// For rated designs, the load, the face width and the steel are changed as well. A bisection of the
-// whole search would evaluate each trial in every step. Here, each trial is evaluated only a few
-// times.
+// For rated designs, the load, the face width and the steel are changed as well. A bisection that
+// repeats the whole search would evaluate each trial in every step. Here, each trial is evaluated
+// only a few times.
 #pragma once
 
 #include <optional>
@@ -38,15 +39,15 @@ struct NearestChanges {
   /// Members for which not all trials were evaluated. For such a member, a change smaller than the
   /// one in `changes` may be sufficient.
   std::vector<std::string> bounded;
-  std::vector<std::string> tried;  ///< all members that were changed, whether it helped or not
+  std::vector<std::string> tried;  ///< all members that were changed, with or without success
   std::int64_t asked = 0;          ///< number of graphs computed
   bool stopped = false;  ///< true if the watch stopped the search; changes may then be missing
   /// The rated design whose safety factors come nearest to the required ones.
   std::optional<DesignRow> safest;
 };
 
-/// Greatest number of trials of a search for which changes are computed, because trials are then
-/// evaluated repeatedly.
+/// Greatest number of trials of a search for which changes are computed. There is a limit, because
+/// the trials are evaluated several times for every member.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
 /// Greatest number of graphs computed for one member. 2000 graphs with shortened tips, which are
 /// the slowest ones, take 1 s.

@@ -94,8 +94,9 @@ class Sieve {
       a_lo = (*distance)[0] / t.module;
       a_hi = (*distance)[1] / t.module;
     }
-    // If tips are shortened, they are thicker, so a shift may exceed x_max. The filter then uses
-    // only the limit of the problem, and the graph computes the greatest shift.
+    // Shortened tips are thicker, so the greatest shift may exceed x_max. If tips are shortened,
+    // the filter therefore uses only the limit given in the problem. The graph later computes the
+    // greatest shift.
     const double hi_1 = shortened_ ? ceiling_ : g_1.x_max;
     const double hi_2 = shortened_ ? ceiling_ : g_2.x_max;
     const double values[] = {g_1.r, g_1.x_min, hi_1, g_2.r, g_2.x_min, hi_2, a_lo, a_hi};
@@ -196,8 +197,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          } else if (const auto row =
                         design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
                                                                            : wish.detail)) {
-           // The values of the region take longer than the others, so they are computed only for
-           // accepted designs.
+           // The values of the region take longer than all other values, so they are computed only
+           // for accepted designs.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);
            return true;

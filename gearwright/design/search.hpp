@@ -3,8 +3,8 @@
 //
 // Ranges of trials are searched independently, so a search can be divided among threads, shards and
 // ranks. The first three limits need only a few operations and reject most trials. The filter
-// (design/candidate.hpp) evaluates them for several trials at once. A graph is computed only for
-// trials that the filter does not reject.
+// (design/candidate.hpp) evaluates these limits for several trials at once. A graph is computed
+// only for trials that the filter does not reject.
 #pragma once
 
 #include <array>
@@ -23,18 +23,19 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< number of trials; if required, only trials with coprime numbers of
-                            ///< teeth
+  std::int64_t tested = 0;  ///< number of trials; if numbers of teeth must be coprime, all other
+                            ///< trials are not counted
   std::int64_t feasible = 0;
-  std::array<std::int64_t, kLimits> rejected{};  ///< counted by the first limit that leaves no
-                                                 ///< design
+  std::array<std::int64_t, kLimits> rejected{};  ///< number of trials that each limit rejects; each
+                                                 ///< trial counts for the first such limit only
   std::int64_t points_tested = 0, points_feasible = 0;  ///< points of the grid of shifts
 
   SearchCounts& operator+=(const SearchCounts& other);
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// The numbers of trials that the filter decided and of those that it could not decide (`asked`).
+/// `decided` is the number of trials that the filter decided. `asked` is the number of trials that
+/// it could not decide.
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
@@ -46,8 +47,8 @@ using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 /// Options for the search of a range.
 struct RangeOptions {
-  RegionDetail detail = RegionDetail::whole;  ///< extent of each row; ranking by area requires
-                                              ///< `whole`
+  RegionDetail detail = RegionDetail::whole;  ///< whether rows contain the values of the region;
+                                              ///< ranking by area requires `whole`
   SieveCounts* sieve = nullptr;
   std::vector<ShiftPoint>* points =
       nullptr;  ///< if not null, receives the feasible points of the grid of shifts

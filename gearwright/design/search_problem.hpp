@@ -113,11 +113,11 @@ struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
   std::optional<double> power_kW;       ///< P, if given instead of the torque
-  std::shared_ptr<RingCuts> ring_cuts;  ///< created by the search; if absent, every internal gear
-                                        ///< is cut anew
+  std::shared_ptr<RingCuts> ring_cuts;  ///< created by the search; if absent, cuts are not stored,
+                                        ///< and every internal gear is cut and mounted
 };
 
-/// The tolerances of the drawing of every design.
+/// Drawing tolerances, which are the same for all designs.
 struct SearchAllowances {
   std::string series;                             ///< series of DIN 3967, for example "cd25"; if
                                                   ///< empty, `backlash` is used
@@ -135,8 +135,9 @@ struct SearchProblem;
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both tolerance ends
-  /// The pair at every combination of tolerance ends. The list is filled only if safety factors are
-  /// the only reason for the verdict, because a wider face may then help.
+  /// The pair at every combination of tolerance ends. The list is filled only if the design does
+  /// not run and insufficient safety factors are the only reason. In this case, a wider face may
+  /// help.
   std::vector<RatedPair> at_ends{};
 };
 using DrawDesign = std::function<DrawnDesign(const SearchProblem&, const DesignRow&)>;
@@ -145,8 +146,8 @@ inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
-/// Limits in modules that ensure running designs. The caller can use them as defaults; SearchLimits
-/// itself does not.
+/// Limits, modules, that ensure that the designs run. Callers can use them as defaults. They are
+/// not the defaults of SearchLimits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
@@ -226,8 +227,8 @@ struct Trial {
   int rack = 0;                  ///< index in SearchProblem::racks
 };
 
-/// The rack of gear i, marked as a named rack. A fillet radius that does not fit at this pressure
-/// angle is then reduced to the full radius.
+/// The rack of gear i, marked as a named rack. If the fillet radius of a named rack is too great
+/// for the pressure angle, the full radius is used instead.
 inline StraightRack rack_of(const SearchProblem& problem, const Trial& trial, std::size_t i) {
   StraightRack rack = problem.racks[static_cast<std::size_t>(trial.rack)].rack[i];
   rack.named = true;

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRatioSlack = 1e-12;  // tolerance, so that 1.9 · 30 counts as 57 in spite of
+constexpr double kRatioSlack = 1e-12;  // tolerance with which 1.9 · 30 counts as 57 in spite of
                                        // rounding
 
 }  // namespace

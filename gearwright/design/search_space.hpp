@@ -14,14 +14,16 @@
 
 namespace gearwright {
 
-inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel, because
-                                                ///< shift limits are stored for every number
+inline constexpr int kMaxSearchTeeth = 20'000;  ///< greatest number of teeth of a wheel; limited,
+                                                ///< because the shift limits for every number of
+                                                ///< teeth are stored
 
 class SearchSpace {
  public:
   /// Domain    a problem as read from a spec; wheels with at most kMaxSearchTeeth teeth (contract)
   explicit SearchSpace(const SearchProblem& problem);
-  /// The number of trials, including those with a common factor; absent if it exceeds 9·10^18.
+  /// The number of trials, including trials in which z1 and z2 have a common factor. Absent if it
+  /// exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
   /// The number of trials as a double.
   double approximate_size() const;
@@ -58,8 +60,8 @@ class SearchSpace {
     int z1, first, last;  ///< first and last z2
   };
   std::vector<Wheels> pinions_;              ///< pinions that have at least one wheel
-  std::vector<std::int64_t> before_pinion_;  ///< for each pinion: number of trials with one module
-                                             ///< that precede it
+  std::vector<std::int64_t> before_pinion_;  ///< for each pinion: number of trials, for one module,
+                                             ///< whose z1 is smaller
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   int min_wheel_ = 0, max_wheel_ = 0;

@@ -1,5 +1,5 @@
-// The bounds that each limit imposes on x1 on a line Σ = const, and on Σ. These are the formulas of
-// the s1–s2 graph.
+// The formulas of the s1–s2 graph: the bounds that each limit imposes on x1 along a line Σ = const,
+// and the bounds that it imposes on Σ.
 //
 // The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift. Tests compare them
 // with the values of a mounted pair.
@@ -53,11 +53,12 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The contact of the mating gear's tip must stay at least c_F, along the line of action, away from
-// the start of the flank: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile
-// shifts, each condition has the form w q(u) ≤ c + s u, where u is the tip radius of the mating
-// gear and q its curvature radius there. Squaring it gives a quadratic in u. For an external pair,
-// the condition is violated between the roots. [T9.9]
+// The point at which the mating gear's tip touches a flank must keep at least the distance c_F from
+// the start of this flank, along the line of action: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a
+// given sum of the profile shifts, each condition has the form w q(u) ≤ c + s u. Here, u is the tip
+// radius of the mating gear, and q is the curvature radius of the mating gear's flank at its tip.
+// Squaring the condition gives a quadratic in u. For an external pair, the condition is violated
+// between the roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -88,8 +89,8 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // If disc < 0, the condition is met nowhere, and the two ends are returned in reverse order. They
-  // coincide at disc = 0, so the width of the interval is a continuous function of Σ.
+  // If disc < 0, the condition is met nowhere, and the two ends are returned in reverse order. At
+  // disc = 0, the ends coincide. The width of the interval is therefore a continuous function of Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);
@@ -97,10 +98,11 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 }
 
 // The range of the shift of gear i in which its usable flank is long enough. The usable flanks
-// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to them must have the length K. This
-// gives w_1 q_1 − f_1 ≥ K, the same condition for gear 2, and N − f_1 − f_2 ≥ K. This function
-// solves the first two conditions. The third one depends on Σ alone if f_1, f_2 > 0 (sum_margin).
-// The start of an internal gear's flank is unknown. [T9.7]
+// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to the usable flanks must be at least K
+// long. This requires w_1 q_1 − f_1 ≥ K, the same condition for gear 2, and N − f_1 − f_2 ≥ K. This
+// function solves the first two conditions. If f_1, f_2 > 0, the third condition depends on Σ alone
+// (sum_margin). For an internal gear, there is no bound, because the start of its flank is unknown.
+// [T9.7]
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -109,7 +111,7 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   double least = radius_of(path, g.r_b);
   double most = kInfinity;
   // The condition q(u) ≥ s u + c for the tip radius u holds between the roots. If s u + c < 0 at
-  // the base circle, it holds up to the greater root.
+  // the base circle, the condition holds from the base circle up to the greater root.
   const double s = 1.0 / g.sin_transverse;
   const double c = path + g.r * g.sin_transverse - s * (g.edge_depth + A);
   const double disc = c * c - (s * s - 1.0) * g.r_b * g.r_b;
@@ -159,8 +161,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, equations must be solved for these bounds. They are computed only if
-  // they may be the tightest.
+  // If tips are shortened, the bounds s1max and s2max are the solutions of equations. They are
+  // computed only if they may be the tightest bounds.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));

@@ -69,7 +69,7 @@ std::vector<IdenticalGears> identical_gears_chart(const SearchProblem& problem, 
   free.racks[0].rack[1] = free.racks[0].rack[0];
   free.racks[0].undercut_depth[1] = free.racks[0].undercut_depth[0];
   free.racks[0].flank_depth[1] = free.racks[0].flank_depth[0];
-  free.limits.contact_ratio = 0.0;  // 0: only a working pressure angle is required
+  free.limits.contact_ratio = 0.0;  // with this limit, only a working pressure angle is required
 
   std::vector<IdenticalGears> chart;
   for (const ShiftLimits& limits : shift_limit_chart(free, 0, helix, 0, from, to)) {

@@ -27,11 +27,12 @@ struct ShiftLimits {
   int teeth = 0;
   double undercut = 0.0;        ///< x_u
   std::array<double, 3> tip{};  ///< x_t for each of kChartTips
-  double min = 0.0, max = 0.0;  ///< limits of the problem; if min > max, no shift is possible
+  double min = 0.0, max = 0.0;  ///< least and greatest shift that the limits of the problem permit;
+                                ///< if min > max, no shift is possible
 };
 
-/// The limits of gear `which` (0 or 1) with its rack and this helix angle, for all numbers of teeth
-/// from … to.
+/// The limits of gear `which` (0 or 1) with its rack and the given helix angle, for all numbers of
+/// teeth from `from` to `to`.
 ///
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12 modules for 7 … 100 teeth
@@ -41,7 +42,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
 /// The point of the chart at which the curve of x_u meets the curve of x_t for kChartTips[tip].
 /// Absent if the curves do not intersect.
 ///
-/// Accuracy  0.01 teeth, because chords between whole numbers of teeth replace the curves
+/// Accuracy  0.01 teeth, because the curves are replaced by chords between whole numbers of teeth
 struct LimitsMeet {
   double teeth, shift;
   int fewest;  ///< the next greater whole number of teeth

@@ -20,7 +20,7 @@ namespace {
 
 // Relative amount by which the least centre distance exceeds the sum of the base radii. At this
 // centre distance, the working pressure angle is 4e-5 rad. At smaller distances, double precision
-// cannot decide whether the gears mesh.
+// is insufficient to decide whether the gears mesh.
 constexpr double kMinOpening = 1e-9;
 
 }  // namespace
@@ -57,7 +57,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   inv_alpha_t_ = involute(alpha_t);
   pitch_ = std::numbers::pi * std::cos(alpha_t) / cos_beta;
   if (crossed_) {
-    // [T9.10]: N = Σ r_i sin α_ti/cos β_bi + Σ/sin α_n, for X = Σ.
+    // [T9.10]: N = r_1 sin α_t1/cos β_b1 + r_2 sin α_t2/cos β_b2 + Σ/sin α_n, for X = Σ.
     pitch_ = std::numbers::pi * std::cos(problem.normal_pressure_angle.rad());
     for (std::size_t i : {0, 1}) {
       weight_[i] = 1.0 / gears_[i].cos_base_helix;
@@ -124,8 +124,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // If there is no working pressure angle, there is no contact ratio. This condition is therefore
-  // assigned to the limit of the contact ratio.
+  // If there is no working pressure angle, there is no contact ratio. Sums without a working
+  // pressure angle are therefore excluded together with the limit of the contact ratio.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -134,8 +134,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // If the centre distance is below the sum of the base radii, no sum of shifts makes it
-    // backlash-free.
+    // A pair whose centre distance is below the sum of the base radii is backlash-free for no sum
+    // of shifts.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
@@ -164,9 +164,9 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// Finds a sum at which tips shortened by k leave no path of length K. For all greater sums there is
-// no such path either, because k decreases. E is greatest if both tip pressure angles are equal. It
-// is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+// Finds a sum at which the path is shorter than K, because the tips are shortened by k. For all
+// greater sums, the path is also shorter than K, because k decreases. E is greatest if both tip
+// pressure angles are equal. It is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -241,7 +241,8 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The x1 with E = K between the x1 of the longest path and a bound of x1. Absent if there is none.
+// The x1 at which E = K, between the x1 of the longest path and a bound of x1. Absent if E = K has
+// no solution there.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
@@ -254,8 +255,8 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
                                    weight_[1], internal_);
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
-  // For an external pair, E is concave, so Newton steps from outside never pass the root. For an
-  // internal pair, E may be convex, so the steps are limited to a bracket.
+  // For an external pair, E is concave, so Newton steps from a bound towards the root never pass
+  // the root. For an internal pair, E may be convex, so the steps are limited to a bracket.
   return below ? newton_in_bracket<double>(excess, bound, top.x1, bound, true).x
                : newton_in_bracket<double>(excess, top.x1, bound, bound, false).x;
 }
@@ -266,8 +267,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // The interval is a point or empty. An interval of zero or negative width is returned at the
-    // position of the longest path.
+    // The interval is a point or empty. The result is an interval of zero or negative width at the
+    // x1 of the longest path.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

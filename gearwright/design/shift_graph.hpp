@@ -10,9 +10,10 @@
 //                                              theory: docs/theory/09-design-search.md
 //
 // All values are in normal modules with ISO 21771 signs, so the same formulas hold for external,
-// internal and crossed pairs. Every bound is solved, not sampled. If section 9.4 does not prove
-// that there is a single interval of Σ, the ends are searched for from nodes. If interference is
-// excluded, external gears with tips inside their own reference circle are excluded too.
+// internal and crossed pairs. Every bound is the solution of an equation. In cases in which section
+// 9.4 does not prove that there is a single interval of Σ, the intervals are searched for from
+// nodes. If interference is excluded, external gears with tips inside their own reference circle
+// are excluded too.
 #pragma once
 
 #include <array>
@@ -48,13 +49,14 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// For example "s1min" or "Cmax"; "mesh" if there is no working pressure angle beyond the edge.
+/// For example "s1min" or "Cmax". The name "mesh" means that beyond the edge there is no working
+/// pressure angle.
 std::string_view name(ShiftEdge edge);
 /// Tolerance within which two limits count as touching, modules. A centre distance divided by a
 /// module has rounding errors.
 inline constexpr double kTouching = 1e-11;
-/// Bounds of x1 that differ by less than this, modules, count as one bound. Otherwise rounding
-/// would decide which limit is named.
+/// Bounds of x1 that differ by less than this, modules, count as one bound. Otherwise, rounding
+/// errors would determine which limit is named.
 inline constexpr double kOneBound = 1e-12;
 /// The interval of x1 on a line Σ = const. It is empty if lo > hi + kTouching.
 struct LineEnds {
@@ -69,7 +71,7 @@ enum class LineSide { lo, hi };
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
-/// The lower and upper bound of x1 that each limit imposes; ∓∞ if a limit imposes none.
+/// The lower and upper bound of x1 that each limit imposes. They are ∓∞ if a limit imposes none.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -112,8 +114,8 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// Some limits depend on Σ alone but do not directly give a range of Σ. This is their smallest
-  /// margin, in units of Σ. They are met if it is ≥ 0.
+  /// The smallest margin, in units of Σ, of those limits that depend on Σ alone but do not directly
+  /// give a range of Σ. These limits are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -128,7 +130,8 @@ class ShiftGraph {
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
   /// One end of slice(), without the name of its limit. It is used to integrate the area.
   double slice_end(double sum, LineSide side) const;
-  /// The ends of bounds_before_path() without names. This is sufficient for most lines.
+  /// The ends of the interval that bounds_before_path() leaves, without the names of their limits.
+  /// For most lines, no names are needed.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
   /// E, the length of the path at a point.
   double path_length(const SumPlace& at, double sum, double x1) const;
@@ -146,14 +149,17 @@ class ShiftGraph {
   /// The first limit that leaves no region; absent if a region exists.
   std::optional<Limit> what_kills() const;
   /// The smallest margin of all limits at a point, modules, from the same bounds as the slices. If
-  /// it is ≥ 0, the point is inside the region. Outside sums(), it is minus the distance of Σ from
-  /// that range.
+  /// the margin is ≥ 0, the point is inside the region. If Σ lies outside sums(), the margin is
+  /// minus the distance of Σ from that range.
   double margin(double x1, double x2) const;
-  /// The limits of each shift that do not depend on the other shift. The limits of shortened tips
-  /// are not included.
+  /// The limits of each shift that do not depend on the other shift. If tips are shortened, limits
+  /// that depend on the tip are not included.
   std::array<Interval, 2> shift_limits() const;
-  /// The same as margin(), but without the band of centre distances, because the user chooses its
-  /// ends. The result is the distance of a point from the nearest border.   Domain: within sums()
+  /// The distance of a point from the nearest border: the same as margin(), but without the band of
+  /// centre distances. The ends of this band do not count as borders, because the user chooses
+  /// them.
+  ///
+  /// Domain    within sums()
   double wall_distance(double x1, double x2) const;
 
  private:
@@ -190,7 +196,7 @@ class ShiftGraph {
   double nearest_;                                      ///< least centre distance
   double crossed_line_0_ = 0.0, crossed_line_1_ = 0.0;  ///< N = …_0 + …_1 Σ
   // Values that are stored because every line uses them.
-  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at which meshing begins, and Σ at which N = K
+  double mesh_sum_ = 0.0, path_sum_ = 0.0;  ///< Σ at the least centre distance, and Σ with N = K
   Sums walls_{};                            ///< plain_sums() without the band of centre distances
   Sums region_sums_{};                      ///< sums() of all limits
   std::array<double, 2> start_slope_{};     ///< w_i/sin α_t

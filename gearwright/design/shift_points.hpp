@@ -3,9 +3,9 @@
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a grid point within the shift limits of both gears and within the range of Σ
 //
-// Vector code (design/candidate.hpp) compares the candidates with all limits. Within kSieveDoubt of
-// a limit, and for crossed axes, the graph decides. The scalar formulas of the pair give the values
-// in the table, so the table is the same on every machine.
+// Vector code (design/candidate.hpp) computes the values that are compared with the limits. Within
+// kSieveDoubt of a limit, and for crossed axes, the graph decides. The values in the table are
+// computed with the scalar formulas of the pair, so the table is the same on every machine.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct PointCounts {
 };
 /// Appends the feasible points of a trial in ascending order of x1, and then of x2.
 ///
-/// Domain    step > 0; the region belongs to the graph (contract)
+/// Domain    step > 0; `region` is the region of `graph` (contract)
 PointCounts feasible_points(const ShiftGraph& graph, const ShiftRegion& region, double step,
                             std::vector<ShiftPoint>& points);
 

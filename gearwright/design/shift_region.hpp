@@ -6,8 +6,8 @@
 //            balanced; x1 = Σ for an internal pair
 //                                              theory: docs/theory/09-design-search.md, 9.4
 //
-// Points are (x1, x2). Area, corners and roots are solved, not sampled. Curved edges are sampled
-// only for drawing.
+// Points are (x1, x2). Area, corners and roots are computed without sampling. Curved edges are
+// sampled, but only for drawing.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct RegionEdge {
   std::vector<Vec2>
       points;  ///< both ends of a straight edge, or points on a curve including its ends
 };
-/// The extent of the computation: only a point of the region, or its area as well.
+/// The extent of the computation: without (`point`) or with (`whole`) the area of the region.
 enum class RegionDetail { point, whole };
 /// `sought` if point_off_walls() is to be computed; `none` if the point is known not to exist.
 enum class OffWalls { sought, none };
@@ -42,7 +42,7 @@ struct ShiftRegion {
 };
 /// The region of a graph; absent if no point is feasible.
 ///
-/// Accuracy  ends and corners except for rounding; area to 1e-12
+/// Accuracy  ends and corners are exact except for rounding; the area is accurate to 1e-12
 std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
@@ -53,19 +53,21 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
 inline constexpr double kWallDistance = 0.05;
 /// Considers the points on the line of balanced strength that keep this distance from the borders,
 /// and returns the one with Σ nearest 0. Absent if there is no such point. If interference is
-/// permitted, the point need not keep the distance. If it then lies at a border, the result is
-/// absent, and ShiftRegion::balanced contains the point. If Σ = 0 is feasible, all limits are
-/// usually evaluated only once.
+/// permitted, the distance is not required, and the result is absent only if the point with Σ
+/// nearest 0 lies at a border or outside the region. ShiftRegion::balanced then contains the point,
+/// if there is one. If Σ = 0 is feasible, all limits are usually evaluated only once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
-/// True if the line of balanced strength between the sums a and b violates a limit that is a
-/// straight line in the plane. No point of it then needs to be evaluated.
+/// True if the line of balanced strength is certainly infeasible between the sums a and b, because
+/// it violates the limits of the single shifts there. No point of the line then needs to be
+/// evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
-/// The boundary of each piece, counter-clockwise. If only one centre distance is possible, the
-/// boundary is a segment that is traversed in both directions.
+/// The boundary of each piece of the region, counter-clockwise. If only one centre distance is
+/// possible, the boundary is a segment that is traversed in both directions.
 std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
                                                      const ShiftRegion& region);
 
-/// The point of a design: the first that exists of `off_walls`, `balanced` and middle_point().
+/// The point of a design: `off_walls` if present, otherwise `balanced` if present, otherwise
+/// middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// The middle between lo and hi. If the region consists of several pieces, or if this middle is too
 /// close to a border, the result is the middle of the slice at the mean Σ of the longest piece.

@@ -30,8 +30,8 @@ Knob wider_face(const char* field, std::optional<std::array<double, 2>> SearchPr
 
 void add_strength_knobs(const SearchProblem& p, std::vector<Knob>& k) {
   GW_EXPECTS(p.rating.has_value());
-  constexpr double kLightest = 1e-3;  // fraction of the load; a change to a smaller load would not
-                                      // be useful
+  constexpr double kLightest = 1e-3;  // fraction of the given load; a proposal to reduce the load
+                                      // even further would not be useful
   add_limit(p, k, "limits.safety_flank", &SearchLimits::safety_flank, 0.0);
   add_limit(p, k, "limits.safety_root", &SearchLimits::safety_root, 0.0);
   const double torque = p.rating->input.torque;

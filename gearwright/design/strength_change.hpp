@@ -1,5 +1,5 @@
-// Changes that give a rated design sufficient safety factors. They concern the required safety
-// factors, the load, the face width or the steel. Internal to design/.
+// Changes after which a rated design has sufficient safety factors: lower required safety factors,
+// a smaller load, a wider face or a stronger steel. Internal to design/.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,8 @@ struct Knob {
   std::function<std::string(double)> show = [](double v) { return shown(v); };
 };
 
-/// Adds a limit that can be changed towards `far`, unless it is absent.
+/// Adds a limit that can be changed towards `far`. If the problem does not have the limit, nothing
+/// is added.
 template <class Limit>
 void add_limit(const SearchProblem& problem, std::vector<Knob>& knobs, const char* field,
                Limit SearchLimits::*limit, double far, double scale = 1.0) {

@@ -57,7 +57,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
           std::log(safety.root) + shape.log_load;
     }
     const auto bound = [&](Eigen::Index column, double margin) {
-      // Terms may be equal in all trains, such as a single z_1.
+      // A term may be the same in all trains, for example if only one z_1 is tried.
       const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
       const double above = (logs.col(column) - terms * fit).maxCoeff();
       return Fit{fit[0] + above + margin, fit[1], fit[2], fit[3]};

@@ -1,15 +1,16 @@
-// Estimates the greatest safeties of a train from rated trains of the same search, so that a search
-// does not rate trains that cannot have the required safeties.
+// Estimates the greatest safeties of a train from trains that the same search has already rated. A
+// search uses the estimate to skip the rating of trains that cannot have the required safeties.
 //
-//   T_k      Π u_j of the earlier stages: the torque on the pinion of stage k per torque on the input
+//   T_k      Π u_j of the earlier stages, which is the torque on the pinion of stage k divided by
+//            the torque on the input
 //   w        T_k/(b z_1), in proportion to the load per face width
 //   κ        w (u + 1)/(u z_1), with S_H ∝ 1/√κ and S_F ∝ 1/w if all other factors are equal
 //                                              theory: docs/theory/11-rating.md
 //
 // All trains of an estimate have the same module, helix angle, material, load and life. For each
-// stage, ln(S_H √κ) and ln(S_F w) are fitted linearly in ln z_1, ln u and ln w by least squares. These
-// terms cover the factors that change slowly with the numbers of teeth and with the load, such as
-// Z_ε, K_v, K_Hα and Y_F. The bound exceeds the fit by its greatest residual and by a margin.
+// stage, ln(S_H √κ) and ln(S_F w) are fitted linearly in ln z_1, ln u and ln w by least squares.
+// These terms cover the factors that change slowly with the numbers of teeth and with the load,
+// such as Z_ε, K_v, K_Hα and Y_F. The bound is the fit plus its greatest residual plus a margin.
 #pragma once
 
 #include <vector>
@@ -23,15 +24,16 @@ struct StageSafety {
   double flank = 0.0, root = 0.0;
 };
 
-/// A rated train. Its candidate has the face width of the rating, if the search chooses it.
+/// A rated train. If the search chooses face widths, `candidate` has the face width of the rating.
 struct RatedTrain {
   DriveCandidate candidate;
   std::vector<StageSafety> stages;
 };
 
-/// Margins of the bounds beyond the greatest residuals of the fits, in ln S. In 3000 trains with
-/// modules of 1.5 mm to 3 mm, of which 64 of each module made the estimate, no safety exceeded the
-/// greatest residual by more than 0.020 (S_H) or 0.057 (S_F).
+/// Margins that are added to the greatest residuals of the fits, in ln S. They were determined with
+/// 3000 trains with modules of 1.5 mm to 3 mm. For each module, 64 trains were used for the fits.
+/// No residual of the other trains exceeded the greatest residual of the fit by more than 0.020
+/// (S_H) or 0.057 (S_F).
 inline constexpr double kFlankMargin = 0.05, kRootMargin = 0.12;
 /// Least number of rated trains for an estimate.
 inline constexpr std::size_t kLeastRatedTrains = 24;
@@ -46,8 +48,8 @@ class TrainStrength {
   /// True if, by the estimate, a stage of the train cannot have the required safeties.
   ///
   /// `candidate`  with the greatest face width, if the search chooses it
-  /// Laws         (1) a train of the estimate that has the required safeties is not hopeless
-  ///              (2) a train that is not hopeless stays so if the required safeties decrease
+  /// Laws         (1) a train of the fits that has the required safeties is not hopeless
+  ///              (2) a train that is not hopeless is not hopeless for lower safeties either
   bool is_hopeless(const DriveCandidate& candidate, const StageSafety& required) const;
 
  private:

@@ -29,8 +29,8 @@ namespace {
 // external gear and the greatest one of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // The thickness is evaluated at this shift. The shift is therefore moved by the rounding error,
-  // so that the tip is certainly outside the base circle.
+  // The tip thickness is evaluated at this shift. Therefore, the shift is moved by the rounding
+  // error, so that the tip is certainly outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
 }
@@ -40,8 +40,8 @@ struct Shifts {
   bool as_a_rule = false;  // true in the usual case: the tip is thick enough at x = 0 and too thin
                            // at a great x
 };
-// The shifts for which the tip is thick enough. If they form several intervals, the last one is
-// returned.
+// The interval of shifts for which the tip is thick enough. If there are several such intervals,
+// the last one is returned.
 Shifts thick_enough(const TrialGear& g, double k) {
   const double edge = shift_of_base_circle(g, k);
   // The range of the search. Beyond x = |z|, all tips of external gears are pointed. For an

@@ -1,5 +1,5 @@
-// One gear of a trial, in normal modules: the values that follow from number of teeth, helix angle
-// and rack without the profile shift, and the limits of the shift.
+// One gear of a trial, in normal modules: the values that depend only on the number of teeth, the
+// helix angle and the rack, and the limits of the profile shift.
 //
 //   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
 //             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
@@ -34,7 +34,7 @@ struct TrialGear {
   double x_min = 0.0,
          x_max = 0.0;  ///< the limits of x for k = 0; if x_min > x_max, no x is possible
   /// The greatest x at which the tip is thick enough, for k = 0. It is present only in the usual
-  /// case that the tip becomes thinner as x increases from 0. It is absent for internal gears.
+  /// case that the tip of an external gear becomes thinner as x increases from 0.
   std::optional<double> thick_until{};
 };
 
@@ -50,8 +50,8 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
-/// The greatest x within the limits for the tip alteration k. For k < 0 it exceeds x_max, because a
-/// shortened tip is thicker. It is less than `x_min` if no x is possible.
+/// The greatest x within the limits for the tip alteration k. For k < 0, it may exceed x_max,
+/// because a shortened tip is thicker. It is less than `x_min` if no x is possible.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// A lower bound of max_shift() that is computed without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);

@@ -42,8 +42,9 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. Its steps are
-// unimodular, so the rows in which A is then 0 have the values y·b of a saturated basis.
+// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. The steps of
+// the algorithm are unimodular. Therefore, in those rows of the result in which A is 0, the last
+// column contains the values y·b of a saturated basis.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -73,8 +74,8 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
   return places;
 }
 
-// Lists changes of one gear by a few teeth that make an equal pitch possible, "ring 55 or 58, sun
-// 18".
+// Lists the numbers of teeth of single gears with which an equal pitch is possible, for example
+// "ring 55 or 58, sun 18". Only changes by a few teeth are listed.
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
   for (const std::size_t m : group.meshes)

@@ -1,4 +1,5 @@
-// Computes the places, angles around the carrier, at which a copy of a planet can be assembled.
+// Computes the places at which a copy of a planet can be assembled. A place is an angle around the
+// carrier.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
 //   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
@@ -35,9 +36,9 @@ long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 /// Otherwise, they follow from the spacing: n_i = floor(i N*/N + 1/2), [T13.13].
 ///
 /// Errors    `drive.spacing` if the planets cannot be assembled (the message proposes similar tooth
-///           numbers); `drive.positions` if the teeth do not mesh there (the message gives the
-///           nearest place). It is not an error if there are fewer places than copies and some
-///           copies get the same place.
+///           numbers); `drive.positions` if the teeth do not mesh at a given position (the message
+///           gives the nearest place). If there are fewer places than copies, some copies get the
+///           same place, which is not an error.
 Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group);
 
 }  // namespace gearwright

@@ -1,5 +1,5 @@
-// Checks whether a drive and its load can be computed: the kind of the drive, the floating body and
-// the errors of the pins.
+// Checks whether a drive can be computed under a load. The checks concern the kind of the drive,
+// the floating body and the errors of the pins.
 #include <fmt/format.h>
 
 #include <algorithm>

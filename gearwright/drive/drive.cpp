@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// Puts the ring or rack of each mesh second, as in pairs. The equation of a mesh does not depend on
-// this order.
+// Makes the ring or rack the second gear of each mesh, as in a pair. The equation of a mesh does
+// not depend on the order of its gears.
 DriveGraph normalised(DriveGraph graph) {
   for (DriveMesh& mesh : graph.meshes)
     if (graph.gear(mesh, 0).factor() < 0) {
@@ -135,8 +135,8 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   return set;
 }
 
-// Computes the backlash at `body`, the input or the output, rad: Σ_m |λ_m/T| 2π j_bt,m/p_bt,m.
-// [T13.20]
+// Computes the backlash at `body`, which is the input or the output: Σ_m |λ_m/T| 2π j_bt,m/p_bt,m,
+// rad. [T13.20]
 std::optional<double> play_at(const Drive& drive, std::size_t body) {
   const auto loads = lossless_loads(drive.graph, drive.motion, body);
   double sum = 0.0;

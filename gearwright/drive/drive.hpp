@@ -38,7 +38,7 @@ struct PlanetSet {
 struct DriveError {
   struct Line {
     double frequency_ratio;  ///< cycles per turn of the input
-    double amplitude;        ///< rad; if the output is a rack, its travel, with 2π per pitch
+    double amplitude;        ///< rad; if the output is a rack, its travel with 2π per pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
   /// of all frequencies. The error reaches this sum when the peaks coincide.
@@ -78,8 +78,8 @@ struct LoadedDrive {
   std::vector<PlanetShares> sets;
 };
 
-/// Backlash as the motion of the input while the output is held, and of the output while the input is
-/// held, rad; for a rack, its travel, with 2π per pitch.
+/// Backlash, rad: the motion of the input while the output is held, and the motion of the output
+/// while the input is held. The motion of a rack is its travel, with 2π per pitch.
 struct DriveBacklash {
   double input, output;
   std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
@@ -101,7 +101,7 @@ struct MeshContact {
                                     ///< flanks never touches
   ContactResult on_halves;          ///< contact of the working flanks of a double-helical pair
 
-  /// The contact with the places that the verdict judges.
+  /// The contact whose places are judged by the verdict.
   const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
 };
 
@@ -111,16 +111,16 @@ struct Drive {
   DriveGeometry geometry;
   std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one for each mesh
   std::optional<PowerFlow> flow;  ///< none if an efficiency is unknown, or if meshes are redundant
-  std::optional<PowerFlow> backward;  ///< power flow if the output drives; none also if there are
-                                      ///< several inputs
+  std::optional<PowerFlow> backward;  ///< power flow if the output drives; none if `flow` is none
+                                      ///< or if there are several inputs
   std::vector<PlanetSet> sets;
   std::optional<DriveBacklash> backlash;  ///< none if there are several inputs, redundant meshes,
                                           ///< or loaded meshes without geometry
   std::optional<DriveError> error;        ///< none if `backlash` is none or a mesh loses contact
   std::vector<std::optional<MeshRating>> ratings;  ///< one per mesh; empty if not rated
   std::optional<LoadedDrive> loaded;               ///< none if no load was requested
-  /// Of each mesh under the errors of the spec; empty if there are none. None for a mesh if its
-  /// flanks or the senses of rotation are unknown.
+  /// Contact of each mesh under the errors of the spec; empty if the spec has no errors. None for a
+  /// mesh whose flanks or senses of rotation are unknown.
   std::vector<std::optional<MeshContact>> contacts;
   std::vector<Warning> findings;
   std::vector<Drive> stages;  ///< stages of a train; each is a separate drive
@@ -134,8 +134,8 @@ struct Drive {
   /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
   /// if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// p_t/2π mm. A travel that is stored as an angle must be multiplied by this length. None as for
-  /// rack_pitch().
+  /// p_t/2π mm. A travel that is stored as an angle must be multiplied by this length. None if
+  /// rack_pitch() is none.
   std::optional<double> lever(std::size_t body) const;
   /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
@@ -155,8 +155,8 @@ struct DriveInput {
   DriveGraph graph;
   std::vector<DriveGraph> stages{};
   int harmonics = 3;  ///< number of harmonics of the phasing and the transmission error
-  /// If true, the fault of impossible teeth lists changes that make the drive possible. The search
-  /// for them takes as long as computing up to 80 drives.
+  /// If true and the teeth are impossible, the fault lists changes that make the drive possible.
+  /// The search for these changes takes as long as the computation of up to 80 drives.
   bool remedies = false;
 };
 

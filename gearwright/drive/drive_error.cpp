@@ -23,7 +23,7 @@ constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// e^{2πi turn/kErrorPositions}. The turns are integers, so that harmonics which vanish are exactly 0.
+// e^{2πi turn/kErrorPositions}. `turn` is an integer, so a harmonic that vanishes is exactly 0.
 Wave root_of_unity(int turn) {
   static const std::vector<Wave> all = [] {
     std::vector<Wave> list;
@@ -34,7 +34,8 @@ Wave root_of_unity(int turn) {
   return all[static_cast<std::size_t>(turn % kErrorPositions)];
 }
 
-// The harmonics of the curve of a mesh. Empty if the curve is 0 or does not move the output.
+// The harmonics of the curve of a mesh. They are empty if the curve is 0, or if the mesh does not
+// move the output.
 struct MeshCurve {
   std::vector<Wave> waves;   // complex amplitudes of harmonics 0, 1, …, kErrorPositions/2
   std::vector<Wave> shares;  // for each harmonic: mean over the planets of e^{−2πikγ}
@@ -90,8 +91,8 @@ class DriveCurves {
 
  private:
   // The transmission error of a mesh over one pitch. For a double-helical pair, it is the error of
-  // both halves together. If the gears are seen from the other face, the half whose hand is on the
-  // drawing is at z < 0.
+  // both halves together. If the gears are seen from the other face, the half with the hand that
+  // the drawing gives is at z < 0.
   static std::vector<double> curve_of(const ContactSetup& setup, bool gear2_drives, bool turned) {
     if (!setup.gear(1).gap)
       return gearwright::transmission_error(setup.pair(gear2_drives), kErrorPositions);
@@ -117,8 +118,8 @@ class DriveCurves {
                  : std::vector<double>();
   }
 
-  // The transmission error of a mesh in mm along its line of action. It is > 0 if the driven gear is
-  // ahead, so its sign changes if gear 2 drives. Empty if it cannot be computed.
+  // The transmission error of a mesh in mm along its line of action. It is > 0 if the driven gear
+  // is ahead, so its sign changes if gear 2 drives. Empty if it cannot be computed.
   std::vector<double> along_line(std::size_t m, const ContactErrors& errors) const {
     std::vector<double> te = of_mesh(m, errors);
     // The travel of a rack is stored as an angle of the pinion.

@@ -20,12 +20,12 @@
 
 namespace gearwright {
 
-/// Number of positions of each mesh over one period. With 64, a relief of 20 µm gives a peak to peak
-/// that is 5 % too large.
+/// Number of positions of each mesh over one period. With 64, a relief of 20 µm gives a peak to
+/// peak that is 5 % too large.
 inline constexpr int kErrorPositions = 256;
 
-/// A function that returns the errors of mounting of a mesh, by its index; empty if there are no
-/// errors.
+/// A function that returns the errors of mounting of the mesh with a given index. The function is
+/// empty if there are no errors.
 using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 
 /// The transmission error with the harmonics 1 … `harmonics` of each mesh frequency, at most
@@ -34,19 +34,20 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 /// Formula   [T13.21], [T13.22]; meshes that share a gear have one frequency, and the angle between
 ///           them on the gear gives their phase, [T13.17]. Flanks that have neither modifications
 ///           nor errors of mounting are conjugate, and their curve is 0
-/// Domain    a drive made by make_drive(), with its flow if there is one; if it has `contacts`,
-///           they belong to the same errors and are not computed again; harmonics ≥ 1 (contract)
-/// None      if there are several inputs, a redundant mesh or, in a mesh that moves the output, no
-///           geometry, lost contact, several pinions on one rack, an error of the teeth of a rack, or a
-///           measured gear that is loaded on the flank without readings
+/// Domain    a drive made by make_drive(), with its flow if there is one. If the drive has
+///           `contacts`, they must have been computed with the same errors, and are used here.
+///           harmonics ≥ 1 (contract)
+/// None      if there are several inputs or a redundant mesh, or if a mesh that moves the output
+///           has no geometry, loses contact, has a rack with several pinions or with errors of the
+///           teeth, or has a measured gear that is loaded on a flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});
 
-/// The contact of each mesh under errors, at kErrorPositions.
+/// The contact of each mesh under errors, at kErrorPositions positions.
 ///
 /// Domain    as for transmission_error(); errors given (contract)
-/// None      for every mesh, if there are several inputs, a redundant mesh or unknown phases; for a
-///           mesh, if its flanks cannot be computed
+/// None      for every mesh if there are several inputs, a redundant mesh or unknown phases; for a
+///           single mesh if its flanks cannot be computed
 std::vector<std::optional<MeshContact>> mesh_contacts(const Drive& drive, const MeshErrors& errors);
 
 }  // namespace gearwright

@@ -62,7 +62,8 @@ std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body) {
       const auto axis = [&](std::size_t b) {
         return places->axis_of(drive, b, graph.bodies[b].count > 1 ? copy : 0);
       };
-      // A ring is around its mate.
+      // If the second gear is a ring, the pitch point is on the side away from the axis of the
+      // ring.
       const Vec2 u = graph.gear(m, 1).side() * (axis(two) - axis(one)).normalized();
       const Vec2 on_first = forces->tangential * Vec2(-u.y(), u.x()) - forces->separating * u;
       const double sign = one == body ? 1.0 : -1.0;

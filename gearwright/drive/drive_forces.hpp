@@ -2,12 +2,12 @@
 //
 //   T_1       torque of one copy of a mesh on its first gear, counter-clockwise seen from +z
 //   r_w, α_wt, β_w   working pitch radius, working pressure angle and helix angle of the first gear
-//   u         unit vector from its axis to the pitch point
+//   u         unit vector from the axis of the first gear to the pitch point
 //   F_t = T_1/r_w     F_r = |F_t| tan α_wt     F_z = −F_t tan β_w                          [T13.29]
 //   F_1 = F_t z × u − F_r u + F_z z     F_2 = −F_1                                         [T13.30]
 //                                              theory: docs/theory/13-drives.md, 13.8
 //
-// The torques include the tooth losses, but the friction forces themselves are left out.
+// The torques include the tooth losses, but the forces do not include the friction forces.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace gearwright {
 /// The forces of one copy of a mesh at the working pitch circle, N.
 struct MeshForces {
   double tangential;  ///< F_t on the first gear, > 0 if it turns the gear counter-clockwise
-  double separating;  ///< F_r ≥ 0, which pushes both gears apart or, if one is a ring, together
+  double separating;  ///< F_r ≥ 0, which pushes the teeth of the two gears apart
   double axial;       ///< F_z on the first gear, along +z; 0 for double-helical gears
 };
 
@@ -27,7 +27,7 @@ struct MeshForces {
 struct BodyForces {
   double radial;   ///< N; the bearings share it according to the positions of the gears
   double axial;    ///< N, along +z
-  double tilting;  ///< moment of the axial forces about an axis across the body  N mm
+  double tilting;  ///< moment of the axial forces, which tilts the body  N mm
 };
 
 /// The forces of a mesh. None without a torque, a power flow or the geometry of the mesh.
@@ -35,8 +35,8 @@ struct BodyForces {
 /// Formula   [T13.29]
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);
 
-/// The forces on a body. None if a mesh of the body has no forces, for a body without gears, and if the
-/// positions of the axes are unknown.
+/// The forces on a body. None if the body has no gears, if the forces of one of its meshes are
+/// none, or if the positions of the axes are unknown.
 ///
 /// Formula   [T13.31]
 std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body);

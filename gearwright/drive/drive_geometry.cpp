@@ -344,7 +344,7 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   for (int n = 2; n <= kMost; ++n) {
     turned.clear();
     for (int i = 0; i < n; ++i) turned.push_back(2 * std::numbers::pi * i / n);
-    // At equal pitch, every distance that occurs is also a distance from copy 0.
+    // At equal pitch, every distance between two copies also occurs between copy 0 and another one.
     double gap = kInfinity;
     for (int i = 1; i < n; ++i)
       for (const Rider& a : *riders)

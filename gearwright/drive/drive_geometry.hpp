@@ -1,7 +1,7 @@
 // Computes the geometry of the teeth of a drive: centre distances, profile shifts, and each mesh as
 // a pair of gears.
 //
-//   a      centre distance; all meshes of a planet with central gears share one [T13.15]
+//   a      centre distance, the same for all meshes of a planet with central gears [T13.15]
 //   c      least distance between the tips of neighbouring planets, mm [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
@@ -45,11 +45,11 @@ struct DriveGeometry {
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
 /// does. A given distance applies to all meshes of a planet with central gears. If no distance is
-/// given, absent shifts of the first of these meshes are 0, and its distance is the one without
-/// backlash. If the tip diameter of a ring is not given, its tips stay 0.02 m_n above the root ends
-/// of the flanks of its mating gears. Any other tip with a clearance of less than 0.1 m_n is
-/// lowered by the tip shortening k m_n. The pinion of a rack has the shift 0 if none is given, and
-/// its rack is mounted without backlash if no distance is given.
+/// given, absent shifts of the first of these meshes are 0, and the distance of all these meshes is
+/// the backlash-free distance of the first one. If the tip diameter of a ring is not given, its
+/// tips stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
+/// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The pinion of a rack has
+/// the shift 0 if none is given. A rack is mounted without backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
@@ -61,9 +61,9 @@ struct RiderPlace {
   double angle;     ///< angle of copy 0, counter-clockwise from copy 0 of the first rider rad
 };
 
-/// Computes the positions of the planets of a group, in their order, from the centre distances of
-/// their meshes. None if a distance is missing, or if an idler has no possible position (`fault`
-/// gives the reason).
+/// Computes the positions of the planets of a group from the centre distances of their meshes. The
+/// order is the order of PlanetGroup::riders. None if a distance is missing, or if an idler has no
+/// possible position (`fault` gives the reason).
 std::optional<std::vector<RiderPlace>> rider_places(
     const DriveGraph& graph, const PlanetGroup& group,
     const std::vector<std::optional<double>>& distances, std::optional<GeometryFault>& fault);
@@ -73,8 +73,8 @@ struct Neighbours {
   int most;          ///< greatest number of planets at equal pitch with c ≥ 0
 };
 
-/// The clearance between planets, and their greatest number. None if a distance or a gear is
-/// missing, or if an idler has no possible position (`fault` gives the reason).
+/// The clearance between planets, and the greatest number of planets. None if a distance or a gear
+/// is missing, or if an idler has no possible position (`fault` gives the reason).
 ///
 /// Formula   c = min (2 a sin(Δ/2) − d_a) over neighbours at the distance a from the carrier's axis
 ///           and the angle Δ from each other; if the distances of the riders differ, the gap

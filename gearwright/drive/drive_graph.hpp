@@ -29,7 +29,7 @@ enum class Spacing {
   nearest,        ///< equal pitch if the planets can then be assembled, otherwise the nearest
                   ///< places
   equal,          ///< equal pitch; an error if the planets cannot be assembled then
-  equal_clocked,  ///< equal pitch; the two gears of each stepped planet are clocked for its place
+  equal_clocked,  ///< equal pitch; the two gears of a stepped planet are clocked to fit its place
   opposite,       ///< pairs of opposite planets
 };
 
@@ -93,7 +93,7 @@ struct DriveGraph {
   /// The carrier that is the frame of a mesh; none if the frame is the housing.   Domain  a checked
   /// graph
   std::optional<std::size_t> frame(const DriveMesh& mesh) const;
-  /// Number of copies of a mesh: as many as its planets have, otherwise 1.
+  /// Number of copies of a mesh: the number of copies of its planets, or 1 if it has no planets.
   int copies(const DriveMesh& mesh) const;
   bool is_fixed(std::size_t body) const;
   bool is_input(std::size_t body) const;

@@ -177,7 +177,7 @@ class Layout {
       }
     }
     if (meshes.empty()) return turn_rider(set, copy, k + 1);
-    if (!set.assembly.clocking.empty()) {  // every gear of the planet has its own angle
+    if (!set.assembly.clocking.empty()) {  // the gears of a clocked planet have separate angles
       for (const auto& [two, side] : meshes) meet(two, side);
       return turn_rider(set, copy, k + 1);
     }
@@ -259,8 +259,8 @@ class Layout {
   std::vector<char> known_;
 };
 
-// The least T for which the product a T is whole for all speeds a. It is the least common multiple
-// of their denominators divided by the greatest common divisor of their numerators.
+// The least T for which the product a T is whole for all speeds a. T is the least common multiple
+// of the denominators of the speeds, divided by the greatest common divisor of their numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
   long long p = 0;
   Rational q = 1;

@@ -28,7 +28,7 @@ struct PlacedGear {
   double height;     ///< z of the middle of its face  mm
 };
 
-/// A plane across the axes, and the gears that it cuts.
+/// A plane perpendicular to the axes, and the gears that it cuts.
 struct DriveSection {
   double height;                   ///< z  mm
   std::vector<std::size_t> gears;  ///< indices of DriveLayout::gears
@@ -54,9 +54,9 @@ Result<DriveLayout> drive_layout(const Drive& drive);
 /// Domain    one input, or given speeds of all inputs (contract)
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
-/// Least number of turns of the input after which the drive looks the same: gears have moved by
-/// whole teeth, and each equally spaced planet has the place that one of them had before. None with
-/// several inputs, or if there is no such number.
+/// Least number of turns of the input after which the drive looks the same. All gears have then
+/// moved by whole teeth, and each of several equally spaced planets is where one of these planets
+/// was before. None with several inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 
 }  // namespace gearwright

@@ -32,8 +32,8 @@ std::string names(const DriveGraph& graph, const Bodies& bodies) {
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
-// Names the meshes that lock the drive, "a_b, c_d". If any one of them is removed, the drive can
-// turn.
+// Names the meshes that lock the drive, for example "a_b, c_d". The drive can turn if a single one
+// of these meshes is removed.
 std::string locking_meshes(const DriveGraph& graph) {
   std::vector<std::string> list;
   for (std::size_t without = 0; without < graph.meshes.size(); ++without) {

@@ -8,8 +8,8 @@
 //   i      = n_in/n_out, signed [T13.3]
 //                                              theory: docs/theory/13-drives.md
 //
-// In the frame of a mesh, the working pitch circles roll on each other for any shifts and centre
-// distance, so only the tooth numbers enter W.
+// In the frame of a mesh, the working pitch circles roll on each other whatever the shifts and the
+// centre distance are. Therefore, W depends only on the tooth numbers.
 #pragma once
 
 #include <optional>
@@ -27,8 +27,8 @@ struct DriveMotion {
   std::vector<std::vector<Rational>> speeds;
   std::optional<Rational> ratio;   ///< i; none with several inputs
   std::optional<Rational> period;  ///< turns of the input after which all positions repeat
-  /// Meshes of closed loops that can move. Any one of them could be removed without a change of the
-  /// speeds. Their torques depend on the compliance of the loop.
+  /// Meshes of closed loops that can move. Any single mesh of such a loop could be removed without
+  /// a change of the speeds. The torques of these meshes depend on the compliance of the loop.
   std::vector<std::size_t> redundant;
 
   /// ω of a body for given speeds of the inputs, in the same unit.

@@ -11,8 +11,8 @@ namespace {
 
 using Flanks = std::array<FlankModifications, 2>;
 
-// The flanks of a gear of a mesh. Seen from the other face, it turns in the opposite direction, and its
-// right flank becomes the left one.
+// The flanks of a gear of a mesh. If the gear is seen from the other face, it turns in the opposite
+// direction, and its right flank becomes its left flank.
 std::optional<Flanks> flanks_of(const DriveGear& gear, bool turned_over) {
   const Flanks& flanks = gear.modifications;
   if (!turned_over) return flanks;

@@ -29,7 +29,7 @@ struct MeshPhase {
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
   double time = 0.0;             ///< delay after the first mesh of the same frequency, in periods
-  std::size_t first = 0;         ///< the first mesh of the same frequency; of an idle mesh, itself
+  std::size_t first = 0;         ///< first mesh of the same frequency; for an idle mesh, itself
   double sense = 1.0;            ///< −1 if the delays of the planets have the opposite sign
   std::vector<Rational> phases;  ///< γ_i for sense 1; empty if the mesh is not in a planet set
 
@@ -39,24 +39,26 @@ struct MeshPhase {
 /// ω of a body relative to the frame of the mesh.   Domain  one input (contract)
 double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 
-/// True if the first gear of the mesh drives. `load` is its lossless load per unit torque on the
-/// input, which decides if there is no power flow.   Domain  one input (contract)
+/// True if the first gear of the mesh drives. `load` is the lossless load of the mesh per unit
+/// torque on the input. It is used only if the drive has no power flow.
+///
+/// Domain    one input (contract)
 bool first_drives(const Drive& drive, std::size_t mesh, double load);
 
 /// The time at which the loaded flank of a gear passes the pitch point, in periods [T13.17].
-/// `turning` is the sense of the gear in the frame of the mesh, θ the direction to the mesh in turns,
-/// and `half` half of the tooth thickness in pitches.
+/// `turning` is the sense of the gear in the frame of the mesh, θ is the direction to the mesh in
+/// turns, and `half` is half of the tooth thickness in pitches.
 double passing_time(double turning, int teeth, double theta, bool drives, double half);
 
-/// Sets the delays γ of the copies of a planet, and their sense. For planets that mesh with each
-/// other, they are the delays at a central gear whose mesh has the same frequency.
+/// Sets the delays γ of the copies of a planet, and the sense of the delays. The delays of a mesh
+/// of two planets are the delays at a central gear whose mesh has the same frequency.
 void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
 
 /// The planet set that contains the mesh; null if there is none.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
 
-/// The position of copy 0 of a body of the set in the frame of the carrier, mm; none if an idler
-/// has no place.
+/// The position of copy 0 of a body of the set in the frame of the carrier, mm. None if an idler
+/// has no possible place.
 std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
                                              std::size_t body);
 
@@ -64,9 +66,9 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes; none if a load is too large for a fraction. Also none if, among the
-/// meshes that move the output, one has no involute teeth, one has an idler without a place, or
-/// several have one rack.
+/// The phases of all meshes. None if a load is too large for a fraction. Also none if, among the
+/// meshes that move the output, one has no involute teeth, one has an idler without a possible
+/// place, or several share one rack.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
 ///           gives their phase [T13.17]

@@ -41,8 +41,8 @@ class Placing {
   }
 
  private:
-  // Takes the centre distances from the geometry if every mesh has one, otherwise from the tooth
-  // numbers.
+  // Takes the centre distances from the geometry if all meshes have teeth. Otherwise, computes them
+  // from the tooth numbers.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
     made_.true_scale = true;
@@ -71,7 +71,7 @@ class Placing {
   }
   bool rides(std::size_t body) const { return graph_.bodies[body].carrier.has_value(); }
 
-  // Gives the central gears that mesh with a planet the axis of its carrier.
+  // Puts the central gears that mesh with a planet on the axis of the planet's carrier.
   void join_coaxial() {
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b) axis_.push_back(b);
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {

@@ -5,9 +5,9 @@
 //                                              theory: docs/theory/13-drives.md
 //
 // The drive determines the axes of its planets and of coaxial bodies. All other positions are
-// chosen for a simple drawing: the shafts of a train lie in one line unless the direction of a mesh
-// is given, and the meshes follow each other along the axes in their order. The axis of a rack is the
-// point of its datum line that is nearest to its pinion.
+// chosen for a simple drawing. The shafts of a train lie in one line unless the direction of a mesh
+// is given. Along the axes, the meshes follow each other in the order of the graph. The axis of a
+// rack is the point of its datum line that is nearest to its pinion.
 #pragma once
 
 #include <numbers>
@@ -43,8 +43,8 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 /// Computes the axes of all bodies and the slots of all gears.
 ///
 /// Errors    `drive.gear` if a rack has several pinions, because their positions along the rack are
-///           not known; `drive.mesh` if the axes of a mesh coincide or are
-///           in a loop of shafts that does not close; `drive.body` if a planet has no possible
+///           not known; `drive.mesh` if both gears of a mesh have the same axis, or if a mesh is in
+///           a loop of shafts that does not close; `drive.body` if a planet has no possible
 ///           position
 Result<DrivePlaces> drive_places(const Drive& drive);
 

@@ -19,7 +19,7 @@ bool drives(const Drive& drive, std::size_t mesh, int side) {
   return drive.flow->driver[mesh] == side;
 }
 
-// A flank with several engagements per turn is rated for a life that is longer in proportion.
+// The input for one gear. The life is multiplied by the number of engagements per turn.
 RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
   if (input.life_h) *input.life_h *= use.engagements;
   input.reversed = input.reversed || use.both;

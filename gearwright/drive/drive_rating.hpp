@@ -1,13 +1,14 @@
 // Rates the strength of the meshes of a drive by ISO 6336. Each mesh is rated as a pair in the
 // frame of its carrier.
 //
-//   T_1    z_1 λ T_in/N: the torque on gear 1 of one of the N copies of a mesh, with the tooth load
-//          λ of drive/power_flow.hpp
+//   T_1    z_1 λ T_in/N: the torque on gear 1 in a single copy of a mesh, if the mesh has N copies;
+//          λ is the tooth load of drive/power_flow.hpp
 //   n_1    speed of gear 1 minus speed of the carrier
 //                                              theory: docs/theory/11-rating.md, 13-drives.md
 //
-// A tooth of a central gear engages with N planets per turn. A gear that drives in one mesh and is
-// driven in another is bent in both directions, like a planet between sun and ring.
+// A tooth of a central gear engages with N planets per turn. The teeth of a gear that drives in one
+// mesh and is driven in another, such as a planet between sun and ring, are bent in both
+// directions.
 #pragma once
 
 #include <functional>
@@ -22,7 +23,7 @@ struct DriveLoad {
   double torque = 0.0;          ///< T  N m, on the first input, > 0
   std::optional<double> speed;  ///< n  1/min, of the first input; if absent, meshes are rated
                                 ///<    without speed
-  RatingInput common;           ///< all other inputs; its K_γ is used only if N > 1
+  RatingInput common;           ///< all other inputs; K_γ is used only for meshes with N > 1
 };
 
 /// A function that returns the material of a gear, by its index in the graph.

@@ -10,7 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Greatest differences from the nominal values that are tried. Teeth of the usual height allow less.
+// The greatest differences from the nominal values that are tried. With teeth of the usual height,
+// only smaller differences are possible.
 constexpr int kMostTeeth = 40;
 constexpr double kMostDistance = 10.0;  // m_n
 
@@ -37,8 +38,8 @@ bool is_possible(const DriveGraph& graph) {
   return true;
 }
 
-// The planet and the central gear of a mesh, as 0 or 1, or nothing if it has no planet or no central
-// gear.
+// The index (0 or 1) of the planet in a mesh of a planet with a central gear. None for any other
+// mesh.
 std::optional<int> planet_of(const DriveGraph& graph, std::size_t mesh) {
   const auto rides = [&](int which) {
     return graph.body(graph.gear(graph.meshes[mesh], which)).carrier.has_value();

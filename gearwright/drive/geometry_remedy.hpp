@@ -1,8 +1,8 @@
 // Finds changes that make the teeth of a drive possible: another centre distance, or another number
 // of teeth of the central gear.
 //
-// Every change is tried: the geometry of the whole drive is computed with it, and it counts if no
-// gear and no mesh has a problem.      theory: docs/theory/13-drives.md, [T13.15]
+// Every change is tried. It is accepted if the geometry of the whole drive, computed with the
+// change, has no problem in any gear or mesh.      theory: docs/theory/13-drives.md, [T13.15]
 #pragma once
 
 #include <array>
@@ -14,21 +14,22 @@
 
 namespace gearwright {
 
-/// Groups the meshes that have one centre distance. The meshes of a planet with its central gears
+/// Groups the meshes that share a centre distance. The meshes of a planet with its central gears
 /// form a group, and any other mesh is a group by itself.
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 
 /// The least and the greatest possible centre distance of the meshes that share the distance of
-/// `mesh`, around the distance that applies if none is given, mm. None if that distance is
-/// impossible.
+/// `mesh`, mm. The search starts at the distance that these meshes have if none is given. None if
+/// that distance is impossible.
 ///
 /// Accuracy  a limit is possible, and a distance m_n/1000 beyond it is impossible; between the
 ///           limits, steps of m_n/40 are tried
 /// Domain    a mesh of two gears with teeth
 std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 
-/// The least and the greatest |z| of the central gear of a mesh with a planet, around the |z| that
-/// needs no profile shift. None if the mesh has no planet, or if no |z| is possible.
+/// The least and the greatest possible |z| of the central gear in a mesh with a planet. The search
+/// starts at the |z| that needs no profile shift. None if the mesh has no planet, or if no |z| is
+/// possible.
 ///
 /// Formula   |z_0| = 2 a cos β/m_n − z_p external, + z_p for a ring
 struct PossibleTeeth {
@@ -37,8 +38,8 @@ struct PossibleTeeth {
 };
 std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh);
 
-/// Adds to the first fault of a geometry the changes with which the whole drive is possible. Nothing
-/// is added if every mesh can be made or if no such change is found.
+/// Extends the message of the first fault of a geometry by the changes with which the whole drive
+/// is possible. If all teeth touch, or if no such change is found, the message stays as it is.
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
 }  // namespace gearwright

@@ -25,7 +25,7 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 struct State {
   VectorXd gradient;      // Σ w F c − Q
   double scale = 0.0;     // greatest component of |Q| + Σ |w F c|
-  double rounding = 0.0;  // effect of rounded approaches, as a force
+  double rounding = 0.0;  // effect of the rounding errors of the approaches on the forces
 };
 
 double approach_of(const SharingProblem::Spring& s, const VectorXd& x) {

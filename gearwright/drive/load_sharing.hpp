@@ -1,5 +1,5 @@
-// Computes the equilibrium of bodies between one-sided springs, and so how planets share their
-// load.
+// Computes the equilibrium of bodies between one-sided springs. The result shows how planets share
+// their load.
 //
 //   x      unknown displacements, mm     y = c·x + y_0   approach of a spring's bodies, mm
 //   F(δ)   force of a spring, δ = y + e, 0 where its bodies do not touch
@@ -24,7 +24,7 @@ struct SharingProblem {
     const LoadSpring* spring = nullptr;
     Eigen::VectorXd row;   ///< c, approach per displacement
     double offset = 0.0;   ///< y_0 + e  mm, the approach δ at x = 0
-    double weight = 1.0;   ///< w, due to losses in the springs before this one
+    double weight = 1.0;   ///< w, which accounts for the losses in the springs before this one
     double nominal = 0.0;  ///< N, force at the start of the iteration
   };
   std::vector<Spring> springs;
@@ -39,7 +39,7 @@ struct SharingSolution {
   };
   Eigen::VectorXd x;
   std::vector<double> forces;  ///< N, force of each spring
-  double residual = 0.0;       ///< greatest |Σ w F c − Q| over greatest |Q| + Σ |w F c|
+  double residual = 0.0;       ///< greatest |Σ w F c − Q|, divided by greatest |Q| + Σ |w F c|
   int iterations = 0;
   Stop stop = Stop::iterations;
 

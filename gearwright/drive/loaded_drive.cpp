@@ -25,12 +25,12 @@ using detail::PlanetEquilibrium;
 using detail::PlanetState;
 using detail::set_of;
 
-/// Limit of the common multiple of the numbers of planets in positions_of(). A set that would
-/// exceed it does not affect the number of positions.
+/// Limit of the common multiple of the numbers of planets in positions_of(). A set with which the
+/// multiple would exceed this limit does not affect the number of positions.
 constexpr int kMostCommon = 60;
 
-// The number of positions over a period. It is a multiple of the numbers of planets, so that
-// planets at equal pitch share the positions of their meshes.
+// The number of positions over a period. It is a multiple of the numbers of planets. The meshes of
+// planets at equal pitch are then evaluated in the same positions and can share springs.
 int positions_of(const Drive& drive, int least) {
   int common = 1;
   for (const PlanetSet& set : drive.sets) {
@@ -137,8 +137,8 @@ class DriveUnderLoad {
     const double pitch = pair.pitch();
     // Copies whose delays differ by whole positions use the same springs.
     std::vector<double> rotations;
-    std::vector<std::pair<Rational, std::size_t>> classes;  // fraction of a position, its first
-                                                            // spring
+    std::vector<std::pair<Rational, std::size_t>> classes;  // fraction of a position, and index of
+                                                            // its first spring
     const int n = positions_;
     for (std::size_t i = 0; i < static_cast<std::size_t>(copies(m)); ++i) {
       Rational delay = phase.phases.empty() ? Rational() : phase.phases[i] * Rational(n);
@@ -171,8 +171,8 @@ class DriveUnderLoad {
     return std::nullopt;
   }
 
-  // The summed errors of all meshes of one frequency. The loaded curve leaves out the meshes of
-  // planets, because make_set() adds them.
+  // The sum of the errors of all meshes of one frequency. The loaded curve does not contain the
+  // meshes of planets, because make_set() adds them.
   LoadedDrive::Curve curve_of(std::size_t first) const {
     LoadedDrive::Curve curve;
     curve.frequency_ratio = drive_.frequency_ratio(first).value_or(0.0);

@@ -29,12 +29,13 @@ struct DriveLoadCase {
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };
 
-/// Checks, before any mesh is computed, whether the drive and its load can be computed. Returns the
-/// reason if they cannot.
+/// Checks, before any mesh is computed, whether the drive can be computed under this load. If not,
+/// the result is the reason.
 ///
 /// Errors    `load` for kinds of drives without loaded contact; `load.torques` of 0;
-///           `load.floating` if it is not the carrier or a central gear of one set;
-///           `load.pin_errors` if there are no planets, or not one number for each pin
+///           `load.floating` if the floating body is not the carrier or a central gear of a single
+///           set; `load.pin_errors` if there are no planets, or if the number of pin errors differs
+///           from the number of pins
 std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 
 /// Computes the load shares of all planets and the transmission error of the drive under load.

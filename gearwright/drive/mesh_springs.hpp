@@ -20,7 +20,8 @@
 
 namespace gearwright::detail {
 
-/// Makes the error for a drive, or for one of its meshes, whose loaded contact cannot be computed.
+/// The error that states that the loaded contact of a drive, or of one of its meshes, cannot be
+/// computed.
 Error not_loaded(const std::string& rule, const std::string& mesh = "");
 
 struct MeshSprings {
@@ -29,15 +30,15 @@ struct MeshSprings {
 };
 
 /// The forces at which the loaded contact is solved, as multiples of an equal share, for a mesh
-/// with this number of copies. A single copy carries the whole load, and its share is known.
+/// with this number of copies. A single copy carries the whole load, so one force is sufficient.
 std::vector<double> load_levels(int copies);
 
 /// The springs of a mesh at the given rotations of gear 1, as in the contact analysis. `levels` are
 /// multiples of `nominal`, the force of an equal share of the load, N along the transverse line of
 /// action.
 ///
-/// Errors    `load` if no teeth touch at a position or no force converges there; `load.slices` if
-///           there are too many slices; as pair_compliance()
+/// Errors    `load` if, at a position, no teeth touch or the iteration converges for no force;
+///           `load.slices` if there are too many slices; as pair_compliance()
 Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, LoadRequest request,
                                  const std::vector<double>& levels, double nominal,
                                  const std::vector<double>& rotations);

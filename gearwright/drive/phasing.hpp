@@ -3,8 +3,9 @@
 //
 //   γ_i    delay of the mesh of copy i after the mesh of copy 0, in periods, while the sun turns
 //          counter-clockwise as seen from the carrier [T13.16]
-//   R_k, F_k^±   fraction of harmonic k that remains: R_k of the torque and the axial force, F_k^±
-//          of a transverse force that turns with (+) or against (−) the sun [T13.18]
+//   R_k    fraction of harmonic k that remains in the torque and in the axial force [T13.18]
+//   F_k^±  fraction of harmonic k that remains in a transverse force that turns with the sun (+) or
+//          against the sun (−) [T13.18]
 //                                              theory: docs/theory/13-drives.md
 #pragma once
 

@@ -38,9 +38,9 @@ PlanetEquilibrium::PlanetEquilibrium(const Drive& drive, const PlanetSet& set,
   find_rows(phases, errors);
 }
 
-// Finds the weights with which the forces of all meshes balance. The torque on a driven gear is the
-// torque of its driving gear times the efficiency [T13.6], so the weights are products of
-// efficiencies along the chain of the meshes.
+// Finds the weights with which the forces of all meshes are in balance. In every mesh, the torque
+// on the driven gear is the lossless torque times the efficiency [T13.6]. The weights are therefore
+// products of efficiencies along the chain of the meshes.
 void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive_.graph;
   const auto share = [&](std::size_t m, int side) {

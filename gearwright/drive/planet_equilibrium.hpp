@@ -1,4 +1,4 @@
-// Computes the equilibrium of the planets of a set between its central gears under load, in the
+// Computes the equilibrium of the planets of a set under the forces of the central gears, in the
 // frame of the carrier.
 //
 //   x_b    rotation of a body times its base radius, mm     D   displacement of an axis, mm

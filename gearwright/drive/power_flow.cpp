@@ -35,8 +35,7 @@ class Statics {
         efficiencies_(efficiencies),
         reacting_(reacting(graph, graph.inputs.front())) {}
 
-  // Computes the flow if the driving gears of all meshes are given. A mesh with driver −1 has no
-  // friction.
+  // Computes the flow for given driving gears of all meshes. A mesh with driver −1 has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
     const std::size_t n = graph_.bodies.size();
     const std::size_t meshes = graph_.meshes.size();
@@ -72,7 +71,7 @@ class Statics {
     return flow;
   }
 
-  // Each body on which a mesh acts, with the torque on it per λ. [T13.6]
+  // The bodies on which a mesh acts, each with its torque for λ = 1. [T13.6]
   std::vector<std::pair<std::size_t, double>> torques(std::size_t mesh, int driver) const {
     const DriveGear& a = graph_.gear(graph_.meshes[mesh], 0);
     const DriveGear& b = graph_.gear(graph_.meshes[mesh], 1);
@@ -116,7 +115,7 @@ class Statics {
   std::vector<std::size_t> reacting_;
 };
 
-// True if the driving gears agree with the assumed ones. Idle meshes always agree.
+// True if the driving gears found agree with the assumed driving gears. Idle meshes always agree.
 bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) {
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] >= 0 && found[k] != assumed[k]) return false;

@@ -1,4 +1,4 @@
-// Computes torques, powers and losses of a drive. The direction of power is computed, not assumed.
+// Computes torques, powers and losses of a drive, and the direction of the power in every mesh.
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
 //   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
@@ -43,18 +43,18 @@ struct PowerFlow {
 
 /// Computes the power flow for given speeds of all bodies and the torque 1 on the first input.
 ///
-/// Formula   The iteration begins with the signs σ of the flow without friction. It continues with
-///           the signs of each solution until they no longer change. If it gives no solution, all
-///           patterns of signs are tried, and the one with η > 0 is used. Closed forms: [T13.10],
-///           [T13.11]
+/// Formula   The iteration begins with the signs σ of the flow without friction. Each step uses the
+///           signs of the previous solution, until the signs no longer change. If the iteration
+///           gives no solution with η > 0, all patterns of signs are tried, and the first
+///           consistent pattern with η > 0 is used. Closed forms: [T13.10], [T13.11]
 /// Domain    independent meshes, f inputs and one output (contract)
-/// Errors    more than 16 loaded meshes whose signs do not converge
+/// Errors    `drive.mesh` if the iteration gives no solution and more than 16 meshes are loaded
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
 /// The exact λ of each mesh without friction, per unit torque on `body`. λ is also the factor with
-/// which a motion of the mesh is transmitted to `body` [T13.20] while the inputs and the output,
-/// except `body`, are held.
+/// which a motion of the mesh is transmitted to `body` [T13.20] while all other inputs and outputs
+/// are held.
 ///
 /// Domain    one degree of freedom, independent meshes; `body` turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,

@@ -21,7 +21,7 @@ std::optional<Wide> product(Wide a, Wide b) {
   return a * b;
 }
 
-/// a + b, as above.
+/// a + b; none as in product().
 std::optional<Wide> sum(Wide a, Wide b) {
   if (b > 0 ? a > kMost - b : a < -kMost - b) return std::nullopt;
   return a + b;
@@ -102,7 +102,7 @@ bool operator==(const Rational& a, const Rational& b) {
 }
 
 Rational least_common_multiple(const Rational& a, const Rational& b) {
-  // lcm(a, b) = a · (numerator of b/a in lowest terms) = a · b/gcd, and gcd = a/denominator(b/a).
+  // If b/a = n/d in lowest terms, then d = a/gcd(a, b), and lcm(a, b) = a b/gcd(a, b) = b d.
   if (!a.fits() || !b.fits()) return a + b;
   const Rational quotient = b / a;
   const auto denominator = quotient.denominator();

@@ -1,7 +1,8 @@
 // Exact fractions of whole numbers. Overflow is a separate state and never gives a wrong number.
 //
-//   p/q in lowest terms, q > 0; q = 0 if a result did not fit into 127 bits, or into 63 bits if the compiler has no wider
-//   integers                                   theory: docs/theory/13-drives.md, [T13.3]
+//   p/q in lowest terms, q > 0; q = 0 after overflow, which means that a result does not fit into
+//   127 bits, or into 63 bits if the compiler has no wider integers
+//                                              theory: docs/theory/13-drives.md, [T13.3]
 //
 // Like NaN, overflow passes to every fraction that is computed from it, so only the last result
 // must be checked.

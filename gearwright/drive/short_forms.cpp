@@ -49,7 +49,8 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// True if a planet with one gear meshes with two suns or two rings, which are side by side.
+// True if a member is a planet with one gear that meshes with two suns or with two rings. The two
+// suns or rings are side by side.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;

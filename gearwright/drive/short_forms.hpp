@@ -1,5 +1,5 @@
-// Expands the short forms of a drive, planetary sets and trains of stages, into the graph of the
-// drive.
+// Converts the short forms of a drive into the graph of the drive. The short forms are planetary
+// sets and trains of stages.
 //
 // A set has a sun, planets and a ring, or other members of the list below. A stage of a train is a
 // pair of gears or a set. The graph has bodies, gears and meshes, and everything is computed from
@@ -20,7 +20,7 @@ namespace gearwright {
 enum class SetMember { sun, sun2, idler, planet, planet2, ring, ring2 };
 inline constexpr std::size_t kSetMembers = 7;
 const char* to_string(SetMember member);
-/// The names of all members, in their order.
+/// The names of all members, in the order of SetMember.
 std::vector<std::string> set_member_names();
 
 /// One number for all gears of a set, and numbers for single gears, which take precedence.
@@ -54,7 +54,7 @@ struct PlanetarySpec {
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
   PerMember tip_diameter;   ///< d_a  mm
-  PerMember bore;           ///< bore mm; a ring has only its own number, the outside of its rim
+  PerMember bore;           ///< bore mm; for a ring, outside of its rim, which `all` does not set
   PerMesh efficiency;
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
@@ -106,8 +106,8 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
 /// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so on.
-/// A body that is the output of one stage and the input of the next has its name in the first of
-/// the two stages.
+/// A body that is the output of one stage and the input of the next stage is named as the output of
+/// the first of these two stages.
 ///
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
 ///           `drive.torque` if they are given for a later stage

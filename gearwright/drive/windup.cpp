@@ -17,7 +17,7 @@ using detail::MeshPhase;
 
 double path_of(const WindupMesh& mesh) { return mesh.approach + mesh.recess; }
 
-// The rotation at the time t by meshes of one frequency.
+// The rotation at the time t that meshes of one frequency cause.
 double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   double sum = 0.0;
   for (const WindupMesh* mesh : meshes) {
@@ -31,7 +31,7 @@ double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   return sum;
 }
 
-// The times within a period at which a line of contact begins or ends to grow or shrink.
+// The times within a period at which a line of contact starts or stops growing or shrinking.
 std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
   std::vector<double> times{0.0, 1.0};
   for (const WindupMesh* mesh : meshes)
@@ -46,8 +46,9 @@ std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
 }
 
 double spread_of(const std::vector<const WindupMesh*>& meshes) {
-  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. On spur gears
-  // it jumps at a kink, and kNear is the distance at which both sides are evaluated.
+  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. For spur
+  // gears, this sum jumps at a kink. It is evaluated at the distance kNear on both sides of the
+  // kink.
   constexpr double kNear = 1e-10;
   constexpr int kSteps = 30;  // the error of the value is then below 1e-12 of its curvature
   const auto rotation = [&](double t) { return rotation_at(meshes, t); };
@@ -81,7 +82,8 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes) {
 
 namespace {
 
-// Delays of all copies, and the parts of the path in the order in which the mesh passes them.
+// Sets the delays of all copies, and puts the parts of the path in the order in which the mesh
+// passes them.
 void place_in_time(WindupMesh& mesh, const MeshPhase& phase) {
   if (!phase.first_drives) std::swap(mesh.approach, mesh.recess);
   mesh.frequency = phase.first;

@@ -1,12 +1,14 @@
 // The elastic rotation of the output of a drive under load, and its variation.
 //
 //   λ(τ)   contact lines of a mesh (pair/contact_lines.hpp), τ in periods of the mesh
-//   w_m    weight of a mesh, (2π λ_m/(T_o p_bt,m))²/(N b_m), with the tooth load λ_m of power_flow.hpp
+//   w_m    weight of a mesh, (2π λ_m/(T_o p_bt,m))²/(N b_m), with the tooth load λ_m of
+//          drive/power_flow.hpp
 //   Θ(t) = Σ_m w_m Σ_i ε_α/λ_m(t − t_m − γ_i)/N           rotation of the output [T13.32]
 //                                              theory: docs/theory/13-drives.md, 13.7
 //
 // All teeth are perfect, and every mm of contact line has the same stiffness. The N planets of a
-// set share the load equally. The curves have the phases of the transmission error (drive_error.hpp).
+// set share the load equally. The curves have the phases of the transmission error
+// (drive_error.hpp).
 #pragma once
 
 #include <optional>
@@ -25,17 +27,17 @@ struct WindupMesh {
   std::size_t frequency = 0;            ///< equal for meshes of one frequency
 };
 
-/// The variation of Θ, peak to peak, divided by Σ w_m, which is Θ if all λ are equal to ε_α. The
-/// variations of several frequencies are added, as in transmission_error(). None without meshes, or
-/// if a mesh loses contact.
+/// The variation of Θ, peak to peak, divided by Σ w_m. This sum is the value of Θ if all λ are
+/// equal to ε_α. The variations of several frequencies are added, as in transmission_error(). None
+/// if there are no meshes, or if a mesh loses contact.
 ///
 /// Formula   [T13.32], [T13.33]
-/// Laws      (1) a single mesh has the variation of deflection_variation(); (2) it does not depend
-///           on a common factor of the weights or on a common delay
+/// Laws      (1) a single mesh has the variation of deflection_variation(); (2) the variation does
+///           not depend on a common factor of the weights or on a common delay
 std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes);
 
-/// The variation of Θ of a drive. None if there are several inputs or redundant meshes or, in a mesh
-/// that moves the output, no pair of involute gears or lost contact.
+/// The variation of Θ of a drive. None if there are several inputs or redundant meshes, or if a
+/// mesh that moves the output is not a pair of involute gears or loses contact.
 std::optional<double> windup_variation(const Drive& drive);
 
 /// Teeth of a drive that has no geometry: gears without profile shift, with the addendum 1.
@@ -47,8 +49,9 @@ struct StandardTeeth {
   WindupMesh mesh(int z1, int z2) const;
 };
 
-/// The variation of Θ of a planetary set with such teeth. None as above, and for a drive without
-/// planets.
+/// The variation of Θ of a planetary set whose gears have the given standard teeth. None if there
+/// are several inputs, redundant meshes or no planets, or if a mesh that moves the output loses
+/// contact or is not a mesh of a planet with a central gear.
 std::optional<double> windup_variation(const Drive& set, const StandardTeeth& teeth);
 
 }  // namespace gearwright

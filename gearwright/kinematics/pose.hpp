@@ -5,8 +5,8 @@
 //   Gear1, Gear2   z along the gear's axis, x the centre line of tooth 0 in the section z = 0
 //                                                          theory: docs/theory/01-frames.md
 //
-// The adjacent letters of two factors must be equal, so X_2f * X_f1 * r_1 compiles, and X_f1 * X_2f
-// does not compile.
+// In a product, the letters on both sides of a `*` must be equal. Therefore, X_2f * X_f1 * r_1
+// compiles, and X_f1 * X_2f does not compile.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 200;  // greatest number of steps
 constexpr int kOneByOne =
-    30;  // after this many steps, only one place is added or removed per step (no cycles)
-constexpr double kStill = 1e-11;     // last step, relative to the greatest load
+    30;  // after this many steps, only one place is added or removed per step, to avoid cycles
+constexpr double kStill = 1e-11;     // greatest last step, relative to the greatest load
 constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
 constexpr double kRough = 1e-3;  // greatest accepted rounding error, relative to the greatest load
 constexpr double kOverlap =
@@ -55,7 +55,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       const Index k = at[i];
       for (Index j = 0; j < m; ++j) a(i, j) = q.yield(k, at[j]);
       const double p = std::max(x.line_load[k], kLeastLoad * mean);
-      // The local term λ ln(a0/a) p is linearised about the last p; its constant part is λ p/2.
+      // The local term λ ln(a0/a) p is linearised about the last p. The constant part of the
+      // linear function is λ p/2.
       if (q.local > 0.0) {
         const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
         a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
@@ -108,8 +109,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     x.line_load = next;
     x.approach_per_gap = VectorXd::Zero(n);
     for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
-    // Under a very small moment, the loads p are small differences of large terms that follow from
-    // the gaps, so p contains the rounding errors of these terms.
+    // Under a very small moment, each load is a small difference of large terms. These terms are
+    // caused by the gaps, and the load contains their rounding errors.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

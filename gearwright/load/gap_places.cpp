@@ -60,8 +60,9 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The distance of a point of flank 1 from the nearest border of the patch `b` of flank 2, ≥ 0 if it
-// lies opposite this patch, and the derivative of this distance with respect to s.
+// The distance of a point of flank 1 from the nearest border of the patch `b` of flank 2, and the
+// derivative of this distance with respect to s. The distance is ≥ 0 if the point lies opposite the
+// patch.
 struct Margin {
   double v, s;
 };
@@ -72,8 +73,9 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// Returns the last s between `good` and `bad` at which flank 1 lies opposite the patch `b` of flank
-// 2, up to rounding. It does so at `good`, but not at `bad`.
+// The point of flank 1 at s = `good` lies opposite the patch `b` of flank 2, and the point at s =
+// `bad` does not. Returns the last s on the way from `good` to `bad`, except for rounding, at which
+// the point lies opposite the patch.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(
@@ -143,8 +145,9 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // From the best row, T increases towards one of its neighbours. The least gap lies between the
-  // two rows, or at the border of flank 2 if this border is nearer than the neighbour.
+  // From the best row, T increases towards one of the two neighbouring rows. The least gap lies
+  // between the best row and this neighbour, or at the border of flank 2 if the border is nearer
+  // than the neighbour.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

@@ -1,5 +1,5 @@
-// Finds the places where loaded teeth can touch: for every tooth pair and every slice of the face,
-// the place at which the gap between the flanks is least, and the gap at this place.
+// Finds the places where loaded teeth can touch. For every tooth pair and every slice of the face,
+// this is the place at which the gap between the flanks is least. The gap there is computed, too.
 //
 //   T     angular gap field of contact [T8.1]; the place of a slice is s*(z) = argmax_s T(s, z)
 //   arm   mm of normal gap per rad of gap angle [T8.3]
@@ -21,7 +21,8 @@ struct GapPlace {
   double arm = 0.0;                  ///< mm
   std::array<double, 2> radius{};    ///< mm, distance of the place from the axis of each gear
   double curvature = 0.0;            ///< 1/R of the gap across the contact line, 1/mm
-  TouchKind kind = TouchKind::line;  ///< an edge if the maximum of T in the slice lies on that edge
+  TouchKind kind = TouchKind::line;  ///< the edge on which the maximum of T in the slice lies;
+                                     ///< `line` if it lies on no edge
   double s = 0.0;                    ///< parameter on the patch of flank 1
   std::size_t patches = 0;           ///< index of the pair of patches
 };
@@ -30,7 +31,7 @@ struct PairPlaces {
   int pair = 0;       ///< k in N
   double turn = 0.0;  ///< φ1 − k·pitch  rad, rotation of this tooth pair; increases during the mesh
   std::vector<std::optional<GapPlace>>
-      at;  ///< by slice; empty if the flanks do not face each other there
+      at;  ///< by slice; absent for a slice in which the flanks do not face each other
 };
 
 /// Finds the place of least gap for each tooth pair and slice.
@@ -61,7 +62,8 @@ class GapSearch {
     GapField field;
     double least_square, most_square;  // mm², range of the squared radius on gear 2
     std::array<double, kRows>
-        least_forward;  // mm, least coordinate of a row along the line of centres
+        least_forward;  // mm, for each row: least coordinate along the line of centres at which
+                        // a point can face flank 2
     std::vector<Rows> rows;
   };
 

@@ -20,12 +20,12 @@ struct LoadStandard {
 struct SummaryBasis {
   double face;         ///< b  mm, common face width
   double base_radius;  ///< r_b1  mm
-  double body_twist;   ///< twist of both gear bodies, as approach per line load, mm per N/mm
+  double body_twist;   ///< approach due to the twist of both gear bodies, mm per N/mm of line load
   bool whole_pitch;    ///< true if the positions are evenly spaced over one pitch
   LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };
 
-/// Computes all members that follow from `torque` and `positions`.
+/// Computes those members of `torque` that follow from its members `torque` and `positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
 /// Amplitudes of the loaded TE at the orders 1, 2, …, at most 20, of the mesh frequency.

@@ -5,9 +5,9 @@
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
-// The folder contact/ computes the gap of every position, and the section modes of both gears give
-// the compliance. At each rotation, the loads follow from a complementarity problem that is linear
-// except for the logarithm of the Hertz contact.
+// The gap at every position is computed by the folder contact/, and the compliance by means of the
+// section modes of both gears. At each rotation, the loads are the solution of a complementarity
+// problem. The problem is linear except for the logarithm of the Hertz contact.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ struct LoadedPoint {
   double pressure = 0.0;                       ///< MPa, greatest pressure
   double semi_major = 0.0, semi_minor = 0.0;   ///< mm
   std::array<double, 2> diameter{}, height{};  ///< mm, position of the middle on each gear
-  /// Both semi-axes on the flank of each gear, as steps along the face and in radius, mm.
+  /// Both semi-axes on the flank of each gear, mm: the step along the face, and the change of
+  /// radius, from the middle of the ellipse to the end of the semi-axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
   int track = 0;        ///< number of the contact path; a tooth with double circular arcs has two
@@ -53,7 +54,7 @@ struct LoadedPosition {
   Angle unloaded_te = Angle::radians(kNoNumber);  ///< TE at which the teeth first touch
   double approach = kNoNumber;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
   double force = kNoNumber;                       ///< ΣF  N, normal force, for point contact only
-  double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
+  double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, with M2/ΣF as r_b2
   /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
   double stiffness = kNoNumber;
   std::vector<LoadedPair>
@@ -72,8 +73,8 @@ struct LoadedPosition {
   bool solved() const { return kind != TouchKind::none; }
 };
 
-/// The contact under one torque. Means and extremes cover the solved positions only. If no position
-/// is solved, they keep their initial values.
+/// The contact under one torque. Means and extremes are taken over the solved positions only. If no
+/// position is solved, they keep their initial values.
 struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
@@ -121,8 +122,9 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
-/// K_Hα refers to the load shares of `perfect`, the same pair without mounting errors and
-/// deflections. `perfect` is null if `pair` itself has no errors and no deflections.
+/// Computes the loaded contact of `pair`. K_Hα is computed by means of `perfect`, which is the same
+/// pair without mounting errors and deflections. `perfect` is null if `pair` itself has no errors
+/// and no deflections.
 ///
 /// Domain    `pair` consists of `gear_1` and `gear_2`; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

@@ -19,8 +19,8 @@ LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
 /// The result for the whole gears under twice the torque of a half. Maxima are taken over both
 /// halves. Values along the face, the shares of the tooth pairs and stress fields are left empty,
-/// because the results of the halves contain them. `base_radius` is r_b1, mm, and is used for line
-/// contact.
+/// because they are contained in the results of the halves. `base_radius` is r_b1, mm, and is used
+/// for line contact only.
 ///
 /// Formula   [T12.26]
 /// Domain    the same torques and rotations in both halves (contract)

@@ -1,5 +1,5 @@
-// Computes the loads of a pair at one rotation: the possible contact positions, the compliance
-// between them, and their loads under a torque.
+// Computes the loads of a pair at one rotation, in three steps: the possible contact positions, the
+// compliance between these positions, and the loads under a torque.
 //
 // Internal to load/.        theory: docs/theory/12-loaded-contact.md, [T12.1] to [T12.15]
 #pragma once
@@ -45,8 +45,8 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in N. If the flanks are to be changed, all slices of the tooth
-  /// pairs are included, because a change can close their gaps.
+  /// Gaps and compliance at a rotation in N. Slices::all includes all slices of the tooth pairs. It
+  /// is used if the flanks are changed afterwards, because a change can close the gap of any slice.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
@@ -61,7 +61,8 @@ class PositionSolver {
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // The approach of the flanks due to the deflection of the shafts, mm, at a height z in N.
+  // The approach of the flanks due to the additional deflection that the request gives, mm, at a
+  // height z in N.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

@@ -22,8 +22,8 @@ std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
 /// The score if there is no result.
 LoadedScore no_score();
-/// The score whose members are each the worse of the values of `a` and `b`. NaN is worse than any
-/// number.
+/// The score in which each member is the worse of the two values in `a` and `b`. NaN is worse than
+/// any number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
 /// The effect of corrections under a torque. Each member of a score is the worst value over all

@@ -35,8 +35,8 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
         at.turn(row, k) = solver.slope(found.pairs[static_cast<std::size_t>(place.pair)],
                                        place.slice, influences[static_cast<std::size_t>(k)]);
     }
-    // The places with a wide gap are left out at first, as in loaded_contact(). They carry no load,
-    // and the matrix of all places of a helical pair can be indefinite.
+    // At the start, places with a wide gap have no load, as in loaded_contact(). They carry no load
+    // in the solution either, and for a helical pair, the matrix of all places can be indefinite.
     const Eigen::ArrayXd arms =
         (at.problem.gap.array() <= detail::kFarGap * gear_1.spec.normal_module)
             .select(at.problem.arm, 0.0);

@@ -1,13 +1,13 @@
-// Computes the loaded transmission error of a pair whose flanks change by microns, without a new
-// search for the places of least gap.
+// Computes the loaded transmission error of a pair after its flanks have changed by microns,
+// without a new search for the places of least gap.
 //
 //   T_i, arm_i   gap angle and arm of place i [T12.1]      e   amounts of influences
 //   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i        theory: docs/theory/14-scatter.md, [T14.25]
 //
 // Most of the computing time of a position is needed to find the places and the compliance between
-// them. The places move when the flanks change. The gap is corrected to first order in e, but
-// compliance and curvature keep their values at e = 0. The change of TE therefore has an error of a
-// few percent.
+// these places. The places move when the flanks change. The gap is corrected to first order in e,
+// but compliance and curvature keep their values for e = 0. The change of TE therefore has an error
+// of a few percent.
 #pragma once
 
 #include <span>
@@ -34,12 +34,12 @@ class NearbyLoad {
     std::vector<double> slope;  ///< rad per unit of each influence; empty unless requested
     double max_pressure = 0.0;  ///< MPa, over the positions and the torques
   };
-  /// The greatest peak to peak of the loaded TE over the torques of the request, after the changes
-  /// `change`.
+  /// The greatest peak to peak of the loaded TE over the torques of the request, after each
+  /// influence has changed by its value in `change`.
   ///
   /// Domain    one change for each influence (contract)
-  /// Accuracy  without a change as loaded_contact(); otherwise a few percent of the effect of the
-  ///           change
+  /// Accuracy  without a change, the accuracy of loaded_contact(); otherwise, a few percent of the
+  ///           effect of the change
   /// Laws      (1) without a change, `value` and `max_pressure` equal the results of
   ///               loaded_contact()
   ///           (2) `slope` is the derivative of `value`

@@ -13,8 +13,10 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
-constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: no solution below
-constexpr double kFairWidth = 0.15;  // modules: as kFairSpur, for internal pairs if R is one module
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: narrower slices have
+                                                                 // no solution
+constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
+                                     // if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
 // True if tooth and face of both gears are equal to the last bit, so that one table serves for
@@ -40,8 +42,8 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
-// The slices of that part from the middle of the face, mm, in N. The narrower face lies within the
-// wider face, so it is the common face.
+// The slices of the part that may be loaded, measured from the middle of the gear's face, mm, in N.
+// The narrower face lies within the wider face, so the narrower face is the common face.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime);
@@ -67,9 +69,9 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
   // The loaded flank of the section lies at y > 0. For an external pair, the right flanks touch in
-  // N, so the section is mirrored. For an internal pair, N is mirrored already. The pinion then
-  // touches with the left flank, as in the section. The internal gear touches with the right flank,
-  // so its section is mirrored back.
+  // N, so the section is mirrored. For an internal pair, N itself is a mirror image. In N, the
+  // pinion of an internal pair touches with the left flank, as in the section. The internal gear
+  // touches with the right flank, so its section is mirrored back.
   const double twist = -gear.side() * gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
                                           std::nullopt, request.progress);
@@ -92,7 +94,8 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R at the contact of the pinion's tip, where R is greatest, at the reference centre distance.
+    // R at the place where the pinion's tip touches, for the reference centre distance. R is
+    // greatest there.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
     const double rho = roll_length(gear_1.tip_form_radius(), gear_1.base_radius());

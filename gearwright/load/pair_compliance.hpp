@@ -1,5 +1,5 @@
-// Computes the compliance of the teeth of a pair, with a table for each gear, and of the shafts.
-// The compliance does not depend on torque, errors and modifications.
+// Computes the compliance of the teeth of a pair, which is stored in a table for each gear, and the
+// compliance of the shafts. Neither depends on torque, errors or modifications.
 //
 // Most of the computing time of a loaded contact is needed for the tables, so a caller with several
 // requests should keep them.
@@ -18,8 +18,8 @@
 
 namespace gearwright {
 
-/// The kind of contact under load: along lines, for parallel involute flanks, or about points, for
-/// crossed and circular-arc teeth.
+/// The kind of contact under load. Involute flanks on parallel axes touch along lines. Crossed and
+/// circular-arc teeth touch about points.
 enum class LoadRegime { line, point };
 std::string_view to_string(LoadRegime regime);
 
@@ -51,26 +51,28 @@ struct LoadRequest {
   LoadRequest undeflected() const;
 };
 
-/// A number of slices of the common face that is accurate and not too fine. It is 32, or less if
-/// the slices would be narrower than a quarter of a module (0.4 modules for helical teeth), but at
-/// least 4.
+/// A number of slices of the common face that is great enough for accurate results, and usually
+/// small enough for a solution to exist. It is 32, or less if the slices would be narrower than a
+/// quarter of a module (0.4 modules for helical teeth), but at least 4.
+///
 /// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
-/// widths of 0.17 modules and less. For 24 random helical pairs, it never happened at 0.36 modules,
-/// but it happened for a quarter of them at 0.32 modules.
-/// The contact of internal pairs is wider, so their slices are at least four times as wide as the
-/// half width of the contact at the pinion's tip under 125 N/mm per mm of module. With this width,
-/// six pairs with tooth numbers from 14:30 to 40:52 had a solution up to 400 MPa at the roots. For
-/// point contact, the wider face is divided.
+/// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite matrix at
+/// a width of 0.36 modules, but a quarter of the pairs had one at 0.32 modules.
+///
+/// The contact of internal pairs is wider. Slices of internal pairs are therefore at least four
+/// times as wide as the half width of the contact at the pinion's tip under 125 N/mm per mm of
+/// module. With slices of this width, all of six pairs with tooth numbers from 14:30 to 40:52 had a
+/// solution up to 400 MPa at the roots. For point contact, the wider face is divided into slices.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
 /// True if the slices are too narrow for the resolution of modes and elements: below 0.15 modules,
-/// or 0.18 modules for helical teeth. No table is needed for this check. The matrix of [T12.14] is
-/// then indefinite for every torque. None of a dozen pairs (external and internal, draft and full)
-/// had a solution at 0.16 and 0.2 modules. For point contact, the compliance of a place would be
-/// negative.
+/// or 0.18 modules for helical teeth. The matrix of [T12.14] is then indefinite for every torque:
+/// none of a dozen pairs (external and internal, draft and full) had a solution at 0.16 and 0.2
+/// modules. For point contact, the compliance of a place would be negative. The check needs no
+/// table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
-/// The tables depend on the outlines, faces and materials of the gears only.
+/// The compliance of both gears. The tables depend only on the outlines, faces and materials.
 struct PairCompliance {
   std::array<std::shared_ptr<const ToothTable>, 2> table;
   std::array<ElasticBody, 2> bodies;
@@ -79,8 +81,8 @@ struct PairCompliance {
   std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< for the shafts of the request
 };
 
-/// Tables in `ready` are reused, which is allowed if same_compliance() is true. The shafts are
-/// computed anew.
+/// Computes the compliance. `ready` may contain tables from an earlier call for which
+/// same_compliance() is true. They are used instead of new ones. The shafts are always computed.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
 ///           LoadRegime::point, gear 2 is also external (contract)
@@ -89,8 +91,8 @@ Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready = {});
 
-/// The table of gear `which` (1 or 2) of a pair. Most of the time of pair_compliance() is spent
-/// here.
+/// The table of gear `which` (1 or 2) of a pair. Most of the computing time of pair_compliance() is
+/// needed for the tables.
 ///
 /// Errors    as pair_compliance
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,

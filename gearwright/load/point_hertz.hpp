@@ -16,8 +16,8 @@ struct HertzEllipse {
   double approach;                ///< δ  mm  [T12.23]
 };
 
-/// A point contact with given curvatures and reduced modulus. It stores the factor of F^(1/3) in a
-/// and b, and the factor of F^(2/3) in δ. [T12.22]
+/// A point contact with given curvatures and reduced modulus. a and b are proportional to F^(1/3),
+/// and δ is proportional to F^(2/3). The class stores the factors. [T12.22]
 class HertzPoint {
  public:
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)

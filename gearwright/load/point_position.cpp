@@ -20,13 +20,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
-constexpr double kStill = 1e-11;  // last change of forces and approach, relative to their values
+constexpr double kStill = 1e-11;  // greatest last change of forces and approach, relative to their
+                                  // values
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
                  kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
 constexpr int kHalvings = 40;      // halvings of the interval in which the end of the flank lies
 constexpr double kNoLength =
-    1e-3;  // relative to the semi-axis: a shorter footprint has a single node
+    1e-3;  // relative to the semi-major axis: a footprint with a smaller half length has one node
 constexpr double kIdle =
     1e-6;  // least force for which a footprint is computed, relative to the whole force
 constexpr double kStraightest =
@@ -34,8 +35,9 @@ constexpr double kStraightest =
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The pressure of an
-// ellipsoid, projected onto the major axis, is the load ¾ (1 − x²).
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. If the ellipsoidal
+// pressure of a Hertz contact is integrated across the major axis, the load along this axis is
+// ¾ (1 − x²).
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
@@ -196,9 +198,9 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   return yield.selfadjointView<Eigen::Lower>();
 }
 
-// The displacement is fitted by w ≈ c0 + c1 x + ½ c2 x² over the footprint, weighted by the load
-// shares. The gap is then least at x0 = −c1/(k1 + c2), or, if x0 lies beyond an end of a flank, at
-// this end.
+// The function w ≈ c0 + c1 x + ½ c2 x² is fitted to the displacement over the footprint, weighted
+// by the load shares. The gap is then least at x0 = −c1/(k1 + c2). If x0 lies beyond an end of a
+// flank, the gap is least at this end.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -208,8 +210,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
   // x is measured from the middle of the footprint, which is the first node, and divided by the
-  // distance of the last node from the middle. The fit of a short footprint far from the touch is
-  // therefore as accurate as the fit of a long one.
+  // distance of the last node from the middle. Without this, the fit would be inaccurate for a
+  // short footprint far from the touch.
   const double center = here.x.front();
   const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {
@@ -259,7 +261,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
   // Full steps are used first. If they do not converge, the step length is computed from the last
-  // two steps. It exceeds a full step if convergence is slow, and is shorter for oscillation.
+  // two steps. It is longer than a full step if convergence is slow, and shorter than a full step
+  // if the steps oscillate.
   double part = 1.0;
   VectorXd last;
   bool still = false;

@@ -1,6 +1,6 @@
-// Computes the loads of a pair with point contact at one rotation: the point of least gap of each
-// tooth pair, the compliance, and the loads under a torque. Crossed and circular-arc gears have
-// point contact.
+// Computes the loads of a pair with point contact at one rotation, in three steps: the point of
+// least gap of each tooth pair, the compliance, and the loads under a torque. Crossed and
+// circular-arc gears have point contact.
 //
 // Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
 #pragma once
@@ -25,7 +25,8 @@ struct PointPlace {
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
   Eigen::Vector2d along;  // (ds, dz) on flank 1 per mm along the major axis
-  // Per gear: steps (along the face, in radius) per mm along the major and along the minor axis.
+  // For each gear and each axis of the ellipse (major, minor): the step along the face and the step
+  // in radius per mm along this axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -47,7 +48,7 @@ struct Laid {
   double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)
   std::vector<double> x, share;  // per node: mm from the touch; load share, sum 1
   std::array<std::vector<Eigen::MatrixXd>, 2>
-      node;                             // per gear and node: a unit force there, on the grid
+      node;                             // per gear and node: a unit force at the node, on the grid
   std::array<Eigen::MatrixXd, 2> grid;  // per gear: sum of `node`, weighted by `share`
 };
 struct PointPosition {
@@ -77,11 +78,12 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // `from` and x are points on the major axis, mm, and `from` lies on both flanks. Returns x if it
-  // lies on both flanks, otherwise the last point on both flanks on the way from `from` to x.
+  // `from` and x are points on the major axis, mm, and `from` lies on both flanks. If x lies on
+  // both flanks, the result is x. Otherwise, the result is the last point on the way from `from` to
+  // x that lies on both flanks.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // The ellipse of place i after the bending of the bodies along its major axis.
+  // The ellipse of place i after the bodies have been bent along the major axis of this ellipse.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

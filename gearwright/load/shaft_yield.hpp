@@ -1,5 +1,5 @@
-// Displacement of the flanks by the bending and the twist of the shafts, which couples all places
-// of contact along the face.
+// Displacement of the flanks by the bending and the twist of the shafts. It couples all places of
+// contact along the face.
 //
 //   β_b, r_b, ρ   base helix angle; base radius and radius of curvature of a flank at a place
 //   s_i           +1 or −1, sign of the moment of the axial force in the plane of action
@@ -27,8 +27,8 @@ struct FaceDeflection {
   double bow = 0.0;    ///< B  height of the parabola in the middle
   bool any() const { return slope != 0.0 || bow != 0.0; }
 };
-/// Fits slope, bow and a constant by least squares to `approach`, which contains the approach in the
-/// middle of each of n equal slices, from −z to +z.
+/// Fits slope, bow and a constant to `approach` by least squares. `approach` contains the approach
+/// in the middle of each of n equal slices, from −z to +z.
 ///
 /// Formula   [T12.31]
 /// Domain    at least three values (contract)
@@ -38,7 +38,7 @@ class ShaftYield {
  public:
   /// The shafts of the request. If the request has no shafts, S is 0.
   ///
-  /// Domain    LoadRegime::line; `compliance` of the same request (contract)
+  /// Domain    LoadRegime::line; `compliance` was computed for the same request (contract)
   ShaftYield(const ContactPair& pair, const Gear& one, const Gear& two,
              const PairCompliance& compliance, const LoadRequest& request);
 
@@ -51,8 +51,8 @@ class ShaftYield {
   ///
   /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
-  /// S for a contact at the pitch point in every slice, in the order of the housing frame, from −z
-  /// on.
+  /// S for a contact at the pitch point in every slice. The slices are in the order of z in the
+  /// housing frame, from −z on.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
   /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
   /// from the approach, the transmission error and the stiffness of the mesh.

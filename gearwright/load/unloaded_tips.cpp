@@ -22,7 +22,8 @@ constexpr int kHeights = 8;      // points along the face at which a tip is exam
 constexpr int kMostTurns = 30;   // limit of iterations, each of which at least halves the error
 constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made in whole µm
 constexpr double kGreatest =
-    1.0 / 40;  // modules: greatest relief tried; less than kFarGap, the widest gap that is solved
+    1.0 / 40;  // modules: greatest relief tried; less than kFarGap, because places with a wider
+               // gap are not included in the contact problem
 
 // The law ρ_1 = a + r_b1 φ + c z for a contact of pair 0 at the height z and the rotation φ in N.
 struct PathPlace {
@@ -112,7 +113,8 @@ PairModifications with_reliefs(const PairModifications& all, const std::array<do
   return made;
 }
 
-// True if every section of the face has the same contact, so that examining one is sufficient.
+// True if all sections of the face have the same contact. It is then sufficient to examine one
+// section.
 bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
   const auto plain = [](const FlankModifications& m) {
     return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;
@@ -146,8 +148,8 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
   }
   // The first reliefs are so great that no tip carries load. Each iteration reduces the relief of a
   // gear by the least distance that remains at its tips. With less relief, the load is spread over
-  // more teeth, so that the distance decreases by less than the relief, and the reliefs decrease
-  // towards the least ones.
+  // more teeth. The distance therefore decreases by less than the relief, and the reliefs approach
+  // the least possible reliefs from above.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};

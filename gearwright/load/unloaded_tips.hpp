@@ -2,12 +2,13 @@
 //
 //   C_i   mm, relief at the tip of gear i, normal to the flank        Θ, w, g   as [T12.2]
 //   s     mm, normal distance that remains under load between a tip and its mating flank
-//   ρ_1   mm, radius of curvature of flank 1: the place on the path of contact
+//   ρ_1   mm, radius of curvature of flank 1, as the coordinate along the path of contact
 //
-// Under load the gears approach each other. Without relief, a tooth pair would therefore overlap
+// Under load, the gears approach each other. Without relief, a tooth pair would therefore overlap
 // (s < 0) where it enters the mesh, at the tip of gear 2, and where it leaves the mesh, at the tip
-// of gear 1. The reliefs follow from the complementarity problem itself: while a tip carries no
-// load, its relief is too great by about s.   theory: docs/theory/12-loaded-contact.md, [T12.27]
+// of gear 1. The reliefs are computed from the solution of the complementarity problem. If a tip
+// carries no load, its relief is too great by about s.
+//                                     theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 
 #include <array>
@@ -35,10 +36,11 @@ struct UnloadedTips {
 /// and topographies are ignored, because the reliefs replace them.
 ///
 /// Formula   [T12.27]
-/// Domain    involute teeth with line contact, `compliance` of the gears of `setup` (contract)
-/// Accuracy  amounts exceed the least ones by at most 0.005 µm
+/// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`
+///           (contract)
+/// Accuracy  the amounts exceed the least possible amounts by at most 0.005 µm
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field
-/// Laws      of aligned gears: (1) if the gears are exchanged, the amounts are exchanged   (2) the
+/// Laws      for aligned gears: (1) if the gears are exchanged, the amounts are exchanged   (2) the
 ///           amounts grow with the torque
 Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& path,
                                    const PairCompliance& compliance, const LoadRequest& request,
