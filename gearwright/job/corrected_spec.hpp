@@ -11,8 +11,8 @@
 
 namespace gearwright {
 
-/// The corrections with these indices in correction_entries. If no index is given, these are the default
-/// corrections of the pair.
+/// The corrections with these indices in correction_entries. Without any index, the result is the
+/// default corrections of the pair.
 ///
 /// Errors    `field` for a correction that is not possible for these teeth
 Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup,
@@ -25,16 +25,16 @@ std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correc
                      bool gear2_drives);
 
 /// True if the value is at the end of the searched range, so that a larger correction might be
-/// better. A crowning of 0 does not count.
+/// better. A crowning of 0 is also an end of its range, but the result is then false.
 bool at_bound(const Correction& range, double value);
 
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
-/// The error of `field` if this build has no minimiser, which computes corrections.
+/// The error for `field` if this build lacks the minimiser that computes corrections.
 std::optional<Error> needs_minimiser(const char* field);
 
-/// The tree with plain values before tables, as in a TOML file.
+/// The tree with its plain values moved before its tables, as a TOML file requires.
 Json plain_first(const Json& tree);
 
 /// The spec of the job with the corrections added under their keys.

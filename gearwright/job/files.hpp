@@ -42,8 +42,8 @@ struct FileOptions {
   bool wants(std::string_view part) const;
 };
 
-/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their
-/// endings.
+/// Parts of `run`: the result, the report, the drawing (PDF, A4), and the other kinds of files,
+/// each named by its extension.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -66,8 +66,9 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// Replaces the member of a body in an error of the room cad by a member of the gear. A spec has no
-/// tolerance or number of faces, so errors about these become errors of the gear.
+/// In an error of the room cad, replaces the member of a body by the corresponding member of the
+/// gear. An error about a tolerance or a number of faces, which a spec does not contain, becomes an
+/// error of the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
@@ -84,8 +85,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it. Files of an earlier run that are
-/// unchanged and not written again are removed, but no other files.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Also removes the unchanged files of an
+/// earlier run that this run does not write. All other files stay.   Throws  IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
@@ -99,9 +100,9 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
-/// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
-/// files, and the job gets a warning.
+/// Writes those of the following files that exist for the job into `folder`: result.json,
+/// report.html, drawing.pdf, gear1.*, gear2.* and pair.*. If FileOptions::only is not empty, only
+/// these parts are written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

@@ -46,7 +46,7 @@ LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The quantities of a torque that depend on the load, for a line of a table.
+// A table with a line for each torque, which contains the quantities that depend on the load.
 std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<LoadTorqueView>& torques) {
   std::vector<ValueRecord> records;

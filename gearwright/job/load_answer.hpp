@@ -24,7 +24,7 @@ LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
-// The load part of `run`: the result of `load`, and its part of the report.
+// The load part of `run` consists of the result of `load` and the scenes for the report.
 
 /// The report contains pointers into the job. Its positions always cover one pitch, even if the
 /// result has other rotations.

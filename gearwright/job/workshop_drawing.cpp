@@ -303,8 +303,9 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
-// A surface without a texture has a blank symbol. If the title block contains a texture, it applies
-// to this surface instead. The flanks may take Rz from the rating.
+// A surface without its own texture has a blank symbol, unless the title block contains a texture,
+// which then applies to this surface. Flanks without their own texture take Rz from [rating] if it
+// is given there.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   const DrawingInput& words = job.spec.drawing;
   const auto texture = [&](const std::string& own) {
