@@ -28,7 +28,7 @@ struct RexsComponent {
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
-  void flag(const std::string& attribute);  ///< sets it to "true"
+  void flag(const std::string& attribute);  ///< sets the attribute to "true"
 };
 
 struct RexsRelation {
