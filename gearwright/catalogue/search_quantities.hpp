@@ -28,14 +28,16 @@ struct SearchView {
   const SearchAnswer* answer;
   const std::vector<NearestChange>* changes;
   const DesignRow* safest = nullptr;          ///< NearestChanges::safest
-  std::optional<double> default_face_load{};  ///< K_Hβ of a rated search whose spec has none
+  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
+                                              ///< spec gives none
 };
 const Quantities<SearchView>& search_quantities();
 
 /// The quantities of a point of the grid of profile shifts. They are only columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change of the spec with its key and its words: search.interference from "exclude" to "flag".
+/// A change of the spec, with the key and with the values in the words of the spec:
+/// search.interference from "exclude" to "flag".
 struct SpelledChange {
   std::string key, from, to;
 };

@@ -23,8 +23,8 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys that have the same name in both systems. The list also contains names that the rule for
-// endings would give them in the other system.
+// Keys that have the same name in both systems. The list also contains the names that these keys
+// would have in the other system by the rule for endings.
 constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "module_in",
                                                    "normal_module_mm",
@@ -38,8 +38,8 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "diametral_pitches_per_in",
                                                    "diametral_pitches_per_mm"};
 
-// Numbers of a toleranced length, { range = [-1, 1], cpk = 1.33 }, that are not lengths, and samples
-// of a length, whose members have units of their own.
+// Keys in the table of a toleranced length, { range = [-1, 1], cpk = 1.33 }, whose numbers are not
+// lengths, and `samples`, whose members have units of their own.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
 template <class List>
