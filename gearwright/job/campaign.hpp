@@ -29,7 +29,8 @@ struct CampaignOptions {
                                   ///< shard − 1
   bool many = false;              ///< true if other shards or ranks may already have opened the
                                   ///< folder
-  bool together = false;          ///< true for ranks; the first rank then opens the folder for all
+  bool together = false;          ///< true for a rank; the first rank opens the folder for all
+                                  ///< ranks
   std::string writer = "search";  ///< name of this process in the journal
   /// Returns the number of the next chunk in a queue that several processes share. If this function
   /// is empty, the process has its own queue. One thread at a time calls it.
@@ -75,8 +76,8 @@ class ChunkQueue {
 /// The reason why this build cannot keep finished chunks in a folder, or nothing if it can.
 std::optional<Error> refuse_folder();
 
-/// The store in the folder of the options, or nothing if the first process could not open the
-/// folder. If `refused` is set, the folder must not be used, and `refused` is the error.
+/// The store in options.out. For the other ranks, there is no store if the first rank could not
+/// open the folder. If `refused` is set, the folder must not be used, and `refused` is the error.
 ///
 /// Throws    IoError
 /// Errors    `refused`; the errors of ChunkStore::open

@@ -118,8 +118,8 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load, a curve of the transmission error takes a hundred times as long to compute, so fewer
-// positions and fewer corners of the range are computed.
+// Under load, computing a curve of the transmission error takes a hundred times as long as without
+// load, so fewer positions and fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -156,7 +156,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// The given errors, followed by the errors at every corner of the range.
+// The scenario of the errors in the spec, followed by a scenario for every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);

@@ -30,13 +30,13 @@ struct CompensateAnswer : CompensateView {
 ///
 /// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
-///           `compensate.range` if at a corner of the range nothing touches, whatever the
+///           `compensate.range` if nothing touches at a corner of the range, even with the computed
 ///           corrections
-/// `curves`  like CompensationTask::curves
+/// `curves`  is described at CompensationTask::curves
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
-/// A record with the title and "compensate".
+/// A record with the title, and with the result under "compensate".
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 

@@ -50,8 +50,8 @@ struct ContactAnswer {
   ContactResult driving;          ///< the working flanks for the given driving gear
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// The peak-to-peak transmission error of the working flanks over the continuous curve, or
-  /// nothing if contact is lost.
+  /// The peak to peak of the continuous transmission error of the working flanks, or nothing if
+  /// contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
@@ -65,7 +65,7 @@ struct ContactAnswer {
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// The options of the contact of a rack and its pinion that a spec requests.
+/// The options that a spec requests for the contact of a rack and its pinion.
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position
@@ -73,7 +73,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullpt
 
 /// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-/// A record with the title and "contact".
+/// A record with the title, and with the result under "contact".
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 

@@ -19,8 +19,8 @@ Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup
                                                        const std::vector<std::size_t>& places,
                                                        const std::string& field);
 
-/// The key of a correction in the corrected spec. A slope has the key of the loaded flank, and an
-/// amount has the key for both flanks.
+/// The key of a correction in the corrected spec. A slope has the key of the loaded flank. Any
+/// other modification has the key for both flanks.
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correction,
                      bool gear2_drives);
 

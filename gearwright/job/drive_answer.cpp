@@ -249,8 +249,8 @@ struct RatedLoad {
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. Its load is the load of one copy of the mesh. Its life and its
-// reversed bending apply to the gear with the more severe use.
+// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life and the
+// reversed bending are given for the gear with the more severe use.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})

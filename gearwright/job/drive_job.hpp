@@ -19,7 +19,7 @@ struct DriveJob {
   JobSpec spec;
   Drive drive;
   std::optional<DrivePlaces> places;  ///< none if an axis cannot be placed
-  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or they cannot mesh
+  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or the teeth cannot mesh
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
 };
@@ -82,8 +82,8 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::filesystem::path& path, const FileOptions& options);
 
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
-/// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and
-/// drive.svg.
+/// drive.3mf (laid out for printing). If all gears lie in one plane, the files also include the
+/// outlines, drive.dxf and drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

@@ -294,7 +294,7 @@ namespace {
 Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> made;
-  std::vector<ToothedBody> mounted;  // gears of the pair with an outline, as mounted
+  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in mounted position
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
     if (!options.wants(ending(kind).substr(1))) return std::nullopt;

@@ -37,7 +37,8 @@ struct FileOptions {
   double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
   double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
-  std::vector<std::string> only{};      ///< for `run`: words of kRunParts; everything if empty
+  std::vector<std::string> only{};      ///< for `run`, the parts to write (kRunParts); if empty,
+                                        ///< all
 
   bool wants(std::string_view part) const;
 };
@@ -66,9 +67,9 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// In an error of the room cad, replaces the member of a body by the corresponding member of the
-/// gear. An error about a tolerance or a number of faces, which a spec does not contain, becomes an
-/// error of the whole gear.
+/// Converts an error of the room cad about a body to an error about the gear. An error about teeth
+/// or bore keeps its member. An error about a tolerance or a number of faces, which a spec does not
+/// contain, names the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is

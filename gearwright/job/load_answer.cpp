@@ -119,8 +119,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The result at equally spaced positions over one pitch. If the spec lists rotations instead, the
-// result for these positions is computed here.
+// The result at equally spaced positions over one pitch. If the spec lists rotations, the answer
+// has no such positions, so a further result is computed.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;

@@ -62,7 +62,7 @@ LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
   return worst;
 }
 
-// The scores for each torque. They contain no numbers if a position has no result.
+// The scores for each torque. If a position has no result, each score is no_score().
 std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
   auto scores = loaded_scores(contact);
   if (scores.empty()) scores.assign(contact.torques.size(), no_score());

@@ -34,7 +34,7 @@ bool is_given(const std::vector<ScatterTolerance>& all, const std::string& name)
                      [&](const ScatterTolerance& t) { return t.name == name; });
 }
 
-// Adds the tolerances of an accuracy grade that the spec does not give individually.
+// Adds those tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
  public:
   Grades(const SolvedJob& job, std::vector<ScatterTolerance>& all) : job_(job), all_(all) {}

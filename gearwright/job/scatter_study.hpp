@@ -4,9 +4,9 @@
 //   N   rank of a design in the search, as in `search --take N`
 //
 // The row of a design contains exactly the numbers of `scatter` for the spec that `search --take N`
-// prints. Rows do not depend on each other. A study is therefore divided into chunks of designs, as
-// a search is divided into chunks of trials, with a folder, shards and ranks. Internal to job/ and
-// the programs.
+// prints. Rows do not depend on each other. A study can therefore be divided into chunks of designs
+// and use a folder, shards and ranks, in the same way as a search with its chunks of trials.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <array>

@@ -37,10 +37,10 @@ struct SearchProgress {
 
 struct SearchOptions : CampaignOptions {
   bool yes_large = false;
-  std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default it follows from the size
-                                       ///< of the search
-  std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
+  std::optional<std::size_t> top;      ///< number of designs to keep; by default kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< number of trials in a chunk; the default depends on the
+                                       ///< size of the search
+  std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;

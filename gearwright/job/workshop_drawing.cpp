@@ -92,7 +92,8 @@ class Group {
   DataGroup group_;
 };
 
-// The rows of a pinion cutter. `mate` is the number of the gear of the pair that cuts, or 0.
+// The rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the mating
+// gear, and otherwise 0.
 void add_cutter(Group& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
                              : mate > 0        ? fmt::format(", gear {}", mate)
@@ -241,7 +242,8 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
   return group;
 }
 
-// If no class is given, its row is blank, so that the workshop notices the omission.
+// If no flank tolerance class is given, the row of the class is blank, so that the workshop notices
+// the omission.
 Group tolerances(const ToleranceInput& given, const Records& measure) {
   if (!given.quality) {
     Group blank("Tolerances, ISO 1328-1");
