@@ -43,7 +43,8 @@ void lend_face_load(Json& tree);
 /// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
 bool has_default_face_load(const JobSpec& spec);
 
-/// True if the search needs a rating, either for a safety or, if [rating] is given, for the mass.
+/// True if the search needs a rating for a required safety or for an objective such as noise. If
+/// [rating] is given, the objectives mass and cost need a rating, too.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 
 /// Adds the densities of the materials to the problem, and the inputs of a rating if the search

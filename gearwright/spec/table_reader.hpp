@@ -1,6 +1,6 @@
-// Reads one table of a spec with the catalogue. Values within their ranges are stored in the struct
-// members of their keys (KeyPlace). Sub-tables and lists of tables are stored in structs. An error
-// names the key.
+// Reads one table of a spec with the catalogue. Each value is checked against its range and stored
+// in the struct member of its key (KeyPlace). Sub-tables and lists of tables are stored in structs.
+// An error names the key.
 //
 // The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a
 // key of the catalogue unread. This ensures that catalogue and reader agree.
