@@ -233,8 +233,8 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
   if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // If the similar key is a table, a key inside this table is suggested if its name is also
-    // similar.
+    // If the similar key is a table with a key inside that is also similar, the key inside is
+    // suggested.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))

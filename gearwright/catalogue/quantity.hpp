@@ -70,8 +70,8 @@ struct QuantityInfo {
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
   bool only_inch = false;                  ///< true if it is shown only for inch specs
-  bool optional_key = false;               ///< true if the key is absent when the quantity does not
-                                           ///< exist; otherwise its value is null
+  bool optional_key = false;               ///< if the quantity does not exist: true if the key is
+                                           ///< then absent, false if its value is null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -340,7 +340,7 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
     shape<std::remove_cvref_t<std::invoke_result_t<G, const P&>>>(q.info);
     return q;
   }
-  /// As Quantities::shape(). The value is null if the subject does not have the part.
+  /// Like Quantities::shape(), but the value may be null, because a subject may lack the part.
   template <class R>
   static void shape(QuantityInfo& info) {
     info.list = Shape<R>::list();

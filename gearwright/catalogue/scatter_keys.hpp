@@ -16,7 +16,8 @@ namespace gearwright {
 /// [scatter.bearings]
 struct ScatterBearings {
   double span = 0.0;    ///< L  mm, distance of the bearings of a shaft
-  double radius = 0.0;  ///< R  mm, radius of the circle in which the axis of a bore can lie
+  double radius = 0.0;  ///< R  mm, radius of the circle in which a bore of axis 1 can lie, relative
+                        ///< to the bore of axis 2 in the same wall
   double offset = 0.0;  ///< c  mm, position of the gears from the middle of the span, towards +z
 };
 
@@ -38,7 +39,8 @@ struct ScatterRobust {
   std::vector<std::size_t>
       corrections;  ///< indices in correction_entries; empty for the default ones
   double percentile = 95.0;
-  std::optional<std::array<double, 2>> range;  ///< range of every correction, in its unit
+  std::optional<std::array<double, 2>> range;  ///< range of every correction, in the unit of the
+                                               ///< correction
 };
 
 /// [scatter]

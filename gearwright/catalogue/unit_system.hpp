@@ -42,8 +42,8 @@ struct KeyUnit {
   long double size;               ///< size of the inch unit, in metric units
   bool inverse;                   ///< true for units 1/length
 
-  /// The value in the inch unit, and back. A number of up to 12 digits in inch is unchanged by
-  /// to_metric() followed by to_inch().
+  /// The functions convert a value to the inch unit and back. A number of up to 12 digits in inch
+  /// is unchanged by to_metric() followed by to_inch().
   double to_inch(double metric_value) const;
   double to_metric(double inch_value) const;
 };
