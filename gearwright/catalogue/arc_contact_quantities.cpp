@@ -1,4 +1,5 @@
-// The quantities of a contact between circular-arc teeth: `arc_contacts` of a pair.
+// The quantities of a contact between circular-arc teeth. The record of a pair contains them under
+// `arc_contacts`.
 #include <cmath>
 
 #include "gearwright/catalogue/pair_parts.hpp"

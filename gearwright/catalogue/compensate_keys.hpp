@@ -1,4 +1,4 @@
-// The keys of [compensate] and [compensate.range], which are the permitted corrections and the
+// The keys of [compensate], which selects corrections, and of [compensate.range], which contains
 // ranges of errors.
 #pragma once
 
@@ -40,8 +40,8 @@ struct CompensateInput {
   std::vector<std::size_t> corrections;    ///< indices in correction_entries; if empty, the default
                                            ///< corrections for the kind of pair
   std::optional<double> centering_arcsec;  ///< cost of a contact pattern at the end of the face
-  /// [compensate.range]: the least and the greatest value of each error, by its index in
-  /// error_entries.
+  /// [compensate.range]: the least and the greatest value of each error. The index is the index of
+  /// the error in error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};
 };
 

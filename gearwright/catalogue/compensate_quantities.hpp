@@ -1,4 +1,4 @@
-// The quantities of corrections, which are `compensate` in a result.
+// The quantities of corrections. A result contains them under `compensate`.
 #pragma once
 
 #include <string>

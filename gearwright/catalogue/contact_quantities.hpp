@@ -1,4 +1,5 @@
-// The quantities of tooth contact: `contact` in a result, with its positions, patterns and maps.
+// The quantities of tooth contact, with positions, patterns and maps. A result contains them under
+// `contact`.
 #pragma once
 
 #include <array>
@@ -13,10 +14,10 @@
 
 namespace gearwright {
 
-/// A change with respect to which derivatives were requested, and its name in results.
+/// A number for which derivatives were requested, with its name in results.
 struct NamedSlope {
   std::string name;   ///< "center_distance_per_mm"
-  double unit = 1.0;  ///< one unit of the change, in rad or mm
+  double unit = 1.0;  ///< one unit of the number, in rad or mm
 };
 
 /// A contact analysis with the results of additional requests. For a double-helical pair, it is the

@@ -9,7 +9,8 @@ namespace gearwright {
 
 namespace {
 
-// Length of a surface texture that a symbol has room for: "0.008-0.8/Ra 0.8", "U Rz 4; L Ra 0.2".
+// Greatest number of letters in a texture for which the symbol has room: "0.008-0.8/Ra 0.8", "U Rz
+// 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
 // A common size in mm, for which the table has every fit.

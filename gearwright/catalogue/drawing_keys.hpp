@@ -1,5 +1,5 @@
-// The keys of [drawing], which are the texts of a title block, the surface textures, and the fits of
-// bore and keyway. They are printed as given, and no date or author is added.
+// The keys of [drawing]: the texts of a title block, the surface textures, and the fits of bore and
+// keyway. Drawings show them as given, and no date or author is added.
 #pragma once
 
 #include <string>

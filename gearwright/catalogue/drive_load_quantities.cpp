@@ -1,4 +1,4 @@
-// The quantities of a drive under load: `drive.load` of a result.
+// The quantities of a drive under load. A result contains them under `drive.load`.
 #include <algorithm>
 
 #include "gearwright/base/units.hpp"

@@ -48,8 +48,8 @@ std::optional<double> set_distance(const Drive& d) {
   return d.geometry.distance[d.sets.front().group.meshes.front()];
 }
 
-// A motion of a body that is stored in rad: the rotation of a body that turns, or the travel of a rack,
-// mm. `lever` as in DriveError.
+// These functions convert the motion of a body, which is stored in rad, to the rotation of a
+// turning body or to the travel of a rack in mm. `lever` is described in DriveError.
 std::optional<Angle> rotation(double motion, const std::optional<double>& lever) {
   return lever ? std::nullopt : std::optional(Angle::radians(motion));
 }

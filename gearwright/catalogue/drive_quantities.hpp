@@ -1,4 +1,4 @@
-// The quantities of a whole drive, which are `drive` in a result.
+// The quantities of a whole drive. A result contains them under `drive`.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 namespace gearwright {
 
 const Quantities<Drive>& drive_quantities();
-/// The centre distance and the profile shifts: `coaxial` of a drive.
+/// The centre distance and the profile shifts, which the record of a drive contains under
+/// `coaxial`.
 const Quantities<Drive>& coaxial_quantities();
 
 /// A view of one body of a drive, and a view of one mesh.
@@ -32,12 +33,12 @@ struct DriveErrorLine {
 const Quantities<DriveErrorLine>& drive_error_line_quantities();
 std::vector<DriveErrorLine> error_lines(const DriveError& error);
 
-/// A drive under load: `drive.load` of a result.
+/// The quantities of a drive under load. A result contains them under `drive.load`.
 ///
 /// Domain a drive with Drive::loaded (contract)
 const Quantities<Drive>& drive_load_quantities();
 
-/// The shares of the planets of a set of a drive.
+/// A planetary set of a drive, with the share of the load that each of its planets carries.
 struct PlanetSharesView {
   const Drive* drive;
   const PlanetShares* shares;
@@ -47,7 +48,8 @@ const Quantities<PlanetSharesView>& planet_share_quantities();
 /// The greatest mesh load factor K_γ of the planets under load. There is no value without planets
 /// or without a load.
 std::optional<double> mesh_load_factor(const Drive& drive);
-/// The mesh load factor K_γ of the rating of planet meshes. There is no value without a rating.
+/// The mesh load factor K_γ with which the planet meshes are rated. There is no value without a
+/// rating.
 std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
 /// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.

@@ -1,4 +1,5 @@
-// The quantities of a search for drives: `search` in a result if [search] has the key `kind`.
+// The quantities of a search for drives, which has the key `kind` in [search]. A result contains
+// them under `search`.
 #pragma once
 
 #include <array>
@@ -28,7 +29,8 @@ struct DriveDesigns {
   std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first
   std::vector<std::size_t> pareto;  ///< indices in `list`
   std::size_t computed = 0;
-  std::size_t hopeless = 0;      ///< trains whose safeties are too small by an estimate
+  std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
+                                 ///< too small
   std::size_t beyond_limit = 0;  ///< candidates that were not computed because of the limit
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
 };
@@ -37,7 +39,8 @@ struct DriveSearchView {
   const DriveSearchProblem* problem;
   const DriveSearchResult* result;
   const DriveDesigns* designs;
-  std::optional<double> default_face_load{};  ///< K_Hβ of a rated search whose spec has none
+  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
+                                              ///< spec gives none
 };
 const Quantities<DriveSearchView>& drive_search_quantities();
 

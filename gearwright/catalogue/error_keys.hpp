@@ -1,5 +1,5 @@
-// The table of the eight errors of mounting and cutting with key, symbol, words and member of
-// ContactErrors. The keys of [errors] are made from this table.
+// The table of the eight errors of mounting and cutting. An entry has the key, the symbol, the
+// words and the member of ContactErrors. The keys of [errors] are made from this table.
 #pragma once
 
 #include <algorithm>
@@ -75,7 +75,7 @@ struct ContactInput {
   double marking = 0.00635;  ///< thickness of the marking compound, mm
   int driver = 1;
   bool pattern = false;          ///< true if the result includes the raster of both flanks
-  std::vector<Angle> rotations;  ///< rotations of gear 1, used instead of positions
+  std::vector<Angle> rotations;  ///< rotations of gear 1; they replace the equally spaced positions
   std::optional<ContactMapInput> map;
 };
 

@@ -1,5 +1,5 @@
-// The quantities of files and outlines: `files` in a result of `run` and `export`, and `arcs` in a
-// result of `outline`.
+// The quantities of files and outlines. A result of `run` or `export` contains `files`, and a
+// result of `outline` contains `arcs`.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ struct ArcView {
 };
 const Quantities<ArcView>& outline_quantities();
 
-// The title block as a result: `drawing` contains the texts of the table [drawing] of the spec.
+// The texts of the title block, from the table [drawing] of the spec. A result contains them under
+// `drawing`.
 
 const Quantities<DrawingInput>& drawing_quantities();
 

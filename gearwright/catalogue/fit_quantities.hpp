@@ -1,4 +1,4 @@
-// The quantities of inverse design, which are `fit` in a result.
+// The quantities of inverse design. A result contains them under `fit`.
 #pragma once
 
 #include <optional>

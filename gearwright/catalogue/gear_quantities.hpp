@@ -1,4 +1,4 @@
-// The quantities of one gear: gears[i] in a result, and the table of gear data.
+// The quantities of one gear, for the table of gear data. A result contains them under gears[i].
 #pragma once
 
 #include "gearwright/arrange/two_halves.hpp"
@@ -20,7 +20,8 @@ constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// The quantities of a warning, which is a fact about a gear or a pair and not an error.
+/// The quantities of a warning. A warning states a fact about a gear or a pair that is not an
+/// error.
 const Quantities<Warning>& warning_quantities();
 
 /// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the

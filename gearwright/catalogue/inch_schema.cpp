@@ -27,7 +27,8 @@ void convert_limits(Json& schema, const KeyUnit& unit) {
   for (Json& inner : schema) convert_limits(inner, unit);
 }
 
-// Replaces a list of required keys. Each key may then be given under either of its two names.
+// Replaces a list of required keys by conditions that accept each key under either of its two
+// names.
 void accept_either(Json& schema, const Json& keys, const char* plain_name) {
   Json plain = Json::array();
   for (const Json& key : keys) {

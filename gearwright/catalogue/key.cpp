@@ -24,7 +24,7 @@ bool ends_with_unit(std::string_view key, std::string_view unit) {
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // rows[i % 3][j] is the distance of the first i letters of a and the first j letters of b.
+  // rows[i % 3][j] is the distance between the first i letters of a and the first j letters of b.
   std::array<std::vector<std::size_t>, 3> rows;
   rows.fill(std::vector<std::size_t>(b.size() + 1));
   std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});

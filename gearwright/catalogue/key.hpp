@@ -78,7 +78,7 @@ struct KeyList {
   bool numbers = false;     ///< for a key of a table: true if a list of numbers is also allowed
 };
 
-/// A key that gives the value of the key `of` in another unit or section.
+/// A key by which the value of the key `of` can be given in another unit or in another section.
 struct KeyAlias {
   std::string_view of;
   double (*value)(double given, double cos_beta) = nullptr;  ///< converts to the unit of `of`
@@ -103,9 +103,9 @@ struct Key {
   KeyRange range{};  ///< range of each number
   std::optional<KeyList> list{};
   std::string
-      form{};  ///< description of the permitted values, if kind and range do not show it: "a number
-               ///< or …"
-  KeyPlace place{};  ///< none if the reader handles this key
+      form{};  ///< description of the permitted values, if kind and range do not describe them: "a
+               ///< number or …"
+  KeyPlace place{};  ///< empty if the reader handles this key
   bool required = false;
   Words needs{};     ///< keys that must also be given
   Words excludes{};  ///< keys that must not also be given
@@ -199,15 +199,15 @@ std::string_view key_unit(std::string_view key);
 /// The permitted values as part of a sentence: "a number", "one of "right", "left"", or `form`.
 std::string form_of(const Key& key);
 
-/// A meaning as plain text, without backticks and numbers of equations.
+/// A meaning as plain text, without backticks and without numbers of equations.
 std::string plain_words(std::string_view meaning);
 
-/// The least number of letters to insert, delete or replace, or of neighbours to exchange, that turns
-/// one word into the other. No letter is changed twice.
+/// The least number of changes that turn one word into the other. A change inserts, deletes or
+/// replaces a letter, or exchanges two neighbouring letters. No letter is changed twice.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The known word that an unknown word probably means: at most one letter in three differs, or one
-/// of the words is a part of the other. Case is ignored. It is empty if no word is similar.
+/// of the words is a part of the other. Case is ignored. The result is empty if no word is similar.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
 /// The end of a message about an unknown word: "; did you mean mass?", or nothing.
@@ -216,8 +216,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 /// The rule of a value that must be a word: "must be one of "right", "left"; did you mean left?".
 std::string one_of_rule(const std::string& word, const std::vector<std::string>& known);
 
-/// A suggestion for an unknown word, with the known words: "did you mean mass? Known are …". `meant`
-/// is the intended word, if it is known.
+/// A suggestion for an unknown word, followed by the known words: "did you mean mass? Known are …".
+/// `meant` is the word that the user means, or empty if this is not known.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

@@ -126,13 +126,13 @@ bool of_one_kind(std::string_view a, std::string_view b) {
 // "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
-  // The result contains the name of the table with the key only if `table` has no key of this name.
+  // The result names the table of the key only if `table` itself has no key of this name.
   const auto named = [&](const Key& key, const std::string& where) {
     return table.find(key.key) ? std::string(key.key) : fmt::format("{} in [{}]", key.key, where);
   };
   for (const Place& p : tables_below(table, path)) {
     if (p.table == &measured_keys())
-      continue;  // keys of readings are named like the measured quantities
+      continue;  // skipped, because keys of readings have the names of the measured quantities
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
@@ -233,7 +233,8 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
   if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // If the key is a table but a value was given, the key inside that table is suggested.
+    // If the similar key is a table with a key inside that is also similar, the key inside is
+    // suggested.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))

@@ -1,10 +1,11 @@
 // Finds the key that a user probably meant when the given key is unknown.
 //
-// The given key is first compared with the names of keys without units, with their other names
-// (Key::also) and with their symbols ("mn" is m_n, "beta" is β) in this table. Then names with a
-// typing error in this table, the tables below it and all other tables are searched. Finally, names
-// of this table that differ in one word, parts of names, and names that differ in few letters are
-// compared. If no key is similar, the message lists the keys of the table.
+// The given key is compared with the keys of its own table and of other tables, in this order: (1)
+// the names without units, the other names (Key::also) and the symbols ("mn" is m_n, "beta" is β)
+// of keys in its own table; (2) names in its own table that differ by a typing error; (3) names and
+// other names in the tables below and then in all other tables; (4) names in its own table that
+// differ in one word, that share a part, or that differ in few letters. If no key is similar, the
+// message lists the keys of the table.
 #pragma once
 
 #include <string>
@@ -23,7 +24,8 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
 std::string folded(std::string_view name);
 
 // Inputs that users may expect but that are not supported. The message states this, or names the
-// equivalent key. Otherwise a known key with a similar name would be suggested.
+// equivalent key. Without these sentences, the message would suggest a known key with a similar
+// name.
 
 /// The sentence about an unknown key with this path in the file, "gear2.form", or about a known key
 /// with a value, "gear2.teeth" and "0". It is empty if there is no such sentence.

@@ -1,5 +1,5 @@
-// The destination of the value of a key. It is a member of an input struct, and a KeyPlace refers
-// to it without the type of the struct.
+// The member of an input struct in which the value of a key is stored. A KeyPlace refers to such a
+// member independently of the type of the struct.
 //
 //   KeyTarget   an input struct, whose type is checked at every use
 //   KeyPlace    the way in which a value is stored in the struct
@@ -25,8 +25,8 @@
 
 namespace gearwright {
 
-/// A value in the form of a file: a number, a whole number or the index of a word in its list, a
-/// flag, a text, a list of numbers, or a list of words.
+/// A value as a file gives it: a number, a whole number or the index of a word in its list, a flag,
+/// a text, a list of numbers, or a list of words.
 using KeyValue =
     std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
 
@@ -43,9 +43,10 @@ enum class KeyKind {
 /// An input struct.
 class KeyTarget {
  public:
+  /// Implicit, so that a reference to any input struct can be passed.
   template <class T>
   requires(!std::is_same_v<T, KeyTarget>)
-      KeyTarget(T& input)  // NOLINT(google-explicit-constructor): a reference of any type
+      KeyTarget(T& input)  // NOLINT(google-explicit-constructor)
       : input_(&input), type_(&kType<T>) {}
 
   /// The input struct.
@@ -67,9 +68,10 @@ class KeyTarget {
 
 class KeyPlace {
  public:
-  KeyPlace() = default;  ///< the reader handles this key
+  KeyPlace() = default;  ///< for a key that the reader handles
+  /// Implicit, so that a table entry can be the bare member pointer.
   template <class T, class V>
-  KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor): an entry names the member
+  KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor)
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
   /// The member `inner` of the member `outer`.
   template <class T, class M, class V>
@@ -78,11 +80,12 @@ class KeyPlace {
   /// A member that a function returns: within<T>([](T& t) -> auto& { return t.life[0]; })
   template <class T, class F>
   static KeyPlace within(F reach);
-  /// Members that set(T&, const V&) computes. The function may return the reason for an error.
+  /// Members that a function set(T&, const V&) computes and sets. The function may return the
+  /// reason for an error.
   template <class T, class V, class F>
   static KeyPlace by(F set);
-  /// One number, or two numbers and their mean. mean(T&) is a double, and ends(T&) is an optional
-  /// array of two.
+  /// A place for one number, or for two numbers and their mean. mean(T&) is a double, and ends(T&)
+  /// is an optional array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
   /// A KeyPlace for a value that is checked but not stored.
@@ -95,7 +98,7 @@ class KeyPlace {
   /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
   /// The struct of a sub-table, or a new element of a list of sub-tables. It is default-constructed
-  /// unless it is a plain member. Its member `given` becomes true.
+  /// unless it is a plain member. If it has a member `given`, this becomes true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// True if the member has the same value in both structs.
   ///
@@ -200,8 +203,9 @@ using KeyGiven = std::function<bool(std::string_view)>;
 class KeyRule {
  public:
   KeyRule() = default;
+  /// Implicit, so that a table entry can be the bare function.
   template <class T>
-  KeyRule(std::optional<KeyFault> (*rule)(T&, const KeyGiven&))  // NOLINT: a table names it
+  KeyRule(std::optional<KeyFault> (*rule)(T&, const KeyGiven&))  // NOLINT
       : rule_([rule](KeyTarget input, const KeyGiven& given) {
           return rule(input.as<T>(), given);
         }) {}

@@ -1,8 +1,8 @@
-// The words, symbols and keys of the flank modifications. The keys of [gearN.modifications] are made
-// from this table.
+// The table of the flank modifications with their words, symbols and keys. The keys of
+// [gearN.modifications] are made from it.
 //
-// A key applies to both flanks. With the prefix right_ or left_ it applies to one flank and takes
-// precedence.
+// A key without a prefix applies to both flanks. A key with the prefix right_ or left_ applies to
+// one flank and takes precedence.
 #pragma once
 
 #include <array>

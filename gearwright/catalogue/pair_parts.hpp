@@ -93,9 +93,9 @@ const Quantities<ParallelPair>& needed_face_quantities();
 const Quantities<InvolutePair>& sliding_velocity_quantities();
 const Quantities<InternalMargins>& internal_quantities();
 
-/// The first function gives the helix angle of gear i on its working pitch cylinder. The second
-/// gives the transverse pressure angle on this cylinder, which follows from the normal angle of the
-/// rack at the first contact. Both angles are in rad.
+/// working_helix() is the helix angle of gear i on its working pitch cylinder. working_transverse()
+/// is the transverse pressure angle on this cylinder, computed from the normal angle of the rack at
+/// the first contact. Both angles are in rad.
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 

@@ -1,4 +1,5 @@
-// The quantities of a mounted pair: `pair` in a result, and the table of pair data.
+// The quantities of a mounted pair, for the table of pair data. A result contains them under
+// `pair`.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

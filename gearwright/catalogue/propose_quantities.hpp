@@ -1,4 +1,4 @@
-// The quantities of proposed flank modifications: `propose` of a result.
+// The quantities of proposed flank modifications. A result contains them under `propose`.
 #pragma once
 
 #include <array>
@@ -12,8 +12,9 @@
 
 namespace gearwright {
 
-/// The profile modifications of a proposal. They are the modifications of the spec, or short or
-/// long reliefs at the tips of both gears, or at the tip and the root of gear 1.
+/// The profile modifications of a proposal. They are either the modifications of the spec or
+/// reliefs. Reliefs are short or long. They are at the tips of both gears, or at the tip and the
+/// root of gear 1.
 enum class ProposedProfile { as_given, short_tips, long_tips, short_gear1, long_gear1 };
 
 /// The amounts of a gear in mm. An amount is empty if the proposal keeps the value of the spec.
@@ -30,7 +31,7 @@ struct ProposedLoad {
 
 struct Proposal {
   ProposedProfile profile = ProposedProfile::as_given;
-  bool pitch = false;  ///< true if the reliefs include pitch deviations
+  bool pitch = false;  ///< true if the reliefs are also sufficient for the pitch deviations
   bool lead = false;   ///< true if there is a helix crowning and slope
   std::array<ProposedGear, 2> gears{};
   std::vector<ProposedLoad> loads{};       ///< results for each torque

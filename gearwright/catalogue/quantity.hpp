@@ -56,10 +56,11 @@ struct QuantityInfo {
   std::string meaning{};  ///< one sentence without full stop, with the condition under which the
                           ///< value exists
   Type type = Type::number;
-  std::vector<int> list{};            ///< lengths of nested lists, 0 for any; empty for one value
+  std::vector<int> list{};            ///< lengths of nested lists, 0 for any length; empty for one
+                                      ///< value
   Two two = Two::values;              ///< meaning of a list of two values
-  bool always = false;                ///< true if the value is never null; the type of the getter
-                                      ///< shows this, see Shape
+  bool always = false;                ///< true if the value is never null; by default this follows
+                                      ///< from the type of the getter (Shape)
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
   std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
@@ -69,8 +70,8 @@ struct QuantityInfo {
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
   bool only_inch = false;                  ///< true if it is shown only for inch specs
-  bool optional_key = false;               ///< true if the key is absent when the quantity does not
-                                           ///< exist; otherwise its value is null
+  bool optional_key = false;               ///< if the quantity does not exist: true if the key is
+                                           ///< then absent, false if its value is null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -116,7 +117,7 @@ struct Quantity {
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
-  // The value exists only if the subject has the part.
+  // The value exists only if the subject has the part to which the entry belongs.
   Quantity& when() { return when(there); }
   Quantity& expected() { return expected(there); }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
@@ -148,8 +149,8 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject, or the records of a range of subjects. They may be optional or given by a
-/// pointer. A finished value is returned unchanged.
+/// The record of a subject, or the records of a range of subjects. The subject or the range may be
+/// optional or given by a pointer. A finished value is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
   if constexpr (std::is_same_v<R, T>) {
@@ -163,7 +164,7 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// A type with the shape of record_value() for a getter that returns R.
+/// Returns a type that has the Shape of the result of record_value() if a getter returns R.
 template <class T, class R>
 auto record_shape() {
   if constexpr (std::is_same_v<R, T>) {
@@ -189,8 +190,8 @@ std::function<Value(const S&)> getter(Unit unit, G get) {
   }
 }
 
-/// The functions that add an entry of S to `Self`. Each adds one quantity, whose unit is the unit
-/// at the end of its key. `symbol` may be empty.
+/// The functions that add an entry of S to `Self`. Each function adds one quantity. The ending of
+/// the key gives the unit of the quantity. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:
@@ -339,7 +340,7 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
     shape<std::remove_cvref_t<std::invoke_result_t<G, const P&>>>(q.info);
     return q;
   }
-  /// As Quantities::shape(). The value is null if the subject does not have the part.
+  /// Like Quantities::shape(), but the value may be null, because a subject may lack the part.
   template <class R>
   static void shape(QuantityInfo& info) {
     info.list = Shape<R>::list();
@@ -351,10 +352,10 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
 };
 
 template <class S>
-S subject_of(void (*fill)(Quantities<S>&));  // only declared, for its type
+S subject_of(void (*fill)(Quantities<S>&));  // only declared, because only its type is used
 
-/// The quantities that the lambda `fill` adds. They are made at the first call. Every lambda has its
-/// own type, and so every call in the code has its own quantities.
+/// The quantities that the lambda `fill` adds. They are made at the first call. Every lambda has
+/// its own type, so each place in the code that calls define() has its own quantities.
 template <class Fill, class S = decltype(subject_of(+std::declval<Fill>()))>
 const Quantities<S>& define(const char* name, Fill fill) {
   static_assert(std::is_empty_v<Fill>, "functions of the same type would share their quantities");
@@ -371,17 +372,18 @@ const Quantities<S>& define(const char* name) {
 /// drawing), and 5 for degrees (0.17 µm on a radius of 1 m) and for pure numbers.
 int digits_of(const QuantityInfo& info);
 
-/// The unit system of the values of a quantity in an answer in `units`. Modules are in mm in both
-/// systems.
+/// The unit system in which an answer in `units` shows the values of this quantity. Modules are in
+/// mm in both systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
-/// A value as text for users without its unit, or `none` if there is no value. A list is written
-/// "x, y, z", two ends are written "lo … hi", a fraction "p/q", and values by name "a x, b y".
+/// A value as text for users, without its unit. If there is no value, the text is `none`. A list is
+/// written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as "a x, b
+/// y".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 
-/// A row for users with one quantity and a text for each column. A value that both gears share has
-/// one text.
+/// A row for users. It has one quantity and a text for each column, or a single text for a value
+/// that both gears share.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -394,10 +396,10 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// The table for users, either of records side by side (two gears) or of one record with values for
-/// each gear (a pair). It contains the quantities of the interface `door` that at least one record
-/// shows, under their headings, in these units. The quantities of inner records are also rows.
-/// `table` is the table of the records.
+/// The table for users. It shows either records side by side (two gears) or one record with values
+/// for each gear (a pair). It contains the quantities of the interface `door` that at least one
+/// record shows, under their headings, in these units. The quantities of inner records are also
+/// rows. `table` is the table of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");

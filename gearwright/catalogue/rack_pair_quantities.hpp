@@ -1,5 +1,5 @@
-// The quantities of a rack and of its pair with a pinion. They are `gears` and `pair` in a result
-// for a rack and its pinion.
+// The quantities of a rack and of its pair with a pinion. A result for a rack and its pinion
+// contains them under `gears` and `pair`.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -36,8 +36,8 @@ const KeyTable& load_bin_keys();
 
 constexpr std::size_t kMaxLoadBins = 1000;
 
-// The keys of [load] and [[load.probe]], which are the torque and the resolution of the
-// computation.
+// The keys of [load] and [[load.probe]], which give the torque, the probes and the resolution of
+// the computation.
 
 const KeyTable& load_keys();
 const KeyTable& load_probe_keys();

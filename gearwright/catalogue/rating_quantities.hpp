@@ -1,4 +1,4 @@
-// The quantities of a strength rating, which are `rating` in a result.
+// The quantities of a strength rating. A result contains them under `rating`.
 //
 // Each factor is described once, with its member of the rating. All interfaces use this description
 // for the value, the formula number and the branch.
@@ -27,15 +27,17 @@ struct RatingView {
   RatingInput input;
   Rating rating;
   std::optional<SpectrumRating> spectrum;
-  std::optional<double> torque_holding;  ///< N m, greatest torque with the required safeties
-  std::optional<double> face_holding;    ///< mm, least common face width for these safeties
-  std::optional<ToothContact> contact;   ///< if the spec requests it
+  std::optional<double> torque_holding;  ///< N m, greatest torque at which the pair has the
+                                         ///< required safeties
+  std::optional<double> face_holding;    ///< mm, least common face width with which the pair has
+                                         ///< these safeties
+  std::optional<ToothContact> contact;   ///< none unless the spec requests it
 };
 
 const Quantities<RatingView>& rating_quantities();
 
-/// The clause of the standard for a factor, and the branch that was used. There are two branches,
-/// for gear 1 and gear 2, if they differ.
+/// The clause of the standard for a factor, and the branch that was used. If the branches for gear
+/// 1 and gear 2 differ, both are listed.
 struct FactorSource {
   std::string key, formula;
   std::vector<std::string> branches;

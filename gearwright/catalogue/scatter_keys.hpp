@@ -1,4 +1,4 @@
-// The keys of [scatter] and its tables, which are the variations from pair to pair and the
+// The keys of [scatter] and its tables, which give the variations from pair to pair and the
 // requested results.
 #pragma once
 
@@ -16,7 +16,8 @@ namespace gearwright {
 /// [scatter.bearings]
 struct ScatterBearings {
   double span = 0.0;    ///< L  mm, distance of the bearings of a shaft
-  double radius = 0.0;  ///< R  mm, of the circle in which a bore can lie
+  double radius = 0.0;  ///< R  mm, radius of the circle in which a bore of axis 1 can lie, relative
+                        ///< to the bore of axis 2 in the same wall
   double offset = 0.0;  ///< c  mm, position of the gears from the middle of the span, towards +z
 };
 
@@ -38,7 +39,8 @@ struct ScatterRobust {
   std::vector<std::size_t>
       corrections;  ///< indices in correction_entries; empty for the default ones
   double percentile = 95.0;
-  std::optional<std::array<double, 2>> range;  ///< range of every correction, in its unit
+  std::optional<std::array<double, 2>> range;  ///< range of every correction, in the unit of the
+                                               ///< correction
 };
 
 /// [scatter]
@@ -55,8 +57,10 @@ struct ScatterInput {
   bool loosening = false;
   bool pattern = false;                       ///< true if the density of patterns is also computed
   bool loaded = false;                        ///< true if contact under [load] is also computed
-  std::optional<std::array<int, 2>> quality;  ///< A for both gears; by default their own grades
-  int loaded_samples = 256;                   ///< limit of the samples of all replicates under load
+  std::optional<std::array<int, 2>> quality;  ///< accuracy grades A of gear 1 and gear 2; by
+                                              ///< default the grades in their own tables
+  int loaded_samples = 256;                   ///< greatest number of samples under load, over all
+                                              ///< replicates
   /// A distribution for each of error_entries(), in the unit of its key.
   std::array<std::optional<DistributionSpec>, kErrorCount> errors;
   std::optional<ScatterBearings> bearings;

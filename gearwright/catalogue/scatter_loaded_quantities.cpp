@@ -1,4 +1,4 @@
-// The quantities of a family of pairs under torque, which are `scatter.loaded` in a result.
+// The quantities of a family of pairs under torque. A result contains them under `scatter.loaded`.
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 

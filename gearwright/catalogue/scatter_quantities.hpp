@@ -44,8 +44,8 @@ const std::array<LoadedEntry, 3>& loaded_entries();
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  /// For each percentile, the sample nearest to it, with its errors as in a spec and its other
-  /// changes.
+  /// For each percentile, the nearest sample. It has the errors in the form of a spec, followed by
+  /// the other inputs of the sample.
   ValueList samples;
 };
 
@@ -61,8 +61,8 @@ struct LoadedSpreadView {
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// Statistics of the family without or with corrections, from the samples that are used to compare
-/// them.
+/// Statistics of the family without corrections or of the family with corrections, from the samples
+/// by which the two are compared.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
@@ -96,7 +96,8 @@ const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();
 const Quantities<LoadedSpreadView>& loaded_spread_quantities();
 
-// The quantities of the density of contact patterns: `scatter.pattern` of a result.
+// The quantities of the density of contact patterns. A result contains them under
+// `scatter.pattern`.
 
 const Quantities<PatternDensity>& density_quantities();
 

@@ -1,4 +1,5 @@
-// The quantities of designs ranked by their scatter: `scatter_designs` of a result.
+// The quantities of designs ranked by their scatter. A result contains them under
+// `scatter_designs`.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace gearwright {
 struct ScatteredDesign {
   std::int64_t number;  ///< its rank in the search
   DesignView design;
-  const ScatterView* scatter;  ///< null if it could not be computed
-  std::string reason{};        ///< the reason, if it could not be computed
+  const ScatterView* scatter;  ///< null if the scatter could not be computed
+  std::string reason{};        ///< the reason, if the scatter could not be computed
 };
 const Quantities<ScatteredDesign>& scattered_design_quantities();
 

@@ -1,5 +1,5 @@
-// The quantities of designs found by a search. They are `search.designs[i]`, the columns of CSV and
-// Parquet, and the page's table.
+// The quantities of designs found by a search. A result contains them under `search.designs[i]`.
+// They are also the columns of CSV and Parquet and of the page's table.
 #pragma once
 
 #include <functional>
@@ -28,14 +28,16 @@ struct SearchView {
   const SearchAnswer* answer;
   const std::vector<NearestChange>* changes;
   const DesignRow* safest = nullptr;          ///< NearestChanges::safest
-  std::optional<double> default_face_load{};  ///< K_Hβ of a rated search whose spec has none
+  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
+                                              ///< spec gives none
 };
 const Quantities<SearchView>& search_quantities();
 
-/// The quantities of a point of the grid of profile shifts. They are only columns of tables.
+/// The quantities of a point of the grid of profile shifts. They occur only as columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change of the spec with its key and its words: search.interference from "exclude" to "flag".
+/// A change of the spec, with the key and with the values in the words of the spec:
+/// search.interference from "exclude" to "flag".
 struct SpelledChange {
   std::string key, from, to;
 };

@@ -63,7 +63,8 @@ std::vector<Json> element_schemas(const Key& key) {
     }
     case KeyKind::any: break;
   }
-  // A value of several forms whose numbers have a range is a number, a list or numbers by name.
+  // If the value may have several forms and its numbers have a range, the value is a number, a list
+  // of numbers, or a table of numbers by name.
   if (!key.range.limited()) return {};
   const Json number = number_schema(key);
   return {number,
@@ -157,8 +158,9 @@ Json gears_or_search() {
           {"else", std::move(alone)}};
 }
 
-// Removes the condition that keys of [rating] need a speed and returns it for specs without a
-// drive. A drive takes the speed from its input.
+// Some keys of [rating] need a speed. This condition is removed from the schema of [rating] and
+// returned as a condition for specs without a drive, because a drive takes the speed from its
+// input.
 Json needs_outside_drives(Json& rating) {
   Json needs = std::move(rating["dependentRequired"]);
   rating.erase("dependentRequired");

@@ -22,7 +22,7 @@ std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
 }
 
-// Adds all keys of `table` at `path` that set the member to `found`.
+// Adds to `found` all keys of `table`, which is at `path`, that set the member.
 void find_keys(const KeyTable& table, const std::string& path, std::string_view member,
                std::vector<Spelling>& found) {
   for (const Key& key : table.keys) {
@@ -64,8 +64,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// The key whose number is the member itself, if another key is given. The number of the other key
-// is converted, such as a diametral pitch to a module.
+// If the spec gives a key whose number is converted, such as a diametral pitch, the result is the
+// key whose number is the member itself, such as the module.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)

@@ -4,8 +4,8 @@
 //   gear1.tip_diameter = 10: must be greater than the root diameter 35 mm
 //   gear1.tip_diameter_mm = 10: must be greater than the root diameter 35 mm
 //
-// Members in a sentence are in backticks. They are searched first next to the member of the error,
-// then in the enclosing tables.
+// Members in a sentence are in backticks. The key of such a member is searched first in the table
+// of the error, then in the enclosing tables.
 #pragma once
 
 #include <map>
@@ -31,8 +31,8 @@ struct GivenKeys : std::set<std::string, std::less<>> {
 /// a second call has no effect.
 Error spelled(const Error& error, const GivenKeys& given = {});
 
-/// The error, whose field is a key of the catalogue, in the units of the spec. A value that the
-/// spec gives is shown as it is written.
+/// Converts an error, whose field is a key of the catalogue, to the units of the spec. A value that
+/// the spec gives is shown as it is written.
 Error in_units_of(const GivenKeys& given, const Error& error);
 
 /// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence

@@ -1,6 +1,6 @@
 // Converts sentences of the program, which are written in mm, to inch. Numbers and keys are
 // converted. Every length in a sentence has its own unit, "1 mm, 2 mm and 5 mm". A module stays in
-// mm. Its unit follows after a no-break space and is therefore not converted.
+// mm. The unit of a module follows a no-break space, so it is not found and not converted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,9 +50,9 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit. A text of four or more digits, three of them decimals, is usually rounded,
-// so the result has one digit less and is correct in all digits. Other texts give at least four
-// digits.
+// The number in the inch unit. If the text has four or more digits and three of them are decimals,
+// it is usually rounded. The result then has one digit less, so that all its digits are correct.
+// Otherwise the result has at least four digits.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";

@@ -23,8 +23,8 @@ constexpr std::array kKeyUnits{KeyUnit{"_mm_per_rad", "_in_per_rad", kMm, false}
                                KeyUnit{"_mm", "_in", kMm, false},
                                KeyUnit{"_um", "_uin", kUm, false}};
 
-// Keys that have the same name in both systems. The list also contains names that the rule for
-// endings would give them in the other system.
+// Keys that have the same name in both systems. The list also contains the names that these keys
+// would have in the other system by the rule for endings.
 constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "module_in",
                                                    "normal_module_mm",
@@ -38,8 +38,8 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "diametral_pitches_per_in",
                                                    "diametral_pitches_per_mm"};
 
-// Numbers of a toleranced length, { range = [-1, 1], cpk = 1.33 }, that are not lengths, and samples
-// of a length, whose members have units of their own.
+// Keys in the table of a toleranced length, { range = [-1, 1], cpk = 1.33 }, whose numbers are not
+// lengths, and `samples`, whose members have units of their own.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
 template <class List>
@@ -140,7 +140,8 @@ double KeyUnit::to_metric(double inch_value) const {
   const auto there = [&](double y) { return static_cast<double>(inverse ? y / size : y * size); };
   const double exact = there(inch_value);
   const double shorter = rounded(exact, kSafeDigits);
-  // If a number of a mm spec was divided by 25.4 in double, the quotient has one rounding error.
+  // The inch value may be a short number in mm that was divided by 25.4 in double. If so, the
+  // quotient has one rounding error, and the result is the short number.
   const auto back = static_cast<double>(inverse ? shorter * size : shorter / size);
   return std::nextafter(back, inch_value) == inch_value ? shorter : exact;
 }

@@ -23,11 +23,11 @@ std::string_view to_string(UnitSystem units);
 
 /// The unit that replaces a unit of the catalogue in this system: Unit::inch for Unit::mm.
 Unit unit_in(UnitSystem units, Unit unit);
-/// A value in the unit that replaces `unit`. Of the numbers that equal this value within rounding,
-/// the result is the one with the fewest digits.
+/// A value in the unit that replaces `unit`. Among the numbers that equal this value within
+/// rounding, the result has the fewest digits.
 double value_in(UnitSystem units, Unit unit, double value);
-/// The number of decimals for users of a value that has `digits` decimals in `unit`: one more in
-/// inch, and one less in µin or 1/in. The resolution changes by a factor of less than 4.
+/// The number of decimals shown to users, for a value that has `digits` decimals in `unit`: one
+/// more in inch, and one less in µin or 1/in. The resolution changes by a factor of less than 4.
 int digits_in(UnitSystem units, Unit unit, int digits);
 
 /// The text of a value in the unit that replaces `unit`, with the number of decimals of
@@ -39,30 +39,30 @@ std::string_view unit_text(UnitSystem units, Unit unit);
 /// A unit of length of the metric system and the unit that replaces it in the inch system.
 struct KeyUnit {
   std::string_view metric, inch;  ///< endings of a key, "_mm" and "_in"
-  long double size;               ///< size of the inch unit in the metric unit
+  long double size;               ///< size of the inch unit, in metric units
   bool inverse;                   ///< true for units 1/length
 
-  /// The value in the inch unit, and back. A number of up to 12 digits in inch is unchanged by
-  /// to_metric() followed by to_inch().
+  /// The functions convert a value to the inch unit and back. A number of up to 12 digits in inch
+  /// is unchanged by to_metric() followed by to_inch().
   double to_inch(double metric_value) const;
   double to_metric(double inch_value) const;
 };
 
 /// The unit of a key or of a path of keys, "gear1.face_width_mm" or "gear1.measured.span_mm.3", if
-/// it is a length of the catalogue. Null for other keys, whose unit is the same in both systems.
+/// the key has a unit of length. Null for other keys, whose unit is the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
 /// The unit of a key in an inch spec, "gear1.face_width_in". Null for keys whose unit is the same
 /// in both systems.
 const KeyUnit* inch_unit(std::string_view key);
 
-/// True if the numbers of this key have the unit of the key of their table. An example is `3` in
-/// span_mm = { 3 = 19.751 }.
+/// True if the numbers under this key have the unit that the key of the enclosing table gives. An
+/// example is `3` in span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
-/// The name in this system of a key or a path of the catalogue: "face_width_in" for
+/// The name that a key or a path of the catalogue has in this system: "face_width_in" for
 /// "face_width_mm".
 std::string key_in(UnitSystem units, std::string_view key);
-/// The name in the catalogue of a key of an inch spec: "face_width_mm" for "face_width_in".
+/// The name that a key of an inch spec has in the catalogue: "face_width_mm" for "face_width_in".
 std::string metric_key(std::string_view key);
 
 /// A sentence in this system. Names of keys, and numbers before " mm" or " µm" or after "key = ",

@@ -29,7 +29,7 @@ class Value {
   using Variant = std::variant<std::monostate, bool, long long, double, std::string, ValueList,
                                ValueRecord, ValueMap>;
 
-  // NOLINTBEGIN(google-explicit-constructor): a getter returns what it has.
+  // NOLINTBEGIN(google-explicit-constructor): implicit, so that getters can return these types.
   Value() noexcept;  ///< no value, which is null in JSON
   // These are defined in value.cpp, where Member is complete. clang requires this for functions
   // that may destroy the variant.
@@ -85,7 +85,7 @@ struct Member {
   const QuantityInfo* info;  ///< points into the catalogue, which exists as long as the program
                              ///< runs
   Value value;
-  bool shown = true;  ///< true if users see a row with the value, or with a dash for none
+  bool shown = true;  ///< true if users see a row; the row has a dash if there is no value
 };
 
 /// True if `value` is null, or a list without any other value than null.

@@ -1,5 +1,6 @@
-// The shape of a value of a result, which the type of its getter shows: the lengths of lists, and
-// whether the value can be null. Entries of the catalogue state only what the type does not show.
+// The shape of a value of a result: the lengths of its lists, and whether the value can be null.
+// The shape follows from the type of the getter, so entries of the catalogue state only the facts
+// that do not follow from this type.
 #pragma once
 
 #include <array>

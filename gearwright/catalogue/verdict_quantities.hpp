@@ -1,4 +1,4 @@
-// The quantities of a verdict, which are `verdict` in a result.
+// The quantities of a verdict. A result contains them under `verdict`.
 #pragma once
 
 #include "gearwright/catalogue/quantity.hpp"

@@ -1,7 +1,8 @@
-// Work in numbered chunks that several processes may share: a search, or a study of its designs. The
-// finished chunks stay in a folder, so that the work can be stopped, resumed and divided.
+// A search, or a study of the designs of a search, runs in numbered chunks. Several processes may
+// share the chunks. Finished chunks stay in a folder, so that the work can be stopped, resumed and
+// divided.
 //
-// A build without the store has campaign_without.cpp, which rejects the folder.
+// A build without the store (store/) compiles campaign_without.cpp, which rejects any folder.
 #pragma once
 
 #include <algorithm>
@@ -26,14 +27,17 @@ struct CampaignOptions {
   bool resume = false;
   int shard = 1, shards = 1;      ///< this process computes every `shards`-th chunk, starting at
                                   ///< shard − 1
-  bool many = false;              ///< true if shards or ranks may have opened the folder before
-  bool together = false;          ///< true for ranks; the first rank then opens the folder for all
+  bool many = false;              ///< true if other shards or ranks may already have opened the
+                                  ///< folder
+  bool together = false;          ///< true for a rank; the first rank opens the folder for all
+                                  ///< ranks
   std::string writer = "search";  ///< name of this process in the journal
-  /// Draws the number of the next chunk from a shared queue. If it is empty, the process has its
-  /// own queue. It is called by one thread at a time.
+  /// Returns the number of the next chunk in a queue that several processes share. If this function
+  /// is empty, the process has its own queue. One thread at a time calls it.
   std::function<std::int64_t()> next_chunk;
-  /// Receives true if the folder could be opened, and returns true to continue. Ranks that join
-  /// call it before they open the folder.
+  /// Shares among the ranks whether the first rank could open the folder, and returns this result.
+  /// The first rank passes the result. Every other rank passes true before it opens the folder, and
+  /// does not open it if the function returns false.
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done. Returns true if this process makes the files.
   std::function<bool()> finish_together;
@@ -72,8 +76,8 @@ class ChunkQueue {
 /// The reason why this build cannot keep finished chunks in a folder, or nothing if it can.
 std::optional<Error> refuse_folder();
 
-/// The store in the folder of the options, or nothing if the first process could not open the
-/// folder. If `refused` is set, the folder must not be used, and `refused` is the error.
+/// The store in options.out. For the other ranks, there is no store if the first rank could not
+/// open the folder. If `refused` is set, the folder must not be used, and `refused` is the error.
 ///
 /// Throws    IoError
 /// Errors    `refused`; the errors of ChunkStore::open

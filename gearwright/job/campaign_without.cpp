@@ -1,4 +1,4 @@
-// The version without the store cannot save a search or a study in a folder.
+// The functions of campaign.hpp in a build without the store, which cannot save chunks in a folder.
 #include <nlohmann/json.hpp>
 
 #include "gearwright/job/scatter_study.hpp"

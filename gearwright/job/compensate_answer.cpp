@@ -36,8 +36,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// The slope dTE/dφ1 of tooth pair 0 in the middle of its mesh, after a change of the lead angle of
-// one gear.
+// The slope dTE/dφ1 in the middle of the mesh of tooth pair 0, if the lead angle of `gear` is
+// changed by `delta_lambda`.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -118,8 +118,8 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
 }
 
 constexpr int kPositions = 24;
-// Under load, a curve of the transmission error takes a hundred times as long to compute, so fewer
-// positions and fewer corners of the range are computed.
+// Under load, computing a curve of the transmission error takes a hundred times as long as without
+// load, so fewer positions and fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;
 
 bool gear2_drives(const JobSpec& spec) {
@@ -137,7 +137,7 @@ std::vector<ContactErrors> errors_of(const std::vector<NamedErrors>& scenarios) 
   return errors;
 }
 
-// The scenario of given values of the errors, in the units of their keys.
+// The scenario in which the errors `ranged` have the values `value`, in the units of their keys.
 NamedErrors scenario_at(const ContactSetup& setup, const std::vector<std::size_t>& ranged,
                         const std::array<double, kErrorCount>& value) {
   NamedErrors s{"", setup.place().errors};
@@ -156,7 +156,7 @@ std::vector<std::size_t> ranged_errors(const CompensateInput& input) {
   return ranged;
 }
 
-// The given errors, followed by the errors at every corner of the range.
+// The scenario of the errors in the spec, followed by a scenario for every corner of the range.
 std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const CompensateInput& input) {
   std::vector<NamedErrors> list{{"as given", setup.place().errors}};
   const std::vector<std::size_t> ranged = ranged_errors(input);
@@ -170,8 +170,9 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
   return list;
 }
 
-// Computes the corrections for the scenarios. As long as errors inside the ranges are worse for the
-// corrected pair than every scenario, they become another scenario.
+// Computes the corrections for the scenarios. Then the ranges are searched for errors under which
+// the corrected pair is worse than in every scenario. If there are such errors, they become another
+// scenario, and the corrections are computed again.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {
@@ -211,8 +212,8 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
       0};
 }
 
-// For each torque, the worst score over the scenarios without and with the corrections, computed at
-// the reported positions.
+// For each torque, the worst score over all scenarios, once without and once with the corrections.
+// The scores are computed at the reported positions.
 std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask& task,
                                    const std::vector<double>& found) {
   std::vector<AimedLoad> loads;
@@ -245,8 +246,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Two kinds of warnings are kept: warnings about the range of errors, which includes the errors
-  // of the spec, and warnings about the load.
+  // Two kinds of warnings of the job are kept: warnings about the range of errors, because the
+  // range includes the errors of the spec, and warnings about the load.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
@@ -269,8 +270,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Contact at every position is checked before the search. If the teeth are too short for it, no
-  // correction can restore contact.
+  // Before the search, contact is required at every position. If the teeth are too short for this,
+  // no correction can restore contact.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);
@@ -360,8 +361,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
 
 namespace {
 
-// Pressures that differ by less than this, MPa, count as equal. It is one ten-thousandth of usual
-// flank pressures.
+// Pressures count as equal if they differ by less than this number of MPa, which is one
+// ten-thousandth of a usual flank pressure.
 constexpr double kSamePressure = 0.1;
 
 }  // namespace
@@ -377,7 +378,7 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   auto compliance = held.task.compliance();
   if (!compliance) return compliance.error();
   held.compliance = std::move(compliance).take();
-  request.progress = nullptr;        // progress counts trials, not their positions
+  request.progress = nullptr;        // null, because progress is reported per trial
   std::vector<Warning> of_the_pair;  // warnings about the uncorrected pair, which are not reported
   if (auto error = judge_load(held.task, held.task.contact(held.compliance), of_the_pair))
     return *error;

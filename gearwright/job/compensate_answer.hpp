@@ -1,9 +1,10 @@
-// Corrections that a workshop can make against the errors of a housing: the verb `compensate`.
+// The verb `compensate` computes corrections by which a workshop can compensate errors of a
+// housing.
 //
-// If closed forms exist for the teeth, they are computed first: the tool setting that restores the
-// contact of circular-arc teeth after a change of centre distance, and the lead of either gear that
-// removes the slope of the transmission error. Then the requested corrections are computed for the
-// whole range of errors.
+// If closed forms exist for the teeth, they are computed first. One is the tool setting that
+// restores the contact of circular-arc teeth after a change of centre distance. The other is the
+// change of lead, for each gear, that removes the slope of the transmission error. Then the
+// requested corrections are computed for the whole range of errors.
 #pragma once
 
 #include <memory>
@@ -29,22 +30,22 @@ struct CompensateAnswer : CompensateView {
 ///
 /// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
-///           `compensate.range` if nothing touches in a corner of the range with any correction
-/// `curves`  like CompensationTask::curves
+///           `compensate.range` if nothing touches at a corner of the range, even with the computed
+///           corrections
+/// `curves`  is described at CompensationTask::curves
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
-/// A record with the title and "compensate".
+/// A record with the title, and with the result under "compensate".
 Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 
-// Corrections for loaded teeth: the quantity that `compensate` minimises under the torques of
-// [load].
+// The quantity that `compensate` minimises for loaded teeth, under the torques of [load].
 //
 // The compliance of the teeth is computed once, because corrections change the flanks by a few µm
-// only. If all corrections remove material from flanks with line contact, the trials near a pair
-// change only the gaps that were computed for it (NearbyLoad). Other trials repeat the contact
-// analysis.
+// only. If all corrections remove material from flanks with line contact, a trial near an analysed
+// pair only changes the gaps that were computed for that pair (NearbyLoad). Other trials repeat the
+// contact analysis.
 //                                            theory: docs/theory/12-loaded-contact.md, [T12.20]
 
 class LoadedAim {
@@ -58,8 +59,8 @@ class LoadedAim {
   /// The peak-to-peak transmission error in rad, or the pressure in MPa, for the worst of the
   /// torques. The gears that `corrections` modify must have fields of removed material.
   CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
-  /// The score for each torque with this number of positions per pitch. A score is NaN in the cases
-  /// that are described at loaded_scores.
+  /// The score for each torque with this number of positions per pitch. loaded_scores describes the
+  /// cases in which a score is NaN.
   std::vector<LoadedScore> scores(const ContactPair& pair, int positions) const;
   int positions() const { return held_->task.request.positions; }
   const std::vector<double>& torques() const { return held_->task.request.torques; }  ///< N mm

@@ -51,7 +51,7 @@ void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>
 }
 
 // Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
-// outlines of the gears determine whether this happens, [T2.34] and [T4.33].
+// outlines of the gears alone determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const bool gear2_drives = input.driver == 2;
@@ -106,7 +106,8 @@ auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
                     analyse_contact(mesh(!gear2_drives), other)};
 }
 
-// Judges the contact of the pair of a setup, and adds what `input` requests.
+// Judges the contact of the pair in `setup`, and adds the map and the pattern if `input` requests
+// them.
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
                                 std::array<ContactResult, 2> found, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {
@@ -234,7 +235,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
 
 ContactErrors errors_of(const SolvedJob& job) {
   if (!job.pair && !job.rack) return {};
-  // An error of a rack's teeth is rejected later, so its amount does not matter.
+  // An error of the rack's teeth is rejected later, so the pinion may replace the rack here.
   const std::array<const Gear*, 2> gears{job.rack ? &job.rack->pinion : &job.pair->gear(1),
                                          job.rack ? &job.rack->pinion : &job.pair->gear(2)};
   ContactErrors errors;

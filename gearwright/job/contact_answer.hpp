@@ -1,6 +1,6 @@
-// The verb `contact`: both flanks of a pair, of a rack and its pinion, or of both halves of a
-// double-helical pair, under the errors and modifications of the spec. The influences of these
-// errors have names.
+// The verb `contact` analyses the working and the non-working flanks under the errors and
+// modifications of the spec. The flanks belong to a pair, to a rack and its pinion, or to the two
+// halves of a double-helical pair. The influences of the errors have names.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ Result<ContactSetup> setup_of(const SolvedJob& job);
 ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::size_t index,
                          double value);
 
-/// A number whose influence is computed, with its key in results and its unit in rad or mm.
+/// The influence of one number of the spec, with its key in results and the unit of this key.
 struct NamedInfluence {
   std::string key;    ///< "crossing_per_deg", "gear1_lead_crowning_per_um"
   double unit = 1.0;  ///< one unit of the key, in rad or mm
@@ -43,15 +43,15 @@ struct NamedInfluence {
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
 /// For a double-helical pair, the results describe the whole gears. Their halves share the load,
-/// because one gear floats along its axis (contact/halves.hpp). There is no pattern.
+/// because one gear floats along its axis (contact/halves.hpp). Such an answer has no pattern.
 struct ContactAnswer {
   /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
   std::optional<ContactSetup> setup;
-  ContactResult driving;          ///< the working flanks for the gear that drives
+  ContactResult driving;          ///< the working flanks for the given driving gear
   ContactResult other;            ///< the non-working flanks, at the same positions
   std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// The peak-to-peak transmission error of the working flanks over the continuous curve, or
-  /// nothing if contact is lost.
+  /// The peak to peak of the continuous transmission error of the working flanks, or nothing if
+  /// contact is lost.
   std::optional<Angle> continuous_span;
   std::optional<ErrorMap> map;
   std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
@@ -61,11 +61,11 @@ struct ContactAnswer {
   ContactResult on_halves{};          ///< the positions of both halves, from which the verdict is
                                       ///< computed
 
-  /// The contact of the working flanks on which the verdict is based.
+  /// The contact of the working flanks, in the form from which the verdict is computed.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// The options of the contact of a rack and its pinion that a spec requests.
+/// The options that a spec requests for the contact of a rack and its pinion.
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position
@@ -73,7 +73,7 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullpt
 
 /// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-/// A record with the title and "contact".
+/// A record with the title, and with the result under "contact".
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 

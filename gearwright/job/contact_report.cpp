@@ -81,7 +81,7 @@ bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
 }
 
-// The errors under which a pattern of the report is computed: one error alone, or all errors.
+// The errors under which a pattern of the report is computed: none, one error alone, or all errors.
 struct Under {
   std::string name;
   ContactErrors errors;
@@ -137,8 +137,8 @@ ContactReport report_of(const FlankContact& flanks, const RasterSize& size) {
   return r;
 }
 
-// True if the answer has equal positions over one pitch, as a report. Otherwise the contact is computed
-// again.
+// True if the positions of the answer are equally spaced over one pitch, as a report requires.
+// Otherwise the contact is computed again for the report.
 bool fits_report(const ContactInput& input) {
   return input.rotations.empty() && input.pitches == 1;
 }
@@ -286,8 +286,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the rule of the error is sufficient, because it is about the whole pair.
-    // Otherwise the message also names the invalid number.
+    // If nothing touches, the reason is the rule of the error alone, because the rule describes the
+    // whole pair. Otherwise the reason also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

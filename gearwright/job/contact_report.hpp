@@ -1,4 +1,4 @@
-// The contact part of the report: the result, patterns and maps, with names in words.
+// The contact part of the report contains the result, patterns and maps, and names errors in words.
 #pragma once
 
 #include <memory>
@@ -21,7 +21,7 @@ bool wants_contact(const SolvedJob& job);
 /// The contact of one pair of flanks over a pitch, with the data of its pictures. The flanks belong
 /// to two gears, to a pinion and its rack, or to one half of a double-helical pair.
 struct FlankContact : ContactScene {
-  std::shared_ptr<const ContactPair> pair;  ///< the mirror image of a half at z < 0
+  std::shared_ptr<const ContactPair> pair;  ///< for the half at z < 0, its mirror image
   bool below = false;                       ///< true for the half at z < 0
   Angle behind{};                           ///< rotation of this half minus the rotation of gear 1
 
@@ -31,7 +31,8 @@ struct FlankContact : ContactScene {
   FlankRaster gap(const ContactPoint& at, const RasterSize& size) const;
 };
 
-/// Both halves, from their results over a pitch; only the half at z > 0 if they are mirror images.
+/// The contact of both halves, from their results over a pitch. If the halves are mirror images,
+/// the list has only the half at z > 0.
 std::vector<FlankContact> flanks_of(const std::array<const Gear*, 2>& gears, const HalvesPair& pair,
                                     double marking,
                                     const std::array<const ContactResult*, 2>& results);

@@ -51,7 +51,7 @@ std::string kinds_of(const ContactResult& result) {
   return text;
 }
 
-// Explains the words for contact at an edge. Empty if there is no such contact.
+// Explains the words for contact at an edge. The text is empty if there is no such contact.
 std::string legend_of(const ContactResult& result) {
   std::vector<TouchKind> explained;
   std::string text;

@@ -108,8 +108,8 @@ Json corrected_spec(const SolvedJob& job, const ContactSetup& setup,
       Json& table = tree[gear_field(c.gear)]["modifications"];
       const std::string path = spec_key(setup, c, gear2_drives);
       const std::string own = path.substr(path.rfind('.') + 1);
-      // If both flanks have a common slope, this flank starts with the common slope. The correction
-      // is then added.
+      // If the spec gives one slope for both flanks, the slope of this flank is the sum of the
+      // given slope and the correction.
       if (slope && !table.contains(own) && table.contains(name)) table[own] = table[name];
       add(table, own, v[k]);
       // A correction for both flanks is also added to the separate amount of each flank.

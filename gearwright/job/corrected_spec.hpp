@@ -11,30 +11,30 @@
 
 namespace gearwright {
 
-/// The corrections with these indices in correction_entries. If no index is given, these are the default
-/// corrections of the pair.
+/// The corrections with these indices in correction_entries. Without any index, the result is the
+/// default corrections of the pair.
 ///
 /// Errors    `field` for a correction that is not possible for these teeth
 Result<std::vector<WorkshopCorrection>> corrections_of(const ContactSetup& setup,
                                                        const std::vector<std::size_t>& places,
                                                        const std::string& field);
 
-/// The key of a correction in the corrected spec. A slope has the key of the loaded flank, and an
-/// amount has the key for both flanks.
+/// The key of a correction in the corrected spec. A slope has the key of the loaded flank. Any
+/// other modification has the key for both flanks.
 std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correction,
                      bool gear2_drives);
 
 /// True if the value is at the end of the searched range, so that a larger correction might be
-/// better. A crowning of 0 does not count.
+/// better. A crowning of 0 is also an end of its range, but the result is then false.
 bool at_bound(const Correction& range, double value);
 
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,
                                  std::string spec_key, bool at_bound);
 
-/// The error of `field` if this build has no minimiser, which computes corrections.
+/// The error for `field` if this build lacks the minimiser that computes corrections.
 std::optional<Error> needs_minimiser(const char* field);
 
-/// The tree with plain values before tables, as in a TOML file.
+/// The tree with its plain values moved before its tables, as a TOML file requires.
 Json plain_first(const Json& tree);
 
 /// The spec of the job with the corrections added under their keys.

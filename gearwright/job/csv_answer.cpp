@@ -36,8 +36,8 @@ const Value kNothing;
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // a record for each row, null if the row has none
 
-// Calls f(column, cells) for each column of a table that is also in JSON and has a value in at
-// least one row.
+// Calls f(column, cells) for those columns of a table that JSON also has and in which at least one
+// row has a value.
 template <class F>
 void each_column(const QuantityTable& table, const Rows& rows, const F& f) {
   for (const RecordColumn& column : columns_of(table)) {

@@ -11,13 +11,15 @@
 
 namespace gearwright {
 
-/// A plain value as a cell, in the unit that replaces `unit` in the system `units`. The cell is
-/// empty if there is no value or if the value is a list, a record or a map.
+/// The cell for a plain value. `unit` is the unit of the value in the catalogue, and the cell has
+/// the corresponding unit of the system `units`. The cell is empty if there is no value or if the
+/// value is a list, a record or a map.
 std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit unit = Unit::none);
 /// A row for each quantity of the gears and, if they are mounted, of the pair and a rack. The
 /// columns are key, quantity, symbol, unit, first and second. The last two are for gear 1 and gear
-/// 2, or for the two ends of a range. A common value is in `first`, and a longer list has a row for
-/// each value (key.1, key.2, …). Lists of records (contacts, overlaps) are omitted.
+/// 2, or for the two ends of a range. A value that both gears share is in `first`, and a longer
+/// list has a row for each value (key.1, key.2, …). Lists of records (contacts, overlaps) are
+/// omitted.
 std::string quantities_csv(const SolvedJob& job);
 /// A row for each position of the working flanks, with a column for each number of the position.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);

@@ -26,8 +26,8 @@ namespace gearwright {
 
 namespace {
 
-// The function of a body in the drive, "input", "held" or "output". Otherwise, the number of its
-// copies, if it has several.
+// The function of a body in the drive, "input", "held" or "output". For a body without such a
+// function, the number of its copies if it has several.
 std::string part_of(const Drive& drive, std::size_t body) {
   if (drive.graph.is_input(body)) return "input";
   if (drive.graph.is_fixed(body)) return "held";
@@ -86,7 +86,8 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
                       "rack_pair.backlash.normal_mm"});
 }
 
-// The forces of the teeth on meshes and bodies; nothing without a torque.
+// The tooth forces in the meshes and on the bodies. The listing is empty if the drive has no
+// torque.
 std::string force_listing(const Drive& drive, UnitSystem units) {
   if (!drive.graph.torque_Nm) return "";
   std::vector<std::string> meshes, bodies;
@@ -248,8 +249,8 @@ struct RatedLoad {
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. Its load is the load of one copy of the mesh. Its life and its
-// reversed bending apply to the gear with the more severe use.
+// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life and the
+// reversed bending are given for the gear with the more severe use.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})
@@ -327,7 +328,7 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       notes.push_back(fmt::format("The table [rating] is left out, because {}.", why));
     }
   }
-  if (spec["pair"].empty()) spec.erase("pair");  // `pair` is invalid after other tables were added
+  if (spec["pair"].empty()) spec.erase("pair");  // `pair` may dangle, because tables were added
   return {std::move(spec), std::move(notes)};
 }
 

@@ -46,7 +46,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefau
 
 struct MeshSpec {
   Json tables;
-  std::vector<std::string> notes;  ///< sentences: the origin of the spec, faults of the drive,
+  std::vector<std::string> notes;  ///< sentences about the origin of the spec, faults of the drive,
                                    ///< and tables that are left out
 };
 

@@ -42,8 +42,8 @@ class Designer {
   Designer(const JobSpec& spec, const DriveSearchProblem& problem)
       : spec_(spec), problem_(problem), rates_(rates_drives(spec, problem)) {}
 
-  // If the search gives no profile shifts, the shifts that give the better design by the objectives
-  // are chosen.
+  // If the search gives no profile shifts, several are tried, and the best design by the objectives
+  // is returned.
   Outcome operator()(DriveCandidate candidate) const {
     const bool same_cost = !problem_.asks(DriveObjective::efficiency) &&
                            !problem_.asks(DriveObjective::efficiency_backward) &&
@@ -60,7 +60,7 @@ class Designer {
   }
 
   // A train with its greatest face width and, for each stage, the greatest safeties over all trials
-  // of profile shifts. None if it cannot be rated.
+  // of profile shifts. None if the train cannot be rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const {
     if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
     RatedTrain best{candidate, std::vector<StageSafety>(candidate.stages.size())};
@@ -93,8 +93,8 @@ class Designer {
   bool rates() const { return rates_; }
 
  private:
-  // The profile shifts to be tried. If the search gives shifts, only these are tried. None if the
-  // candidate has no teeth. They do not depend on the face width.
+  // The profile shifts to be tried. If the search gives shifts, only these are tried. The list is
+  // empty if the teeth of the candidate are impossible. The shifts do not depend on the face width.
   std::vector<GearShifts> trials(DriveCandidate candidate) const {
     if (spec_.tree->tables["search"].contains("profile_shift")) return {candidate.shifts};
     if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
@@ -117,7 +117,8 @@ class Designer {
   Outcome sized(DriveCandidate candidate) const {
     if (!problem_.face_width) return with_width(std::move(candidate));
     // The least sufficient width in whole steps is found by bisection, because the safeties grow
-    // with the width. A limit that is a whole number of steps may differ from it by rounding.
+    // with the width. A limit that is meant as a whole number of steps may differ from this
+    // multiple by rounding.
     constexpr double kRounding = 1e-9;
     const double step = default_face_step(spec_.units());
     // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
@@ -149,7 +150,7 @@ class Designer {
     JobSpec spec;
     Drive drive;
   };
-  // None if the spec of the candidate has no drive.
+  // Makes the drive of the candidate. None if its spec or its drive is impossible.
   std::optional<MadeDrive> made_from(const DriveCandidate& candidate) const {
     auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
     if (!own) return std::nullopt;
@@ -188,13 +189,14 @@ class Designer {
   bool rates_;
 };
 
-// Number of trains of each module that are rated for the estimate, and the least number of trains of
-// a module that makes an estimate worth its time.
+// kEstimateTrains is the number of trains of each module that are rated for the estimate. A module
+// with fewer trains than kLeastForEstimate has no estimate, because the estimate would not save
+// time.
 constexpr std::size_t kEstimateTrains = 64, kLeastForEstimate = 1000;
 
-// The candidates of a search. They are computed in several steps. The estimate and the number of
-// computed candidates belong to one module. So a search over a list of modules makes the same
-// decisions on the candidates of a module as a search with this module alone.
+// The candidates of a search. They are computed in several steps. Each module has its own estimate
+// and its own number of computed candidates. So a search over a list of modules treats the
+// candidates of a module like a search with this module alone.
 class Candidates {
  public:
   Candidates(const JobSpec& spec, const DriveSearchProblem& problem,
@@ -205,8 +207,9 @@ class Candidates {
         made_(all.size()),
         threads_(threads) {}
 
-  // Leaves out the trains that cannot have the required safeties, by an estimate from trains of the
-  // same module that are evenly distributed over the order of the candidates. Returns their number.
+  // Leaves out the trains that by an estimate cannot have the required safeties, and returns their
+  // number. The estimate for a module is made from trains of this module that are evenly
+  // distributed over the order of the candidates.
   std::size_t leave_out_hopeless() {
     if (problem_.kind != DriveKind::train || !designer_.rates()) return 0;
     std::map<double, std::vector<std::size_t>> of_module;
@@ -265,7 +268,7 @@ class Candidates {
     return std::nullopt;
   }
 
-  // The next candidates by the first objective that have not been computed.
+  // The next candidates that have not been computed, in the order of the first objective.
   std::vector<std::size_t> next(std::size_t count) {
     std::vector<std::size_t> which;
     for (; first_ < all_.size() && which.size() < count; ++first_)
@@ -273,8 +276,8 @@ class Candidates {
     return which;
   }
 
-  // The candidates on the Pareto front that have not been computed. Candidates that were left out
-  // do not count.
+  // The candidates on the Pareto front that have not been computed. The front is determined without
+  // the candidates that were left out.
   std::vector<std::size_t> next_of_front(std::size_t count) {
     std::vector<std::size_t> places, which;
     std::vector<DriveCandidate> left;
@@ -309,7 +312,7 @@ class Candidates {
   const DriveSearchProblem& problem_;
   const std::vector<DriveCandidate>& all_;
   std::vector<State> made_;
-  std::map<double, std::size_t> computed_;  // by module
+  std::map<double, std::size_t> computed_;  // number of computed candidates, by module
   std::size_t first_ = 0;
   bool is_rated_ = false;
   int threads_;

@@ -1,5 +1,5 @@
-// The designs of a search for drives. The candidates are computed in their order, in the same way
-// as by the verb `drive`. They are rated if the search requires safeties, and listed if the verdict
+// The designs of a search for drives. Each candidate is computed as by the verb `drive`, in the
+// order of the candidates. It is rated if the search requires safeties, and listed if its verdict
 // is green. Internal to job/.
 #pragma once
 
@@ -22,13 +22,13 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
 bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 
 /// The candidates that the result lists: the `top` best by the first objective and, if there are
-/// several objectives, up to `top` more from the Pareto front. A candidate without a green verdict
-/// is replaced by the next, until kMostComputedDrives of its module have been computed. Trains are
-/// left out if, by the estimate of design/train_strength.hpp, they cannot have the required
-/// safeties.
+/// several objectives, up to `top` more from the Pareto front. The next candidate replaces a
+/// candidate without a green verdict, until kMostComputedDrives candidates of the same module have
+/// been computed. Trains are left out if, by the estimate of design/train_strength.hpp, they cannot
+/// have the required safeties.
 ///
-/// Law       a search over a list of modules finds a drive if the search with one of these modules
-///           does
+/// Law       a search over a list of modules finds a drive if a search with one of these modules
+///           alone finds a drive
 /// Errors    a module, or the load or a material of a rating, is missing or wrong
 Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
                                    const DriveSearchResult& result, std::size_t top, int threads);

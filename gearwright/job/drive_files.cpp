@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The solids and outlines of a drive. A kind of file that does not exist for the drive is omitted,
-// unless the user has named it; then the reason is an error.
+// The solids and outlines of a drive. A kind of file that does not exist for the drive is omitted.
+// If the user has named this kind, the reason is returned as an error instead.
 Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> files;
@@ -73,7 +73,7 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     DriveReportInput report;
     report.title = job.spec.title;
     report.drive = &job.drive;
-    // The figures contain gears only.
+    // Racks cannot be drawn, so a drive with a rack has no figures.
     const auto& gears = job.drive.graph.gears;
     const bool drawn =
         std::none_of(gears.begin(), gears.end(), [](const DriveGear& g) { return g.rack; });

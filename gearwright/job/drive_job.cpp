@@ -158,7 +158,7 @@ namespace {
 // A finding if the planets under load have a greater K_γ than the rating.
 std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
-  // less than the uncertainty of both.
+  // less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
   if (!computed || !rated || *computed <= (1 + kSameFactor) * *rated) return std::nullopt;

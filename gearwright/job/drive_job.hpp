@@ -19,12 +19,12 @@ struct DriveJob {
   JobSpec spec;
   Drive drive;
   std::optional<DrivePlaces> places;  ///< none if an axis cannot be placed
-  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or they cannot mesh
+  std::optional<DriveLayout> layout;  ///< none if the drive has no teeth or the teeth cannot mesh
   std::string why_no_layout;          ///< the reason as a sentence; empty if there is a layout
   Verdict verdict;
 };
 
-/// The drive of a spec. Every mesh has the transmission error under the [errors] of the spec.
+/// Computes the drive of a spec, including the transmission error of every mesh under [errors].
 ///
 /// Errors    a spec without a drive; the errors of make_drive(), with the keys of the spec
 Result<DriveJob> solve_drive(const JobSpec& spec);
@@ -32,7 +32,7 @@ Result<DriveJob> solve_drive(const JobSpec& spec);
 /// The [errors] of a spec as the errors of each mesh. `spec` and `drive` must outlive the result.
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 
-/// The load of a rating, which is given in [rating] or by the drive.
+/// The load for a rating. [rating] or the drive gives it.
 ///
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
@@ -45,15 +45,16 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 /// Computes the drive under its [load].
 ///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh in the
-///           rule; the errors of loaded_drive()
+///           contradictory; the errors of mesh_spec() for a pair under load, whose rule then names
+///           the mesh; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
 /// Whether the meshes of a drive are rated.
 enum class RateMeshes { no, if_given, yes };
 
-/// The drive of a spec with its other results and the verdict on all of them: its meshes are rated,
-/// by default if the spec has [rating], and it is computed under load if the spec has [load].
+/// Computes the drive of a spec with all other results, and the verdict on them. By default, the
+/// meshes are rated if the spec has [rating]. If the spec has [load], the drive is also computed
+/// under load.
 ///
 /// Errors    the errors of solve_drive(), rate_drive() and load_drive()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr,
@@ -65,28 +66,28 @@ WantedSafety wanted_safety(const JobSpec& spec);
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// The solids of the drive, as of drive_solids().
+/// The solids of the drive, made by drive_solids().
 ///
-/// Errors    a drive without a layout; those of drive_solids()
+/// Errors    a drive without a layout; the errors of drive_solids()
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// One file of the whole drive, made in the same way as by make_file(). In a 3MF file the bodies
-/// are laid out for printing.
+/// Makes one file of the whole drive with make_file(). In a 3MF file the bodies are laid out for
+/// printing.
 ///
 /// Domain    bodies = drive_bodies(job) (contract)
-/// Errors    `drive` if an outline is requested and the gears lie in several planes; those of
+/// Errors    `drive` if an outline is requested and the gears lie in several planes; the errors of
 ///           make_file()
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::vector<ToothedBody>& bodies,
                                 const std::filesystem::path& path, const FileOptions& options);
 
 /// The files of `run` for a drive, in memory: result.json, report.html, drive.step, drive.glb and
-/// drive.3mf (laid out for printing). A drive with one section also has its outlines, drive.dxf and
-/// drive.svg.
+/// drive.3mf (laid out for printing). If all gears lie in one plane, the files also include the
+/// outlines, drive.dxf and drive.svg.
 Result<RunFiles> make_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 
-/// Writes these files in the same way as write_everything().
+/// Writes the files of make_drive_files() in the same way as write_everything().
 Result<RunFiles> write_drive_files(const DriveJob& job, const std::filesystem::path& folder,
                                    const FileOptions& options);
 

@@ -70,7 +70,8 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   return false;
 }
 
-// Adds a finding for each gear of a mesh that is held but has no bore.
+// For each gear of a mesh, adds a finding if the computation holds the gear although it has no
+// bore.
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {

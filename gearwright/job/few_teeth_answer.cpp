@@ -29,7 +29,8 @@ std::string shown(const std::optional<T>& given) {
   return given ? shown(*given) : std::string();
 }
 
-// The first value of the spec that few_teeth determines, or nothing if there is none.
+// The error for the first value of the spec that few_teeth itself determines, or nothing if the
+// spec gives no such value.
 std::optional<Error> out_of_place(const JobSpec& spec) {
   for (const int which : {1, 2}) {
     const GearInput& g = spec.gear(which);
@@ -90,8 +91,8 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
 // The value with nine decimals, as on a drawing. This removes the rounding error of a conversion.
 double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 
-// The profile shift with nine decimals if this is exact. A shift that was computed from a centre
-// distance keeps all digits.
+// The profile shift, rounded to nine decimals if this changes it by less than 1e-12. A shift that
+// was computed from a centre distance keeps all digits.
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
 // The tip diameter, rounded so that the tooth is never longer than computed.
@@ -113,7 +114,7 @@ Json pinion_json(const CylindricalSpec& c) {
   return g;
 }
 
-// The spec with the computed numbers instead of the request. Title, bore and rack are copied.
+// The spec with the computed numbers instead of [fit]. Title, bore and rack are copied.
 Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   const Json& given = spec.tree->tables;
   Json tree;

@@ -265,7 +265,8 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   };
   auto made = make(bodies);
   if (made) return made;
-  // Modified teeth may have too many faces for a file, which then has the teeth as cut.
+  // Modified teeth may have too many faces for a file. In this case, the file contains the teeth as
+  // cut.
   std::vector<ToothedBody> as_cut = bodies;
   bool modified = false;
   const auto cut = [&](ToothedBody& gear) {
@@ -293,7 +294,7 @@ namespace {
 Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> made;
-  std::vector<ToothedBody> mounted;  // gears of the pair with an outline, as mounted
+  std::vector<ToothedBody> mounted;  // gears of the pair that have an outline, in mounted position
   const auto make = [&](FileKind kind, const std::vector<ToothedBody>& bodies,
                         const std::string& name) -> std::optional<Error> {
     if (!options.wants(ending(kind).substr(1))) return std::nullopt;
@@ -345,8 +346,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   const auto scatter = scatter_part(job, options.progress);
   if (!scatter) return scatter.error();
   std::optional<ScatterView> scatter_shown;
-  std::optional<PatternDensity> density;  // for a figure of the report, even if the results do not
-                                          // contain it
+  std::optional<PatternDensity> density;  // computed for a figure of the report if the results do
+                                          // not contain it
   if (*scatter) {
     scatter_shown = scatter_view(job, **scatter);
     if (!scatter_shown->density && !job.halves[0] && options.wants("report"))

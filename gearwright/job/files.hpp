@@ -37,13 +37,14 @@ struct FileOptions {
   double mesh_tolerance_mm = 0.005;     ///< tolerance for STL, GLB and 3MF
   double drawing_tolerance_mm = 0.001;  ///< tolerance for DXF with arcs
   bool drawing_splines = false;         ///< DXF as splines instead of arcs
-  std::vector<std::string> only{};      ///< for `run`: words of kRunParts; everything if empty
+  std::vector<std::string> only{};      ///< for `run`, the parts to write (kRunParts); if empty,
+                                        ///< all
 
   bool wants(std::string_view part) const;
 };
 
-/// Parts of `run`: the result, the report, the drawing (PDF, A4), and kinds of files by their
-/// endings.
+/// Parts of `run`: the result, the report, the drawing (PDF, A4), and the other kinds of files,
+/// each named by its extension.
 inline constexpr std::array<std::string_view, 9> kRunParts{
     "result", "report", "drawing", "step", "stl", "glb", "3mf", "dxf", "svg"};
 
@@ -66,8 +67,9 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// Replaces the member of a body in an error of the room cad by a member of the gear. A spec has no
-/// tolerance or number of faces, so errors about these become errors of the gear.
+/// Converts an error of the room cad about a body to an error about the gear. An error about teeth
+/// or bore keeps its member. An error about a tolerance or a number of faces, which a spec does not
+/// contain, names the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
@@ -84,8 +86,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it. Files of an earlier run that are
-/// unchanged and not written again are removed, but no other files.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Also removes the unchanged files of an
+/// earlier run that this run does not write. All other files stay.   Throws  IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 
@@ -99,9 +101,9 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes the files of `run` into `folder`: result.json, report.html, drawing.pdf, gear1.*, gear2.*
-/// and pair.*, as far as they apply, or only the parts in `only`. A gear without an outline has no
-/// files, and the job gets a warning.
+/// Writes those of the following files that exist for the job into `folder`: result.json,
+/// report.html, drawing.pdf, gear1.*, gear2.* and pair.*. If FileOptions::only is not empty, only
+/// these parts are written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);
 

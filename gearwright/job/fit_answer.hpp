@@ -17,7 +17,7 @@ namespace gearwright {
 
 struct FitAnswer {
   Fit fit;
-  std::vector<Json> specs;  ///< for each branch, the spec as read with the computed numbers
+  std::vector<Json> specs;  ///< for each branch, the spec completed by the computed numbers
   /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of
   /// action does not guarantee that the teeth are possible.
   std::vector<std::optional<Error>> refused{};

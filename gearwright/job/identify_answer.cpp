@@ -65,7 +65,7 @@ std::string tool_text(Reading reading, double tool) {
 
 const char* unit_of(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
 
-// The readings in the other unit as the subject of a sentence.
+// The beginning of a sentence about readings that seem to be given in the other unit.
 const char* group_text(Reading mistake) {
   switch (mistake) {
     case Reading::all: return "all lengths are";
@@ -88,7 +88,8 @@ std::string module_text(const IdentifiedGear& g) {
                                         : fmt::format("{:g}", g.normal_module);
 }
 
-// The sentence about a measured tip that differs from the tip of the rack; empty if it agrees.
+// The sentence about a measured tip diameter that differs from the nominal one. It is empty if they
+// agree.
 std::string tip_fact(const IdentifiedGear& g, double measured) {
   const std::string nominal = fmt::format("{:.3f} mm", g.nominal_tip_diameter);
   switch (g.tip) {
@@ -111,8 +112,8 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
   return "";
 }
 
-// The facts about a candidate that the readings do not determine, and how `spec`, the table of the
-// gear, describes it.
+// Sentences about data of a candidate that the readings do not determine, and about the values that
+// represent these data in `spec`, the table of the gear.
 std::vector<std::string> open_facts(const IdentifyProblem& problem, const IdentifiedGear& g,
                                     const Json& spec) {
   std::vector<std::string> facts;

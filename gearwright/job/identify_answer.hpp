@@ -15,8 +15,8 @@ struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
   Identification found;
   std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
-  /// For each candidate, its number and likelihood, followed by facts that the readings do not
-  /// determine.
+  /// For each candidate, a sentence with its number and likelihood, followed by sentences about
+  /// data of the gear that the readings do not determine.
   std::vector<std::vector<std::string>> notes;
 };
 

@@ -13,7 +13,8 @@
 
 namespace gearwright {
 
-/// Results other than the pair. A result that is not computed is null or false.
+/// The results that are judged in addition to the gears and the pair. A result that was not
+/// computed is null or false.
 struct JudgedParts {
   const ContactResult* contact = nullptr;  ///< under the spec's errors
   const RatingAnswer* rating = nullptr;    ///< with the required safeties of the spec

@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::size_t kWordsWidth = 38;  // minimum width, if all labels are shorter
+constexpr std::size_t kWordsWidth = 38;  // width of the labels, unless one is longer
 constexpr std::size_t kSymbolWidth = 9;  // the longest symbol, "F_z/F_t", and two blanks
 constexpr std::size_t kValueWidth = 13;  // "-123456.1234"; a line for two gears then has 80 columns
 constexpr std::size_t kUnitWidth = 11;   // the longest unit, "N/(mm µm)", and two blanks

@@ -10,7 +10,8 @@
 
 namespace gearwright {
 
-/// The title of the spec on its own line, after `before`. It is empty if the spec has no title.
+/// The title of the spec on its own line, after `before`. The listing is empty if the spec has no
+/// title.
 std::string title_listing(const JobSpec& spec, std::string_view before = "");
 std::string gear_listing(const SolvedJob& job);
 std::string pair_listing(const Pair& pair, UnitSystem units);

@@ -46,7 +46,7 @@ LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The quantities of a torque that depend on the load, for a line of a table.
+// A table with a line for each torque, which contains the quantities that depend on the load.
 std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<LoadTorqueView>& torques) {
   std::vector<ValueRecord> records;
@@ -119,8 +119,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
 
 namespace {
 
-// The result at equally spaced positions over one pitch. If the spec lists rotations instead, the
-// result for these positions is computed here.
+// The result at equally spaced positions over one pitch. If the spec lists rotations, the answer
+// has no such positions, so a further result is computed.
 Result<LoadAnalysis> over_a_pitch(const SolvedJob& job, const LoadAnalysis& answer,
                                   Progress* progress) {
   if (job.spec.load.rotations.empty()) return answer;

@@ -20,11 +20,11 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
-/// A record with the title and "load".
+/// A record with the title, and with the result under "load".
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
-// The load part of `run`: the result of `load`, and its part of the report.
+// The load part of `run` consists of the result of `load` and the scenes for the report.
 
 /// The report contains pointers into the job. Its positions always cover one pitch, even if the
 /// result has other rotations.

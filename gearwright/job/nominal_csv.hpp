@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// The extent of the flank to which modifications apply. The gear may be internal.
+/// The usable extent of the flank, over which modifications apply. The gear may be internal.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
 /// Reads "9x5", the numbers of points along the profile and along the face. Other texts give no
@@ -22,7 +22,8 @@ std::optional<PointGrid> parse_grid(const std::string& text);
 /// A row for each point of tooth 0 over the evaluation ranges, with flank modifications. The
 /// columns are gear, flank, diameter_mm, height_mm, x_mm, y_mm, z_mm, nx, ny and nz, in the gear's
 /// frame. With `fillet_points` ≥ 2, the table also has this number of points along the root fillet
-/// next to each flank, at the same heights. Their flank is `right_fillet` or `left_fillet`.
+/// next to each flank, at the same heights. In the rows of a fillet, the column flank contains
+/// `right_fillet` or `left_fillet`.
 ///
 /// Errors    `gearN.modifications.…`; a gear without involute flanks, or without a root fillet
 Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,

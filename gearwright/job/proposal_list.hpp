@@ -12,8 +12,8 @@
 
 namespace gearwright {
 
-/// The deviations of both gears together in mm, normal to the flank. They are empty without grades.
-/// The deviations of the two gears are independent, so the result is the root of the sum of their
+/// The combined deviations of both gears in mm, normal to the flank. They are empty if neither gear
+/// has a grade. The two gears deviate independently, so each value is the root of the sum of the
 /// squares.
 ///
 /// Formula   [T12.28], [T12.32]
@@ -32,8 +32,8 @@ struct ProposalList {
 };
 
 /// Proposes reliefs for the load alone and, if there is a pitch deviation, for the load and the
-/// pitch deviation. Helix modifications are added to all proposals except two, which show the
-/// effect of reliefs without them.
+/// pitch deviation. The helix modifications of `lead` are added to all proposals except the first
+/// reliefs at the tips, which show the effect of reliefs alone.
 ///
 /// Domain    involute gears on parallel axes (contract)
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
@@ -43,9 +43,9 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
 // The spec of a proposal is the spec of the job with other flank modifications.
 
 /// The tree with the modifications of the proposal. Its reliefs replace all profile modifications
-/// of both gears. Its crowning and slope replace all helix modifications. Either of these also
-/// replaces a topography. The slope applies to the loaded flank of gear 1, which is the left flank
-/// if gear 2 drives.
+/// of both gears. Its crowning and slope replace all helix modifications. Reliefs, crowning and
+/// slope each also replace a topography. The slope applies to the loaded flank of gear 1, which is
+/// the left flank if gear 2 drives.
 Json with_proposal(const Json& tree, const Proposal& proposal, bool gear2_drives);
 
 }  // namespace gearwright

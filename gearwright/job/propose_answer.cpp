@@ -62,7 +62,7 @@ LoadedScore worst_of(const std::vector<LoadedScore>& scores) {
   return worst;
 }
 
-// The scores for each torque. They contain no numbers if a position has no result.
+// The scores for each torque. If a position has no result, each score is no_score().
 std::vector<LoadedScore> scores_of(const LoadedContact& contact) {
   auto scores = loaded_scores(contact);
   if (scores.empty()) scores.assign(contact.torques.size(), no_score());
@@ -185,8 +185,8 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  constexpr double kWorth = 0.99;  // a later proposal, with more changes, replaces the best one
-                                   // only if its merit is smaller by 1 %
+  constexpr double kWorth = 0.99;  // a later proposal has more changes, so at equal rank it is
+                                   // chosen only if its merit is smaller by more than 1 %
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
   const auto merit = [&](const Proposal& p) {
@@ -245,7 +245,7 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
   if (task.request.deflects()) a.deflection = face_deflection(task, *compliance, a.torque);
-  task.request.progress = nullptr;  // progress counts proposals, not their positions
+  task.request.progress = nullptr;  // null, because progress is reported per proposal
   Proposal first;
   if (auto error = find_effects(first, task, *compliance, grades.helix, jobs.front().warnings))
     return *error;

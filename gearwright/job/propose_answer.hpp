@@ -1,4 +1,4 @@
-// Flank modifications for a pair under load, with their effects: the verb `propose`.
+// The verb `propose` computes flank modifications for a pair under load, and their effects.
 //
 // The amounts are computed from the greatest torque, the grades of the gears and the deflection of
 // their shafts. Each proposal is a spec, and its effects are the results of `load` for this spec.
@@ -21,7 +21,8 @@ struct ProposeAnswer : ProposeView {
   std::vector<Json> specs;  ///< one for each proposal; the first one is the spec as given
   /// Sentences about each of the specs, as in Answer.
   std::vector<std::vector<std::string>> notes;
-  Verdict verdict;  ///< on the recommended proposal, whose warnings replace the job's
+  Verdict verdict;  ///< on the recommended proposal, with its warnings instead of the warnings of
+                    ///< the job
 };
 
 /// Computes the proposals, their effects and the verdict on the recommended one.
@@ -34,15 +35,16 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullpt
 ///
 /// Formula   [T12.33]
 /// Domain    at least one proposal (contract)
-/// Law       its transmission error is at most that of the first proposal
+/// Law       the transmission error of the recommended proposal is at most that of the first
+///           proposal
 std::size_t recommended(const std::vector<Proposal>& proposals);
 
-/// A record with the title and "propose".
+/// A record with the title, and with the result under "propose".
 Json propose_json(const SolvedJob& job, const ProposeAnswer& answer);
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 
-/// The proposals in the report of `run`. There are none without a torque in [load], without grades,
-/// for gears that `propose` does not support, or if the computation fails.
+/// The proposals in the report of `run`. There are none if [load] has no torque, if the gears have
+/// no grades, if `propose` does not support the gears, or if the computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-// Two descriptions of one rack may differ by one part in a million, the rounding of the input.
+// Two descriptions of one rack may differ by one part in a million, because users round the input.
 constexpr double kSameRack = 1e-6;
 // Permitted normal pressure angles of the rack in degrees, the same as for a gear.
 constexpr double kMinRackAngle = 1.0, kMaxRackAngle = 60.0;

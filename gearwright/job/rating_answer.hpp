@@ -1,5 +1,5 @@
-// The verb `rate` computes a rating from a spec with [rating] and materials, and values that would
-// improve the rating.
+// The verb `rate` rates the pair of a spec that has [rating] and materials. It also computes values
+// that would improve the rating.
 #pragma once
 
 #include "gearwright/base/progress.hpp"

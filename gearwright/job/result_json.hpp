@@ -32,10 +32,10 @@ Json verdict_json(const Verdict& verdict);
 // The range of a record within tolerances: the numbers that differ between the two ends, in JSON
 // and for users.
 
-/// {key: [at lower, at upper]} for the numbers that differ. It contains the quantities of all
-/// interfaces, also the thickness allowance, which otherwise appears on the page only. An inner
-/// record becomes a record. In a list, null replaces a number that does not differ. Lists of
-/// records are omitted.
+/// {key: [at lower, at upper]} for the numbers that differ. The quantities of all interfaces are
+/// included, for example the thickness allowance, which other JSON results omit because it belongs
+/// to the page only. An inner record stays an inner record. In a list, null replaces a number that
+/// does not differ. Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
 /// Both ends as records for a listing. The listing shows only the rows that differ.

@@ -82,7 +82,7 @@ class Writer {
     return id;
   }
 
-  /// An input defines the speed of its shaft, and the first one the torque.
+  /// Every input defines the speed of its shaft. The first input also defines the torque.
   void input(const std::string& shaft, const std::optional<double>& torque,
              const std::optional<double>& speed) {
     for (RexsComponent& c : model_.components) {
@@ -126,8 +126,8 @@ class Writer {
     relate("assembly", {{"assembly", unit_}, {"part", id}});
   }
 
-  // Adds the tool of a gear. The default cutter of a ring is left out, because a reader of the file
-  // chooses the same default.
+  // Adds the tool of a gear. The default cutter of a ring is left out, because reading the file
+  // gives the same default cutter.
   void add_tool(const Gear& gear, const std::string& name, const std::string& flank) {
     if (gear.cut_by && gear.cut_by->by_default) return;
     const StraightRack& rack = gear.spec.straight_rack();

@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view kAbsent = "-";  // the cell of a value that a record does not have
 
 constexpr std::size_t kHeadWidth = 12;       // width of headings
-constexpr std::size_t kDesignHeadWidth = 8;  // the same for designs, which have many columns
+constexpr std::size_t kDesignHeadWidth = 8;  // width of headings of designs, which have many
+                                             // columns
 
 // Breaks words into lines of at most `most` characters, if no word is longer.
 std::vector<std::string> broken(const std::string& words, std::size_t most) {
@@ -28,7 +29,7 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
   return lines;
 }
 
-// The column of a quantity that is described by `info`, or of one of the gears (1 or 2).
+// The column of the quantity `info`. If `gear` is 1 or 2, it is the column of this gear's values.
 ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const std::string& head,
                              int gear, const std::vector<const Member*>& members) {
   ListingColumn column{
@@ -94,7 +95,8 @@ bool proportional(const ListingColumn& a, const ListingColumn& b, double factor)
          std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), same);
 }
 
-// "equal to u", if one of `columns` has the numbers of `column`, or "opposite to β1".
+// "equal to u" if the column u of `columns` has the same numbers as `column`, or "opposite to β1"
+// if the numbers of β1 differ only in sign; otherwise nothing.
 std::optional<std::string> relation(const ListingColumn& column,
                                     const std::vector<const ListingColumn*>& columns) {
   for (const ListingColumn* other : columns) {
@@ -104,7 +106,8 @@ std::optional<std::string> relation(const ListingColumn& column,
   return std::nullopt;
 }
 
-// The tables of at most kTableWidth characters that contain the first column with all others.
+// Divides the columns into tables at most kTableWidth characters wide. Every table begins with the
+// first column.
 std::string tables_of(const std::vector<const ListingColumn*>& columns) {
   const auto width = [](const ListingColumn& c) {
     const std::size_t heads = broken(c.head, kDesignHeadWidth).size();

@@ -1,8 +1,8 @@
 // Tables for terminals with one row for each record, such as a point of contact or a design.
 //
-// A table of designs has at most kTableWidth characters in a line, if no column is wider: values
-// that are equal in all rows are listed once above the table, and columns that do not fit follow in
-// a further table with the same rows.
+// A line of a table of designs has at most kTableWidth characters, unless a single column is wider.
+// To achieve this, a column with equal values in all rows is listed once above the table, and
+// columns that do not fit are moved to a further table with the same rows.
 //
 // The width of a text is its number of characters, because a terminal shows each character of the
 // listings in one column. Internal to job.
@@ -24,9 +24,9 @@ constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for ea
 
 /// Number of characters of UTF-8 text.
 std::size_t text_width(std::string_view text);
-/// The text with blanks after it, up to `width` characters.
+/// The text, filled on the right with blanks to `width` characters.
 std::string padded(const std::string& text, std::size_t width);
-/// The text with blanks before it, up to `width` characters.
+/// The text, filled on the left with blanks to `width` characters.
 std::string padded_left(const std::string& text, std::size_t width);
 
 /// Sentences broken at blanks into lines of at most kLineWidth characters, if no word is longer.
@@ -48,9 +48,9 @@ struct ListingColumn {
                                                     ///< empty for columns of words
 };
 
-/// The columns of the quantities `keys` that at least one record shows, in these units. A heading is
-/// the symbol or, if another column has the same symbol, the words. The key of an inner record is
-/// "record.key".
+/// The columns of those quantities in `keys` for which at least one record shows a value, in these
+/// units. A heading is the symbol or, if another column has the same symbol, the words. The key of
+/// an inner record is "record.key".
 std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,
                                            std::initializer_list<std::string_view> keys);
@@ -62,7 +62,7 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         std::initializer_list<std::string_view> keys);
 
 /// Lists designs below each other. The first column names the designs. If there are at least two
-/// designs, any other column that has the same text in all rows, or the numbers of an earlier
+/// designs, any other column that has the same text in all rows, or the same numbers as an earlier
 /// column, becomes a line of the list "Common to all designs" above the table.
 std::string design_listing(const std::vector<ListingColumn>& columns);
 

@@ -1,5 +1,5 @@
 // The folder of `run`. It contains a list of the files of a run with their sizes and checksums. The
-// next run removes the files of the list that it does not write itself. Files that the user has
+// next run removes those files of the list that it does not write itself. Files that the user has
 // changed or replaced since are kept.
 #include <fmt/format.h>
 

@@ -21,7 +21,7 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of samples in all replicates together, for patterns.
+// Greatest total number of samples from which patterns are computed, over all replicates.
 constexpr int kPatternSamples = 256;
 // Number of positions per pitch for loaded teeth, if [load] does not give it.
 constexpr int kLoadedPositions = 16;
@@ -34,7 +34,7 @@ bool is_given(const std::vector<ScatterTolerance>& all, const std::string& name)
                      [&](const ScatterTolerance& t) { return t.name == name; });
 }
 
-// Adds the tolerances of an accuracy grade that the spec does not give individually.
+// Adds those tolerances of an accuracy grade that the spec does not give individually.
 class Grades {
  public:
   Grades(const SolvedJob& job, std::vector<ScatterTolerance>& all) : job_(job), all_(all) {}
@@ -71,7 +71,7 @@ class Grades {
   }
 
  private:
-  // An error if a key needs a grade that is not given.
+  // The error if a key is given that needs a grade. It is called for gears without a grade.
   std::optional<Error> needs_grade(int which) const {
     const ScatterGear& gear = job_.spec.scatter.gears[static_cast<std::size_t>(which - 1)];
     const char* const key = gear.pitch           ? "pitch"
@@ -237,8 +237,8 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
   return groups;
 }
 
-// The contact point of the racks of circular arcs on the drawing. contact_along_profile is measured
-// from this point.
+// The contact point of the nominal circular-arc racks. contact_along_profile is measured from this
+// point.
 ProfileTarget profile_target(const Pair& pair) {
   constexpr Angle kProfileEnd = Angle::degrees(10);
   const ArcPair* arcs = pair.arcs();
@@ -260,8 +260,8 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Returns the number of samples of each replicate, a power of two, at most `most` for all
-// replicates but at least one.
+// Returns the number of samples of each replicate. It is the greatest power of two for which all
+// replicates together have at most `most` samples, but at least 1.
 int few_samples(const ScatterTask& task, int most) {
   int samples = 1;
   while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;
@@ -282,7 +282,7 @@ Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   request.progress = task.progress;
   auto compliance = load.compliance();
   if (!compliance) return compliance.error();
-  // A sample that loses contact may have no results, but the teeth as drawn must have results.
+  // A sample that loses contact may have no results, but the nominal pair must have results.
   if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
   request.progress = nullptr;
   return LoadedFamily{std::move(compliance).take(), request,
@@ -326,8 +326,9 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
 
 namespace {
 
-// The first key that applies to single-helical pairs only. Derivatives, tooth contact under load, the
-// marking pattern and the long period of a sample belong to one pair of flanks.
+// The error for the first given key that applies to single-helical pairs only. Such a key requests
+// derivatives, contact under load, patterns or the long period, all of which belong to one pair of
+// flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
        {std::pair("robust", input.robust.has_value()), std::pair("loaded", input.loaded),

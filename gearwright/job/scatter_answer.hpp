@@ -24,15 +24,15 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
-/// The tooth thickness of each involute gear and the centre distance, within the tolerances of the
-/// drawing, about the values with which the pair is computed.
+/// The tooth thickness of each involute gear and the centre distance as toleranced numbers. Each
+/// varies within the tolerance of the drawing, around the value with which the pair is computed.
 std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 
 /// The correlations of [scatter], for tolerances in these groups.
 ///
-/// Errors    `scatter.correlations[N]…` for an input that does not exist, for a pair of inputs that is
-///           given twice, for correlated inputs in different groups if indices are wanted, and as
-///           check_correlations()
+/// Errors    `scatter.correlations[N]…` for an input that does not exist, for a pair of inputs that
+///           is given twice, for correlated inputs in different groups if indices are requested;
+///           the errors of check_correlations()
 Result<std::vector<ToleranceCorrelation>> correlations_of(
     const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
@@ -53,8 +53,8 @@ Result<VariedInputs> varied_inputs(const SolvedJob& job);
 /// Errors    the errors of answer_scatter()
 Result<ScatterAnswer> prepared_scatter(const SolvedJob& job);
 
-/// The error if a scatter under load has another driver than [contact]. The samples under load must
-/// use the same flanks as the samples without load.
+/// The error of a scatter under load if [load] and [contact] have different drivers. The samples
+/// under load must use the same flanks as the samples without load.
 std::optional<Error> other_driver(const JobSpec& spec);
 
 /// Errors    `scatter.…` for a range or a correction that is impossible for the teeth, or for a
@@ -64,7 +64,7 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullpt
 /// The request for a density of patterns from the first samples of each replicate. `most` limits
 /// the number of samples of all replicates, and 0 selects the default limit.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
-/// Computes this density for the figures if the answer does not contain it.
+/// Computes the density of density_request(), for figures whose answer does not contain it.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 

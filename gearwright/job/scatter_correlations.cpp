@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// The error if a block of correlated inputs is not in one group. A change of some of these inputs
-// alone, which the indices need, would change the others too.
+// The error if a block of correlated inputs is not in one group. The indices require that one group
+// changes while the others do not, which is impossible if a block is divided among groups.
 std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances,
                                  const std::vector<ToleranceGroup>& groups,
                                  const std::vector<ToleranceCorrelation>& correlations) {

@@ -4,9 +4,9 @@
 //   N   rank of a design in the search, as in `search --take N`
 //
 // The row of a design contains exactly the numbers of `scatter` for the spec that `search --take N`
-// prints. Rows do not depend on each other. A study is therefore divided into chunks of designs, as
-// a search is divided into chunks of trials, with a folder, shards and ranks. Internal to job/ and
-// the programs.
+// prints. Rows do not depend on each other. A study can therefore be divided into chunks of designs
+// and use a folder, shards and ranks, in the same way as a search with its chunks of trials.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ namespace gearwright {
 struct ListedDesign {
   std::int64_t number;  ///< N
   std::int64_t trial;
-  /// The numbers of teeth in the file of the list. They show whether the file belongs to another
-  /// search.
+  /// The numbers of teeth in the file from which the list was read. They show whether the file
+  /// belongs to another search.
   std::optional<std::array<int, 2>> teeth{};
 };
 
@@ -32,8 +32,8 @@ struct StudyOptions : CampaignOptions {
   std::optional<std::string> designs;  ///< file or folder of a search
   std::vector<ListedDesign> list;      ///< the designs, if they are known; if neither `designs`
                                        ///< nor `list` is given, the search is run
-  std::filesystem::path folder;        ///< folder of the spec, in which the files that it names are
-                                       ///< found
+  std::filesystem::path folder;        ///< folder of the spec, to which file names in the spec are
+                                       ///< relative
   std::optional<std::size_t> top;      ///< greatest number of designs; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
   Progress* progress = nullptr;        ///< counts the samples of one design
@@ -83,11 +83,11 @@ Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 /// Throws    IoError
 std::string text_of_file(const std::filesystem::path& path);
 
-/// Index of the greatest of the requested percentiles, by which the designs are ranked.
+/// Index of the percentile by which the designs are ranked, which is the greatest requested one.
 std::size_t ranking_percentile(const JobSpec& spec);
 
-/// True if the design of the row loses contact in more than (100 − p) % of the samples, with the
-/// percentile p of the ranking.
+/// True if the design of the row loses contact in more than (100 − p) % of the samples, where p is
+/// the percentile of the ranking.
 bool loses_contact(const JobSpec& spec, const Json& row);
 
 /// Ranks the rows. A row that loses contact in more than (100 − p) % of the samples comes after all

@@ -46,8 +46,8 @@ ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   return map;
 }
 
-// The errors of the spec with the changes of this sample, and the changes of those inputs that are
-// not errors of the spec.
+// A sample in the form of a spec: the errors of the spec changed by this sample, followed by the
+// inputs that cannot be given as errors.
 ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector<double>& x) {
   std::array<double, kErrorCount> errors = job.spec.errors.value;
   ValueMap others;
@@ -332,7 +332,7 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   return out;
 }
 
-// Lists the percentiles of the quantities under each torque, without and with the corrections.
+// Lists the percentiles under each torque, once without and once with the corrections.
 std::string robust_load_listing(const RobustView& r) {
   std::string out;
   for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {

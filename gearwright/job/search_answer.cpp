@@ -74,7 +74,7 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
-// The sentence of a search whose changes were all tried in vain.
+// The sentence for a search in which none of the tried changes helps.
 std::string no_change_helps(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> keys;
   for (const std::string& field : run.changes_tried) {
@@ -127,7 +127,7 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// The tables of a pair that a search does not use. The specs of its designs contain them.
+// The tables for pairs that a search does not use but copies to the specs of its designs.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
 // A pitch without the rounding error of the module that was computed from it: 3 for 25.4/(25.4/3).

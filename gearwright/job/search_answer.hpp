@@ -15,16 +15,16 @@ inline constexpr std::size_t kListedDesigns = 20;
 /// One design as JSON with the keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
-/// The whole result as JSON text in these units, for mm with one design per line, because the array
-/// may be long.
+/// The whole result as JSON text in these units. For mm, the text has one design per line, because
+/// the list of designs may be long.
 std::string search_json_text(const Search& search, const SearchRun& run,
                              UnitSystem units = UnitSystem::mm);
 
 /// The result of a run that has not finished or was stopped.
 Json unfinished_json(const SearchRun& run);
 
-/// Lists the counts and the best designs in these units. If there are none, it lists changes that
-/// would help.
+/// Lists the counts and the best designs in these units. If there are no designs, it lists changes
+/// that would help.
 std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
                            std::size_t most = kListedDesigns);
 
@@ -41,8 +41,8 @@ std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 /// The search as an HTML page.
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
 
-/// Adds the accuracy grade of a rating, if it has one, to the table of gear 1 or 2 (index 0 or 1),
-/// unless the table has a grade. The drawing of the gear then has tolerances.
+/// If the rating has an accuracy grade and the table of the gear has none, copies the grade to this
+/// table, so that the drawing of the gear has tolerances. `which` is 0 for gear 1 and 1 for gear 2.
 void add_grade(Json& gear, const RatingInput& rating, std::size_t which);
 
 /// A design as a spec for the other verbs.

@@ -39,7 +39,8 @@ std::optional<Error> refuse_other_search(const std::filesystem::path& folder, co
   const auto was = parquet_note(folder / kDesignsFile, kSpecNote);
   if (!was) return std::nullopt;
   const auto old = read_spec(*was, SpecFormat::json);
-  constexpr std::int64_t kAnyChunk = 0;  // for both specs; no result depends on the chunk size
+  constexpr std::int64_t kAnyChunk = 0;  // the same for both specs, because no result depends on
+                                         // the chunk size
   std::string changed = "the spec of that search belongs to another version";
   if (old) {
     const std::string before = search_fingerprint(*old, kAnyChunk);

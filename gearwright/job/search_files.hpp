@@ -1,8 +1,8 @@
-// The folder of a search: its chunks while it runs, and its files, each written completely or not at
-// all. Internal to job/.
+// The folder of a search. It contains the chunks while the search runs, and then the files, each
+// written completely or not at all. Internal to job/.
 //
 //   search.parquet   every feasible design, in the order of the trials
-//   points.parquet   if shift_step is set: every feasible point of its grid, by trial
+//   points.parquet   every feasible point of the grid of shifts, by trial, if shift_step is set
 //   best.csv         the best designs, best first          search.json    the result
 //   report.html      the best designs in a sortable table, their regions, the Pareto front
 #pragma once
@@ -34,8 +34,8 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source);
 
-/// The reason why this search must not write files into the folder, which contains the finished
-/// search of another spec. Nothing is returned if there is no such search.
+/// The error if the folder contains the finished search of another spec, so that this search must
+/// not write files into it. Nothing if the folder contains no such search.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
 /// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are

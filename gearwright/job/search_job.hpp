@@ -23,8 +23,8 @@ namespace gearwright {
 struct SearchProgress {
   enum class Stage {
     trials,   ///< the search itself
-    changes,  ///< the search for changes that help if nothing is feasible; `done` counts
-              ///< evaluations of trials
+    changes,  ///< the search for changes that would help, if nothing is feasible; `done` counts the
+              ///< evaluated trials
     regions   ///< regions of the listed designs; `done` of `of` are complete
   };
   Stage stage = Stage::trials;
@@ -37,10 +37,10 @@ struct SearchProgress {
 
 struct SearchOptions : CampaignOptions {
   bool yes_large = false;
-  std::optional<std::size_t> top;      ///< designs to keep; by default kDefaultDesigns
-  std::optional<std::int64_t> chunk;   ///< trials of a chunk; by default it follows from the size
-                                       ///< of the search
-  std::optional<std::size_t> regions;  ///< listed designs with regions; by default all
+  std::optional<std::size_t> top;      ///< number of designs to keep; by default kDefaultDesigns
+  std::optional<std::int64_t> chunk;   ///< number of trials in a chunk; the default depends on the
+                                       ///< size of the search
+  std::optional<std::size_t> regions;  ///< number of listed designs with regions; by default all
   int threads = 0;                     ///< 0 uses all threads of the machine
   /// Called many times a second, by one thread at a time.
   std::function<void(const SearchProgress&)> progress;
@@ -67,7 +67,8 @@ struct SearchRun {
   std::vector<std::string> notes;          ///< repairs that were made in the folder
   bool pair_not_read = false;              ///< the spec has a [pair], which a search does not use
   bool rating_not_read = false;  ///< the spec has a [rating], which this search does not use
-  std::optional<double> default_face_load;  ///< K_Hβ of a rated search whose spec has none
+  std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
+                                            ///< spec gives none
   std::vector<std::filesystem::path> files;
 };
 
@@ -88,7 +89,7 @@ inline constexpr std::int64_t kMaxChunks = 1'000'000;
 Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
                              const SearchOptions& options);
 
-/// The reason why the search must not begin, because it is too large, or nothing if it may begin.
+/// The error if the search is too large to begin without yes_large, or nothing if it may begin.
 /// Candidates are counted in closed form, the speed is measured for half a second, and the points
 /// of a grid are estimated.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
@@ -102,8 +103,8 @@ Error no_tooth_numbers();
 /// them, otherwise at the end and only for the listed designs.
 RegionDetail detail_of(const SearchProblem& problem, bool files);
 
-/// All inputs that determine the result, as lines "key = value". `more` names further tables of the
-/// spec that a search does not need.
+/// All inputs that determine the result, as lines "key = value". `more` names tables of the spec
+/// that do not affect a search, but affect the study for which the lines are made.
 std::string search_fingerprint(const JobSpec& spec, std::int64_t chunk,
                                const std::vector<std::string>& more = {});
 

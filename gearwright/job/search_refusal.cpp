@@ -64,9 +64,9 @@ std::string duration_text(double seconds) {
 }
 
 // Rejects a grid of profile shifts with too many points. The number of points follows from the sum
-// of the areas of the regions. It is estimated from a thousand trials that pass the filter, or from
-// all if there are fewer. An error of a few percent does not matter, because the limit is only for
-// the size of the files.
+// of the areas of the regions. This sum is estimated from a thousand trials that pass the filter,
+// or from all such trials if there are fewer. An error of a few percent does not matter, because
+// the limit is only for the size of the files.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;

@@ -1,5 +1,5 @@
-// The columns of the tables of a search, CSV and Parquet, from the catalogue. Each quantity with a
-// column name has one column, and a quantity of both gears has two. Internal to job/.
+// The columns of the CSV and Parquet tables of a search, made from the catalogue. Each quantity
+// with a column name has one column, and a quantity of both gears has two. Internal to job/.
 #pragma once
 
 #include <algorithm>

@@ -43,7 +43,7 @@ void SearchWorkers::work(const Done& done) {
     if (!c) return;
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // Only files contain the points. Every result contains their counts.
+    // The grid points themselves are only written to files, but every result contains their counts.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),

@@ -38,7 +38,7 @@ class SearchWorkers {
   const SearchOptions& options_;
   ChunkQueue queue_;
   std::mutex mutex_;
-  SearchProgress progress_;  // state before the first chunk of this process
+  SearchProgress progress_;  // progress before this process computes its first chunk
   std::atomic<std::int64_t> trials_done_{0}, chunks_done_{0};
 };
 

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// A note about the values that gear 2 takes from gear 1 and that are not among its numbers:
-// material and quality.
+// A note about the material and the quality that gear 2 takes from gear 1. The dimensions of gear 2
+// do not show that they were taken.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -73,8 +73,8 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// True if the verb `fit` can compute the numbers that the error lacks: the position, the helices and
-// the profile shifts.
+// True if the numbers that the error reports as missing can be computed by the verb `fit`: the
+// position, the helices and the profile shifts.
 bool is_found_by_fit(const JobSpec& spec, const Error& error) {
   if (error.kind != FailureKind::placement && error.kind != FailureKind::missing) return false;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;

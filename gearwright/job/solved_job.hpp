@@ -33,7 +33,7 @@ Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 /// Errors    the errors of solve() and mount_rack()
 Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope);
 
-/// The error for a result that needs two gears, or nothing if gear 2 is not a rack.
+/// The error of a result that needs two gears, if gear 2 is a rack; otherwise nothing.
 std::optional<Error> two_gears_error(const JobSpec& spec);
 
 /// The error for a result that needs single-helical gears, or nothing if the gears are

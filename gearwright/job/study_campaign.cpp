@@ -13,8 +13,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::int64_t kMostChunks = 4096;  // greatest number of chunks; a study of up to as many
-                                            // designs has one design in each chunk
+constexpr std::int64_t kMostChunks = 4096;  // greatest number of chunks; in a study with fewer
+                                            // designs, each chunk is one design
 
 // The checksums of the files that the modifications name, because the spec contains only their
 // names.

@@ -22,7 +22,7 @@ namespace {
 // the path stands for the number of the percentile.
 struct StudyColumn {
   const char* csv;
-  const char* head;  ///< empty if users do not see the column
+  const char* head;  ///< empty if only CSV has the column
   const char* place;
   int digits;  ///< decimals; if negative, as many as needed
   double factor;

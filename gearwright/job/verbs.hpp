@@ -33,7 +33,7 @@ struct Answer {
   /// know. The list may be empty.
   std::vector<std::vector<std::string>> notes;
   Json expanded;                         ///< for a drive, the spec with its graph; otherwise null
-  std::string why_none;                  ///< the reason if a verb that proposes specs has none
+  std::string why_none;                  ///< if a verb that proposes specs finds none, the reason
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
   UnitSystem units =
@@ -63,7 +63,7 @@ struct Verb {
   Result<Answer> (*solve)(const JobSpec& spec, Progress* progress);
   const char* key = "";                       ///< key of the result in the record; empty for verbs
                                               ///< whose record has the gears and the pair
-  const QuantityTable& (*table)() = nullptr;  ///< its quantities
+  const QuantityTable& (*table)() = nullptr;  ///< the quantities of the result
 
   /// The answer in the units of the spec.
   ///
@@ -93,8 +93,9 @@ struct BatchLine {
     violated,  ///< the text is the error of a defect of Gearwright (base/contract.hpp)
   } outcome = Outcome::answered;
 };
-/// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so it does not
-/// affect the other lines of a batch. An input that is missing for `use` is also an error.
+/// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so the other
+/// lines of the batch are not affected. It is also an error if the spec lacks an input that `use`
+/// requires.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
 /// Computes a spec in JSON with a verb, like answer_json.

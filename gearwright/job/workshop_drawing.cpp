@@ -92,7 +92,8 @@ class Group {
   DataGroup group_;
 };
 
-// The rows of a pinion cutter. `mate` is the number of the gear of the pair that cuts, or 0.
+// The rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the mating
+// gear, and otherwise 0.
 void add_cutter(Group& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
                              : mate > 0        ? fmt::format(", gear {}", mate)
@@ -241,7 +242,8 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
   return group;
 }
 
-// If no class is given, its row is blank, so that the workshop notices the omission.
+// If no flank tolerance class is given, the row of the class is blank, so that the workshop notices
+// the omission.
 Group tolerances(const ToleranceInput& given, const Records& measure) {
   if (!given.quality) {
     Group blank("Tolerances, ISO 1328-1");
@@ -303,8 +305,9 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
-// A surface without a texture has a blank symbol. If the title block contains a texture, it applies
-// to this surface instead. The flanks may take Rz from the rating.
+// A surface without its own texture has a blank symbol, unless the title block contains a texture,
+// which then applies to this surface. Flanks without their own texture take Rz from [rating] if it
+// is given there.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   const DrawingInput& words = job.spec.drawing;
   const auto texture = [&](const std::string& own) {

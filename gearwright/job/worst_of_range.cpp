@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWorse = 1.02;
 constexpr Angle kLeastWorse = Angle::arcseconds(0.01);
-constexpr int kSamples = 64;  // the search starts at the worst of them and at the worst corners
+constexpr int kSamples = 64;  // the search starts at the worst samples and at the worst corners
 
 }  // namespace
 

@@ -152,7 +152,8 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   return j;
 }
 
-// The table of a gear, with all its keys, if a stage contains the whole gear; otherwise null.
+// If the list `gears` of a stage contains this gear, the table with all keys of the gear. Otherwise
+// null.
 Json whole_gear(const Json& tree, const std::string& name) {
   if (!tree.contains("stage")) return nullptr;
   for (std::size_t k = 0; k < tree["stage"].size(); ++k) {

@@ -16,8 +16,8 @@ using Keys = std::vector<std::string>;
 
 const Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
 
-// Sets a member of a table. A new member is inserted in alphabetic order, as by the TOML reader, so
-// that a spec that is written and read again gives the same tree.
+// Sets a member of a table. Like the TOML reader, inserts a new member in alphabetic order, so that
+// a spec that is written and read again gives the same tree.
 void put(Json& table, const std::string& key, const Json& value) {
   Json::object_t& members = table.get_ref<Json::object_t&>();
   Json::object_t sorted;

@@ -1,7 +1,7 @@
 // Values that gear 2 takes from gear 1 if its table omits them: module, pressure angle, rack, face
-// width, gap and stagger of a double-helical gear, material, quality and helix angle. The hand of
-// the helix is opposite, or the same for an internal gear. A material that is only a name becomes a
-// table.
+// width, gap and stagger of a double-helical gear, material, quality and helix angle. Gear 2 gets
+// the opposite hand of helix, or the same hand if it is an internal gear. A material that is only a
+// name becomes a table.
 //
 // Internal to spec/ and the programs.
 #pragma once
@@ -17,9 +17,9 @@ namespace gearwright {
 
 struct Inherited {
   Json tree;                 ///< the spec with the keys of gear 2 written out
-  bool helix_angle = false;  ///< true if gear 2 takes the helix of gear 1, which counts as not
-                             ///< given
-  std::vector<std::string> noted{};  ///< copied keys that are no dimensions: material, quality
+  bool helix_angle = false;  ///< true if gear 2 takes the helix angle of gear 1; such an angle
+                             ///< counts as not given
+  std::vector<std::string> noted{};  ///< copied keys that are not dimensions: material, quality
 };
 
 /// True if the table describes a rack, form = "rack".
@@ -35,9 +35,9 @@ Json with_named_materials(const Json& tree);
 
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by
 /// another gear or given by its base cylinder takes no dimensions of the teeth. The helix is not
-/// copied if the axes cross at a given angle. Face width, gap and stagger are not copied in this
-/// case, nor in a spec with [fit]. A rack of arcs that cuts only one gear is not copied. An unknown
-/// gear takes nothing if its mating gear has no module.
+/// copied if the axes cross at a given angle. Face width, gap and stagger are not copied if the
+/// axes cross or if the spec has [fit]. A rack of arcs that cuts only one gear is not copied. An
+/// unknown gear takes nothing if its mating gear has no module.
 Inherited inherit(const Json& tree);
 
 }  // namespace gearwright

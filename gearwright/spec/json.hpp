@@ -2,7 +2,7 @@
 //
 // This header only declares the tree, because nlohmann/json.hpp adds a second to each compilation,
 // and reading or writing text adds two more. Headers include this file. Sources that look into a
-// tree include nlohmann/json.hpp. Text is read and written by the functions below.
+// tree include nlohmann/json.hpp. The functions below read and write text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -32,8 +32,8 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   const int halves = spec.has(1) && spec.gear(1).double_helical ? 2 : 1;
   add(missing, missing_for_rating(spec.rating, materials, tables, halves));
   std::erase_if(missing, [&](const Error& e) {
-    // If other data of a gear are missing, its material was not read. A given material must not be
-    // reported as missing.
+    // If other data of a gear are missing, its material was not read, even if the spec gives it.
+    // Such a material is not reported as missing.
     const bool of_material = e.field == tables[0] || e.field == tables[1];
     return of_material && spec.given.contains(e.field);
   });

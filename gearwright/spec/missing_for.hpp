@@ -25,10 +25,10 @@ enum class SpecUse {
   run,         ///< every computation for which the spec has a table
 };
 
-/// All inputs that a spec lacks, by their keys in a file and each with an example. They include a
-/// second gear, a torque, a tolerance for scatter and, for a rating, its load, the materials of the
-/// gears and the inputs of its factors. A wrong material is also reported. The list is empty for a
-/// search, an unknown gear, a drive and a rack.
+/// All inputs that a spec lacks. Each error names the key in the file and gives an example. The
+/// inputs include a second gear, a torque, a tolerance for scatter and, for a rating, its load, the
+/// materials of the gears and the inputs of its factors. A wrong material is also reported. The
+/// list is empty for a search, an unknown gear, a drive and a rack.
 std::vector<Error> missing_for(SpecUse use, const JobSpec& spec);
 
 /// The missing inputs as one error, or nothing if no input is missing.

@@ -24,15 +24,15 @@ struct SpecTree {
 /// Errors    the syntax error, with line and column
 Result<Json> parse_spec(std::string_view text, SpecFormat format);
 
-/// The position of a key in a valid JSON text. If the key does not exist, the result is the position
-/// of the last table or element of the path that exists. There is no result if the first part of the
-/// path does not exist.
+/// The position of a key in a valid JSON text. If the key does not exist, the result is the
+/// position of the last table or element on the path that does exist. There is no result if the
+/// first part of the path does not exist.
 std::optional<TextPlace> json_place(std::string_view text, std::string_view path);
 
-/// Checks a tree before its keys are read: it must be a table, with bounded nesting.
+/// Checks a tree before its keys are read. The tree must be a table with bounded nesting.
 std::optional<Error> check_tree(const Json& tree);
 
-/// The spec of a tree, equal to the result of read_spec for its text.
+/// The spec of a tree. It is equal to the spec that read_spec reads from the text of the tree.
 ///
 /// Errors    the errors of read_spec, except errors of syntax, and the errors of check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},

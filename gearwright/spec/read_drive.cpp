@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-// Pairs of members that mesh: the name of a mesh consists of the names of its two members.
+// The names of meshes. Each name consists of the names of the two members that mesh.
 const std::vector<std::string> kMeshes{"sun_planet",  "sun_idler",   "idler_planet",
                                        "sun2_planet", "planet_ring", "planet_ring2"};
 
@@ -86,7 +86,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
 
 namespace {
 
-// Copies the numbers that the table of a stage gives and the table of its set omits.
+// The table of the planetary set of a stage. Values that it omits are copied from the table of the
+// stage.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
   for (const char* key :

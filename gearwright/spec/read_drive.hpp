@@ -44,7 +44,8 @@ Json expanded_spec(const Json& tree, const DriveInput& drive);
 /// `drive.fixed` of a set becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
-// Reads the graph of a drive, the table [drive], and values that several tables of a drive have.
+// Reads the table [drive], which is the graph of a drive, and values that occur in several tables
+// of a drive.
 
 /// One name or a list of names; none if the key is absent.
 std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key);
@@ -61,7 +62,7 @@ void refuse_in_drive(const Json& node, const std::string& path);
 /// Rejects a double-helical gear without a face width.
 void need_whole_face(const GearInput& gear, const std::string& path);
 
-/// The graph of the table [drive]. Files of its gears are in `folder`.
+/// The graph of the table [drive]. File names of its gears are relative to `folder`.
 DriveGraph read_graph(const Json& node, const std::filesystem::path& folder);
 
 }  // namespace gearwright

@@ -122,7 +122,8 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   Json whole = node;
   const auto has_module = has_any(node, drive_gear_keys().ways("normal_module_mm"));
   if (!has_module)
-    whole["normal_module_mm"] = 1.0;  // needed by read_gear(); the gear of the graph has no size
+    whole["normal_module_mm"] = 1.0;  // placeholder for read_gear(), because a gear of the graph
+                                      // may have no module
   if (!own.has("teeth")) whole["teeth"] = 1;
   const GearInput given = read_gear(drive_gear_keys(), whole, path, nullptr, folder);
   gear.name = node["name"].get<std::string>();

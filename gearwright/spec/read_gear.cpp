@@ -56,8 +56,8 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
                               gear.name("thickness_allowance_mm")));
 }
 
-// Computes module, helix angle and profile shift for a given rack from the dimensions of the
-// finished gear in [basic].
+// Reads [basic], which contains dimensions of the finished gear, and computes from them the module,
+// the helix angle and the profile shift for a given rack.
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
                 std::optional<double> alpha) {
   const Json* node = gear.table("basic");
@@ -156,8 +156,8 @@ const KeyTable& kind_of_table(const Key& key, const Json& node, const std::strin
                                     : "must be a text in quotes");
 }
 
-// The table of a cutter, completed with values that the cutter shares with the gear. If the gear
-// does not give them either, they are taken from its mating gear.
+// The table of a cutter. The module and the angles that it omits are taken from the gear or, if the
+// gear does not give them either, from the mating gear.
 Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   Json whole = cutter;
   for (const char* key_of_both : {"normal_module_mm", "normal_pressure_angle_deg"}) {
@@ -172,7 +172,7 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   if (gear.contains("helix_angle_deg") && gear["helix_angle_deg"].is_number()) {
     const bool ring = gear.contains("teeth") && gear["teeth"].is_number() && gear["teeth"] < 0;
     whole["helix_angle_deg"] = (ring ? 1.0 : -1.0) * gear["helix_angle_deg"].get<double>();
-  } else if (!has_any(gear, kHelix) && mate) {  // the cutter replaces the mating gear
+  } else if (!has_any(gear, kHelix) && mate) {  // the cutter has the helix of the mating gear
     for (const std::string& key : kHelix) {
       if (mate->contains(key)) whole[key] = (*mate)[key];
     }
@@ -180,8 +180,8 @@ Json with_shared_keys(const Json& cutter, const Json& gear, const Json* mate) {
   return whole;
 }
 
-// Default addendum of a cutter, modules. It cuts deep enough for the tip clearance of the mating
-// gear.
+// Default addendum of a cutter, modules. A cutter with this addendum cuts deep enough for the tip
+// clearance of the mating gear.
 constexpr double kCutterAddendum = 1.25;
 
 // The rack in [gearN], by default ISO53-A. `module`, in mm, selects one of the racks of GB/T 12759.

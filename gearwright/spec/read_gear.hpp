@@ -21,15 +21,16 @@
 namespace gearwright {
 
 /// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, "gear1". `mate` is
-/// the table of the other gear, from which a separate cutter takes the module and angles that it
-/// omits. File names are relative to `folder`.
+/// the table of the other gear, which supplies the module and the angles that the table of a
+/// separate cutter omits. File names are relative to `folder`.
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
 /// Reads a rack, which must have straight flanks.
 StraightRack read_straight_rack(TableReader& gear);
 
-/// The normal pressure angle in degrees. It is the given angle or the angle of a rack of AGMA.
+/// The normal pressure angle in degrees. It is the angle of the AGMA rack if the gear names such a
+/// rack, and otherwise `given`.
 std::optional<double> rack_angle(TableReader& gear, std::optional<double> given);
 
 // Reads [gearN.measured] and the other data that are known about the gear.
@@ -40,20 +41,21 @@ bool has_module(const Json& gear);
 /// True if the table of a gear has readings but no module, which `identify` has to find.
 bool is_unknown_gear(const Json& gear);
 
-/// The readings of gear 1 or 2, or null if its table is absent or has no readings. For an unknown
-/// gear, the number of teeth of the mating gear is added if the readings or [pair] contain the
-/// centre distance, which is added as well.
+/// The readings of gear 1 or 2, or null if its table is absent or has no readings. If the gear is
+/// unknown and its readings or [pair] contain the centre distance, the centre distance and the
+/// number of teeth of the mating gear are added.
 /// Throws    SpecError
 std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 
 // Reads [gearN.modifications] for the right and the left flank.
 //
-// A key sets both flanks. With the prefix right_ or left_ it sets one flank and takes precedence.
+// A key without a prefix sets both flanks. A key with the prefix right_ or left_ sets one flank and
+// takes precedence.
 
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 
-/// The modifications of the right and the left flank. They remove nothing if the gear has no such
-/// table. make_removal_field checks the conditions on the finished gear.
+/// The modifications of the right and the left flank. If the gear has no such table, they remove
+/// nothing. make_removal_field checks the conditions on the finished gear.
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,
@@ -63,7 +65,7 @@ std::array<FlankModifications, 2> read_modifications(TableReader& gear,
 /// any order, and every diameter must occur once with every z. A first line with these names, empty
 /// lines and comments after # are allowed.
 ///
-/// Errors    line and reason, without a key
+/// Errors    the line and the reason; the error has no key
 Result<Topography> topography_from_csv(std::string_view csv);
 
 }  // namespace gearwright

@@ -55,9 +55,9 @@ void add_mating_gear(const Json& tree, int mate, Json& readings) {
   readings["mating_teeth"] = mating.cylindrical.teeth;
 }
 
-// Reads the keys of an unknown gear that identify() does not find. They are checked here, and the spec
-// of a candidate keeps them. A profile shift, a thickness allowance and a rack are known values of the
-// drawing.
+// Reads those keys of an unknown gear that identify() does not compute. They are only checked here,
+// and they stay in the spec of every candidate. A given profile shift, thickness allowance or rack
+// is a known value for identify().
 void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& p) {
   TableReader t(gear_keys(), gear, path);
   t.refuse_unknown();

@@ -36,7 +36,7 @@ std::string key_of(const TableReader& t, std::size_t flank, const std::string& k
 }
 
 // Rejects a key that applies to no flank and would otherwise be ignored without a message. `amount`
-// is the key of the relief to which it belongs, or empty if there is none.
+// is the key of the relief to which `key` belongs, or empty if `key` belongs to no relief.
 void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;

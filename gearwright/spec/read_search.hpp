@@ -18,8 +18,8 @@ namespace gearwright {
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
 
-/// The step of face widths within a band, mm, unless the spec gives it: 1 mm or 0.05 in, so that the
-/// widths are round in the units of the spec.
+/// The default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the widths
+/// are round in the units of the spec.
 constexpr double default_face_step(UnitSystem units) {
   return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
 }
@@ -31,21 +31,24 @@ const std::vector<double>& iso54_modules(int series);
 // inputs of the rating are read from [rating] and the materials. If the search checks its designs
 // as drawings, tolerances are read and default limits exclude impractical designs.
 
-/// The face load factor of searches that do not give one. A search has no shafts from which it could
-/// follow. Median by ISO 6336-1 for designs of searches: docs/decisions.md.
+/// The default face load factor of a search. A search has no shafts from which the factor could be
+/// computed. The value is the median of the factors by ISO 6336-1 for designs found by searches
+/// (docs/decisions.md).
 inline constexpr double kSearchFaceLoad = 1.4;
 
-/// Adds `face_load_factor` to the table [rating] of a search that has none and no [rating.mounting].
+/// Adds the default `face_load_factor` to the table [rating] of a search, if the table has neither
+/// this key nor [rating.mounting].
 void lend_face_load(Json& tree);
 
 /// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
 bool has_default_face_load(const JobSpec& spec);
 
-/// True if the search needs a rating, either for a safety or, if [rating] is given, for the mass.
+/// True if the search needs a rating for a required safety or for an objective such as noise. If
+/// [rating] is given, the objectives mass and cost need a rating, too.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 
-/// Adds the densities of the materials to the problem, and the inputs of a rating if one is needed.
-/// If the problem is incomplete, only the missing inputs of a rating are collected.
+/// Adds the densities of the materials to the problem, and the inputs of a rating if the search
+/// needs one. If [search] itself is incomplete, only the missing inputs of the rating are reported.
 void read_search_rating(const Json& tree, JobSpec& spec);
 
 /// Checks the name of a series of thickness allowances, the key `thickness_series`. "none" becomes
@@ -55,13 +58,13 @@ void check_series(const TableReader& t, std::string& series);
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
-/// Makes a search check its designs as drawings if it has a rating, face widths or allowances.
-/// Designs are not checked on crossed axes, on a grid of profile shifts, or if designs with
-/// interference are also listed. `search` is the table [search]. read_search_rating() must be
-/// called before.
+/// Makes a search check its designs as drawings. Designs are not checked if the search gives
+/// `mounting` but neither allowances nor face widths to choose, on crossed axes, on a grid of
+/// profile shifts, or if designs with interference are also listed. `search` is the table [search].
+/// read_search_rating() must be called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
-// Reads a table [search] with the key `kind`, which is a search for drives.
+// Reads a [search] for drives, which is a table [search] with the key `kind`.
 
 /// True if the table is a search for drives.
 bool is_drive_search(const Json& search);
@@ -71,8 +74,8 @@ DriveSearchProblem read_drive_search(const Json& search);
 /// The keys of [search] that are copied to [planetary] of every set, or to every stage of a train.
 Json shared_keys(const Json& search, bool train);
 
-// Reads [scatter]: the groups of inputs and the toleranced numbers, each a list of two numbers or a
-// table.
+// Reads [scatter], which contains groups of inputs and toleranced numbers. Each toleranced number
+// is a list of two numbers or a table.
 
 ScatterInput read_scatter(const Json& table);
 

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials in the tables of the gears, with or without teeth. If gear 2 has no material, it
-// takes the material of gear 1.
+// The materials in the tables of the gears, which need not give teeth. If gear 2 has no material,
+// it takes the material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -32,7 +32,8 @@ std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable&
   return materials;
 }
 
-// The key of [search] that needs a rating, or "" if there is none. The table may be incomplete.
+// The key of [search] that needs a rating, or "" if there is none. The table [search] may be
+// incomplete.
 std::string rating_key(const Json& search) {
   for (const char* key : {"safety_flank_min", "safety_root_min"})
     if (search.contains(key)) return key;
@@ -58,8 +59,8 @@ constexpr const char* kNoAllowances = "none";
 // reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
 
-// check_names() uses only the names of series and tolerances. This diameter or centre distance is
-// contained in every table.
+// A diameter or centre distance that every table contains. check_names() only checks that series
+// and tolerances with the given names exist, so any such size is sufficient.
 constexpr double kAnyDiameter = 100.0;
 
 void check_names(const TableReader& t, const SearchAllowances& allowances) {
@@ -219,7 +220,7 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  // The key mounting alone gives the designs of the theory, with nominal teeth.
+  // If `mounting` is the only one of these keys, the designs have nominal teeth as in the theory.
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;

@@ -20,7 +20,7 @@ struct RexsComponent {
   std::string id;
   std::string type;  ///< "cylindrical_gear"
   std::string name;
-  /// Plain values, and lists with a single element, as text.
+  /// The attributes as text. Only plain values and lists with a single element are stored.
   std::map<std::string, std::string, std::less<>> attributes{};
   std::map<std::string, std::string, std::less<>> units{};
 
@@ -28,7 +28,7 @@ struct RexsComponent {
   std::optional<double> number(std::string_view attribute) const;
   std::optional<std::string> text(std::string_view attribute) const;
   void set(const std::string& attribute, double value, const std::string& unit);
-  void flag(const std::string& attribute);  ///< sets it to "true"
+  void flag(const std::string& attribute);  ///< sets the attribute to "true"
 };
 
 struct RexsRelation {
@@ -49,8 +49,8 @@ struct RexsModel {
   /// The component with this id, or null if there is none.
   const RexsComponent* find(std::string_view id) const;
   std::vector<const RexsComponent*> of_type(std::string_view type) const;
-  /// The first component with one of these types that shares a relation of one of these types with
-  /// `id`, or null if there is none.
+  /// The first component with one of `types` that shares a relation with the component `id`, or
+  /// null if there is none. The type of the relation is one of `relations`.
   const RexsComponent* related(std::string_view id,
                                std::initializer_list<std::string_view> relations,
                                std::initializer_list<std::string_view> types) const;

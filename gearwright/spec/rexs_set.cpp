@@ -63,8 +63,8 @@ class SetFinder {
     return !is_ring(&gear) && std::any_of(others.begin(), others.end(), is_ring);
   }
 
-  // Copies of a planet have equal numbers of teeth, on equal shafts, and mesh with the same central
-  // gears.
+  // Gears for which this text is equal are copies of one planet. They have equal numbers of teeth
+  // and equal neighbours on their shafts, and mesh with the same central gears.
   std::string kind_of(const Component& gear) const {
     std::multiset<std::string> others;
     for (const Component* p : partners(gear))
@@ -230,7 +230,8 @@ class SetFinder {
       else
         (torque ? defining : speed ? speed_only : following).push_back(end);
     }
-    // The inputs are in the order of their loads in the file; one with a torque is first.
+    // The inputs that define a torque come first. Apart from this, the inputs have the order of
+    // their loads in the file.
     for (auto* ends : {&defining, &speed_only})
       std::sort(ends->begin(), ends->end(),
                 [](const RexsEnd& a, const RexsEnd& b) { return a.load < b.load; });

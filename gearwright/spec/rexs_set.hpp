@@ -1,9 +1,9 @@
-// The planetary set of a REXS model: its gears by member of [planetary], the held bodies, the inputs
-// and the output. Internal to spec/.
+// The planetary set of a REXS model. It has the gears, each as a member of [planetary], the held
+// bodies, the inputs and the output. Internal to spec/.
 //
 // A held body is connected to the casing by a coupling. A load that transmits torque is on an input
 // if it defines the torque or if its shaft defines the speed, otherwise on the output. If no body
-// is connected to the casing, the only central body without a load is held.
+// is connected to the casing and two of three central bodies have a load, the third is held.
 #pragma once
 
 #include <array>
@@ -31,16 +31,18 @@ struct RexsStage {
 /// A body that transmits torque to other machines.
 struct RexsEnd {
   std::string body;
-  const RexsComponent* load = nullptr;             ///< its load; if it has several, one with a
-                                                   ///< torque
+  const RexsComponent* load = nullptr;             ///< load on the body; if there are several, one
+                                                   ///< that defines a torque
   std::optional<double> torque_Nm{}, speed_rpm{};  ///< with their signs
 };
 
 struct RexsSet {
-  std::map<std::string, const RexsComponent*> gears;  ///< by member; the first of several copies
+  std::map<std::string, const RexsComponent*> gears;  ///< by member; for several copies of a
+                                                      ///< planet, the first copy
   std::map<std::string, const RexsStage*> meshes;     ///< by the name of the mesh in [planetary]
   std::size_t planets = 0;
-  std::optional<std::vector<std::string>> fixed;  ///< none if the file does not state it
+  std::optional<std::vector<std::string>> fixed;  ///< held bodies; none if the file does not state
+                                                  ///< them
   std::vector<RexsEnd> inputs;                    ///< empty if the file does not state them
   std::string output;                             ///< empty if the file does not state it
 };

@@ -303,7 +303,8 @@ class Reader {
       for (const char* key :
            {"face_width_mm", "profile_shift", "thickness_allowance_mm", "tip_diameter_mm"})
         if (table.contains(key)) set[key][name] = table[key];
-      // Programs differ in the sign of a ring, which has the hand of its planet.
+      // Programs write the helix angle of a ring with different signs. A ring has the hand of its
+      // planet, so the sign of the planet is used.
       const bool stepped = name == "ring2" && found->gears.count("planet2") > 0;
       const Component& sign =
           gear->type == "ring_gear" ? *found->gears.at(stepped ? "planet2" : "planet") : *gear;
@@ -354,7 +355,8 @@ class Reader {
                                  "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
                                  "external_load",    "material",           "gear_casing",
                                  "coupling",         "switchable_coupling"};
-      // A shaft connects gears; only its speed and its torque are read.
+      // A shaft only connects gears. If it has no attributes except its speed, it is read
+      // completely.
       const bool plain = c.type == "shaft" &&
                          std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
                            return a.first == "defines_speed" || a.first == "rotational_speed";

@@ -102,7 +102,8 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// Copies the materials between [rating] and the gears.
+// Copies the material of [rating] to gears without their own material, and the accuracy grades of
+// the gears to a [rating] without grades.
 void share_with_rating(const Json& tree, JobSpec& spec) {
   RatingTable& rating = spec.rating;
   auto& [one, two] = spec.gears;

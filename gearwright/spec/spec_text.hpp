@@ -1,4 +1,4 @@
-// The text of a spec before it is parsed: its origin, and the position of a key in it.
+// The text of a spec before it is parsed, with its origin, and the positions of keys in this text.
 #pragma once
 
 #include <filesystem>

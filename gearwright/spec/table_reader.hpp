@@ -1,6 +1,6 @@
-// Reads one table of a spec with the catalogue. Values within their ranges are stored in the struct
-// members of their keys (KeyPlace). Sub-tables and lists of tables are stored in structs. An error
-// names the key.
+// Reads one table of a spec with the catalogue. Each value is checked against its range and stored
+// in the struct member of its key (KeyPlace). Sub-tables and lists of tables are stored in structs.
+// An error names the key.
 //
 // The reader violates a contract if it reads a key that is not in the catalogue, or if it leaves a
 // key of the catalogue unread. This ensures that catalogue and reader agree.
@@ -51,15 +51,15 @@ class TableReader {
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
   const Json* any(const std::string& key);    ///< a value of any type, or null
-  /// The value in the unit of `key`, from the key or its aliases. If several are given, they must
-  /// agree.
-  /// `what` names the quantity, for example "module".
+  /// The value in the unit of `key`, from the key or its aliases. If several of these keys are
+  /// given, their values must agree. `what` names the quantity, for example "module".
   std::optional<double> one_of(const std::string& key, const std::string& what, double cos_beta);
 
   /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
   /// Returns a finite number within the key's range. `part` is the name of the number within the
-  /// value of the key: "sun" in bore_mm = { sun = 200 }. It is empty if the number is the value.
+  /// value of the key: "sun" in bore_mm = { sun = 200 }. It is empty if the value is a single
+  /// number.
   double checked(const std::string& key, const Json& value, const std::string& part = "") const;
   /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
   /// key.
@@ -106,7 +106,7 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
   return input;
 }
 
-constexpr double kSameInput = 1e-9;  ///< relative difference allowed between two forms of a number
+constexpr double kSameInput = 1e-9;  ///< greatest relative difference of two values of one input
 
 bool has_any(const Json& table, const std::vector<std::string>& keys);
 

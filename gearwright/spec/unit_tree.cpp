@@ -154,8 +154,8 @@ Json sentences_in_inch(const Json& value) {
   return list;
 }
 
-// A result, a spec, whose keys include names that the user chose, or a table whose keys are all
-// such names.
+// The kind of a tree. A record is a part of a result. Some keys of a spec and all keys of a table
+// by name are names that the user chose. Shares are the tables of kShares.
 enum class Tree { record, spec, by_name, shares };
 
 // Tables of a result whose keys are names that the user chose.
@@ -165,8 +165,8 @@ constexpr std::array<std::string_view, 2> kByName{"bodies", "meshes"};
 // variance.
 constexpr std::array<std::string_view, 1> kShares{"indices"};
 
-// `unit` is the unit of the nearest outer key that has one. `per` is the unit of the key of an
-// outer table of values per length.
+// `unit` is the unit of the nearest outer key that has one. `per` is the unit of an outer key whose
+// value is a table of values per length.
 Json in_inch(Tree tree, const Json& value, const KeyUnit* unit, const KeyUnit* per) {
   if (value.is_number() && (unit || per)) {
     double x = value.get<double>();

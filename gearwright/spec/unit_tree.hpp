@@ -17,8 +17,8 @@ struct GivenKeys;  // catalogue/spelling.hpp
 /// Throws  SpecError if `units` is not a known word, or if the key of a length has the wrong unit
 Json in_catalogue_units(const Json& spec, GivenKeys& given);
 
-/// A result or a part of a spec with the keys, numbers and sentences of this unit system. A spec
-/// inside a result gets the key `units`. A second call changes nothing.
+/// A result or a part of a spec, with keys, numbers and sentences converted to this unit system. A
+/// spec inside a result gets the key `units`. A second call changes nothing.
 Json in_units(UnitSystem units, const Json& record);
 
 /// A whole spec in this unit system, with the key `units` if it is not "mm".
