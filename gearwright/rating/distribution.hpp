@@ -100,8 +100,8 @@ constexpr int kShaftPoints = 257;
 /// Formula   [T11.48]…[T11.52]
 /// Domain    a gear with a shaft is external (contract)
 /// Laws      (1) f is linear in F_t
-///           (2) if the shafts are mirrored at z = 0 and the hands are exchanged, the values of f are
-///               the same in reverse order
+///           (2) if the shafts are mirrored at z = 0 and the hands are exchanged, the values of f
+///               are the same in reverse order
 std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& shafts, double F_t);
 
 /// f_sh under F_t, µm.
