@@ -1,5 +1,5 @@
 // Computes one gear, or two gears and their pair, from the data of a drawing. Absent values are
-// computed from the given ones. Contradictory values cause an error.
+// computed from the given values. Contradictory values cause an error.
 //
 // Profile shifts and centre distance determine each other. The cutter of a gear determines its
 // module and angles. A required backlash determines the tooth thickness. An absent face width
@@ -17,7 +17,8 @@ namespace gearwright {
 
 struct ArrangedEnds;
 
-/// The completed gears and pair. If there is a pair, `gears` are the gears of the pair.
+/// The completed input, and the gears and the pair made from it. If there is a pair, `gears` are
+/// the gears of this pair.
 struct Arranged {
   GivenPair completed;              ///< the input with computed shifts, thickness and tips
   std::vector<Gear> gears{};        ///< one or two
@@ -35,7 +36,7 @@ struct Arranged {
 
 /// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
 /// distance with the most backlash. `upper` has the thickest teeth and the centre distance with the
-/// least backlash. The nominal result and the contact analysis use the means of the allowances.
+/// least backlash. The nominal result and the contact analysis use the mean of each allowance.
 struct ArrangedEnds {
   Arranged lower, upper;
 };
@@ -49,7 +50,8 @@ enum class Scope {
 /// Computes the absent data, then makes the gears and, if `scope` includes the pair, mounts them.
 ///
 /// Domain    gear 1 is given (contract)
-/// Errors    name the invalid member of the input: "gear2.profile_shift", "pair.center_distance"
+/// Errors    the field of the error is the invalid member of the input: "gear2.profile_shift",
+///           "pair.center_distance"
 Result<Arranged> arrange(const GivenPair& given, Scope scope = Scope::everything);
 
 }  // namespace gearwright

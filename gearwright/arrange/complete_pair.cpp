@@ -13,8 +13,8 @@ namespace gearwright {
 
 namespace {
 
-// True if the axes cross. This follows from the helix angles, because the shaft angle has already
-// been checked against them.
+// True if the axes cross. The helix angles are sufficient to decide this, because the shaft angle
+// has already been compared with them.
 bool axes_cross(const GivenPair& given) {
   return !axes_are_parallel(
       nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical));
@@ -91,8 +91,8 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   return std::nullopt;
 }
 
-// Attributes an invalid sum of two shifts to the given shift, or to the larger one if both are
-// given.
+// Attributes an invalid sum of two shifts to the given shift. If both shifts are given, it is the
+// larger one.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (error.field != "profile_shift") return error;
   const auto size = [&](std::size_t i) {
@@ -175,10 +175,10 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
 
 namespace {
 
-constexpr double kNear = 1e-12;  // mm or degrees; within this tolerance, the printed backlash
-                                 // equals the requested one
-constexpr double kSame = 1e-9;   // if the final backlash differs from the requested one by more, no
-                                 // tooth thickness gives it
+constexpr double kNear = 1e-12;  // mm or degrees; within this difference, the printed backlash
+                                 // equals the requested backlash
+constexpr double kSame = 1e-9;   // if the final backlash differs from the requested backlash by
+                                 // more, no tooth thickness gives the requested backlash
 constexpr int kMostSteps = 12;   // greatest number of secant steps; involute teeth need one step
 
 struct Wanted {

@@ -1,5 +1,5 @@
-// Computes the profile shifts, the centre distance and the shaft angle of a pair if they are not
-// given. Internal to arrange/.
+// Computes those of the profile shifts, the centre distance and the shaft angle of a pair that are
+// not given. Internal to arrange/.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace gearwright {
 
-/// Returns the position of the gears of the pair. Computed shifts and shortened tips are written
-/// into the gears of `given`. A shaft angle that follows from the centre distance is written into
-/// `given.pair`. `shift_wanted` is true if at least one shift is absent and follows from the centre
-/// distance.
+/// Returns the position of the gears of the pair. Computed shifts and the diameters of shortened
+/// tips are written into the gears of `given`. If the shaft angle is computed from the centre
+/// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
+/// absent and must be computed from the centre distance.
 ///
 /// Domain    two gears (contract)
 /// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,
@@ -25,11 +25,11 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
 /// `backlash_split` divides the thinning between the gears. Backlash depends linearly on the
 /// allowances of involute teeth, and nearly linearly on the allowances of circular-arc teeth. The
-/// function computes the backlash of the mounted pair and corrects the allowances until it equals
-/// the requested one.
+/// function computes the backlash of the mounted pair and corrects the allowances until this
+/// backlash equals the requested backlash.
 ///
 /// Accuracy  1e-9 mm, or degrees
-/// Domain    given.pair.wants_backlash(), two gears cut by racks, their shifts complete (contract)
+/// Domain    given.pair.wants_backlash(), two gears cut by racks, both shifts known (contract)
 /// Errors    `pair.backlash…` if no allowances give this backlash
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings);

@@ -62,9 +62,9 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The default profile shift of a gear with its own cutter, if neither this shift nor the sum e of
-// the shifts of cutter and gear is given. With this shift, the gear meshes without backlash with
-// its mating gear at the pair's centre distance.
+// The default profile shift of a gear that has its own cutter. It applies if neither the profile
+// shift of the gear nor the sum e of the shifts of cutter and gear is given. With the default
+// shift, the gear meshes without backlash with its mating gear at the centre distance of the pair.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -225,7 +225,8 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
   const bool own =
       error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
   if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter) {
-    // The tip diameter is not given. It follows from the profile shift, or from the rack alone.
+    // The tip diameter is not given, so it was computed from the profile shift and the addendum of
+    // the rack. The error names the profile shift if it is given, and otherwise the addendum.
     const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
     const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
     return following_from(gear_field(which, from), format_number(value), "this value requires",

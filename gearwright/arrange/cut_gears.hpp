@@ -1,5 +1,5 @@
-// Makes gears that are cut by a pinion cutter, before the pair is mounted. Also computes tips that
-// keep a given clearance to the root of the mating gear. Internal to arrange/.
+// Makes the gears that are cut by a pinion cutter. This is done before the pair is mounted. Also
+// computes tips that keep a given clearance to the root of the mating gear. Internal to arrange/.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ using MadeGears = std::array<std::optional<Gear>, 2>;
 /// The default clearance between a tip fillet and the mating gear's root: 0.2 m_n + 0.05 mm. [T6.7]
 inline double default_tip_clearance(double normal_module) { return 0.2 * normal_module + 0.05; }
 
-/// Makes every gear that has `cut_by`, and the other gear of the pair if it is the cutter. The
-/// resulting module, angles and shift are written into the input. If one gear cuts the other and no
-/// centre distance is given, the pair gets the generating centre distance.
+/// Makes every gear that has `cut_by`, and the other gear of the pair if it is the cutter of this
+/// gear. The resulting module, angles and shift are written into the input. If one gear cuts the
+/// other and no centre distance is given, the pair gets the generating centre distance.
 ///
 /// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or does
 ///           not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear; the errors
@@ -30,8 +30,8 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made);
 std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
                                       std::optional<double> center_distance);
 
-// Rewrites an error about a computed number so that it names the given number from which the
-// computed one follows.
+// Rewrites an error about a computed number so that the error names the given number from which
+// this number was computed.
 
 /// Converts the error of a gear to an error of gear 1 or 2. If the gear is given by its base
 /// cylinder, the input contains no rack data, so the message names the rack that describes the

@@ -1,4 +1,4 @@
-// The data of one gear on a drawing. arrange() computes absent values from the given ones.
+// The data of one gear on a drawing. arrange() computes absent values from given values.
 //
 // In addition to the gear data, a drawing gives the cutting method, measurements, tolerances,
 // material and flank modifications.
@@ -49,9 +49,9 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// The density of the given material, kg/mm³. The strength of the material need not be known. There
-/// is no density if the material is a plastic without a given density, or if neither `kind` nor a
-/// name in the table is given.
+/// The density of the given material, kg/mm³. The strength of the material need not be known. The
+/// density is unknown if the material is a plastic without a given density, or if neither `kind`
+/// nor the name of a material in the table is given.
 std::optional<double> density_of(const MaterialInput& given);
 
 struct GearInput;
@@ -59,7 +59,7 @@ struct GearInput;
 /// The two ends of a range.
 using Ends = std::array<double, 2>;
 
-/// The pinion cutter and the depth to which it cuts.
+/// The pinion cutter of a gear, and the sum of profile shifts that determines how deep it cuts.
 struct CutByInput {
   int gear = 0;                              ///< 1 or 2 if gear 1 or 2 of the spec is the cutter,
                                              ///< otherwise 0
@@ -77,8 +77,8 @@ struct MeasureInput {
   std::optional<double> chord_diameter{};  ///< d_y  mm, at which the jaws touch
 };
 
-/// The accuracy grade of the flanks, thickness allowances that are given by a series or a
-/// measurement, the deviations of the tip diameter, and the runout of the blank.
+/// The accuracy grade of the flanks, a series or a measurement that determines the thickness
+/// allowances, the deviations of the tip diameter, and the runout of the blank.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
@@ -89,7 +89,7 @@ struct ToleranceInput {
   /// external gear and the shorter tooth of an internal gear.
   std::optional<Ends> tip_deviations;
   std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
-  /// Circular runout of the tip circle and of both faces to the axis, µm. Only drawings contain it.
+  /// Circular runout of the tip circle and of both faces to the axis, µm; used only on drawings.
   std::optional<double> tip_runout_um, face_runout_um;
 
   bool says_thickness() const { return series || span || over_balls; }
@@ -100,8 +100,8 @@ struct ToleranceInput {
 struct GearInput {
   CylindricalSpec cylindrical;
   std::optional<double> profile_shift;  ///< x
-  bool helix_given = false;             ///< if false, the helix angle is 0; the verb `fit` then
-                                        ///< computes it
+  bool helix_given = false;             ///< if false, the helix angle is 0, except that the verb
+                                        ///< `fit` computes it
   bool hand_given = false;              ///< true if the hand is given as a word, not as a sign
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section
@@ -110,7 +110,7 @@ struct GearInput {
                                           ///< shift
   std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
   std::optional<double> tip_clearance;    ///< mm, from a tip fillet to the root of the mating gear
-  bool tip_clearance_by_rule = false;     ///< true if the clearance is 0.2 m_n + 0.05 mm
+  bool tip_clearance_by_rule = false;     ///< true if this clearance is 0.2 m_n + 0.05 mm
   std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the nominal gear uses their mean
   MeasureInput measure;
   ToleranceInput tolerance;
@@ -120,8 +120,8 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// The input for a gear with a complete spec. If the caller resets `profile_shift`, arrange()
-  /// computes it.
+  /// The input for a gear with a complete spec. If the caller resets `profile_shift` of the result,
+  /// arrange() computes the profile shift.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;

@@ -1,4 +1,4 @@
-// The data of one or two gears on a drawing. arrange() computes absent values from the given ones.
+// The data of one or two gears on a drawing. arrange() computes absent values from given values.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct PairInput {
   std::optional<double> center_distance;  ///< a  mm
   std::optional<Angle> shaft_angle;       ///< Σ, signed
   Mounting mounting = Mounting::tight;
-  bool choose_profile_shifts = true;  ///< true if absent shifts follow from a given centre distance
+  bool choose_profile_shifts = true;  ///< true to compute absent shifts from the centre distance
   bool shorten_tips = false;          ///< true to shorten tips by k m_n if no tip diameter is given
   std::optional<double> friction_coefficient;  ///< μ
   std::optional<double> speed_rpm;             ///< n_1  1/min
@@ -39,7 +39,7 @@ struct PairInput {
 struct GivenPair {
   std::array<std::optional<GearInput>, 2> gears;  ///< a single gear is gears[0]
   PairInput pair;
-  bool shaft_angle_found = false;  ///< true if computed from the centre distance
+  bool shaft_angle_found = false;  ///< true if the shaft angle is computed from the centre distance
   std::vector<Warning> notes;      ///< about the input; arrange() adds them to the warnings
 
   /// Gear 1 or 2; null if this gear is not given.

@@ -35,7 +35,8 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The changed gears, rated with the original load.
+// The gears at one combination of the ends of their tolerances, rated with the load of the nominal
+// gears.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
@@ -53,7 +54,7 @@ std::optional<RatedAgain> rated_again(const Arranged& arranged, const JudgedRati
 JudgedState state_at(const Arranged& arranged, const std::vector<TolerancedNumber>& tolerances,
                      const ToleranceCorner& corner, const JudgedWith& with) {
   const auto there = at_corner(arranged, tolerances, corner);
-  if (!there) return {};  // a corner may have no solution although both ends have one
+  if (!there) return {};  // a corner may have no pair although both ends of the tolerances have one
   JudgedWith of_there;
   const auto rated = with.rating ? rated_again(*there, *with.rating) : std::nullopt;
   if (rated)
@@ -69,7 +70,7 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// Resets every toleranced number that does not affect the finding to its nominal value.
+// Sets to its nominal value every toleranced number that does not affect the finding.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,
@@ -144,8 +145,9 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// Sets the helix angle and returns true. If the transverse module is given, this would also change
-// the normal module, so the function only returns false.
+// Sets the helix angle and returns true. If a transverse module or pressure angle is given, the
+// normal one would change with the helix angle. The function then changes nothing and returns
+// false.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
@@ -192,8 +194,8 @@ bool change_gear(GivenPair& given, const SpecChange& change) {
   return false;
 }
 
-// Makes a change that a verdict proposes, in the input, as a user would. Returns false if the input
-// gives this number in another form, or if another gear determines it.
+// Changes the input as a user would who follows a proposal of the verdict. Returns false if the
+// input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change) {
   if (change.what == Adjustable::center_distance) {
     given.pair.center_distance = change.value;
@@ -262,7 +264,7 @@ std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arr
   return rated;
 }
 
-// The design as the data of a drawing.
+// Converts a design into the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
   for (const std::size_t i : {0, 1}) {

@@ -1,9 +1,9 @@
 // Judges gears at their nominal values and at the ends of their tolerances.
 //
 // Every limit is checked for the nominal values and for every combination of the ends of the
-// tolerances. If a finding is worse at some combination, the finding names this combination. The
-// contact analysis uses the gears at the mean of their tolerances. A remedy is a change of the
-// input. It is proposed only after the changed input has been arranged and judged.
+// tolerances. If a finding is worse at one of these combinations, the finding names it. The contact
+// analysis uses the nominal gears, at the mean of their tolerances. A remedy is a change of the
+// input. A remedy is proposed only after the changed input has been arranged and judged.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,8 @@
 
 namespace gearwright {
 
-/// Results that were computed in addition to the pair. All of them must outlive the call.
+/// Results that were computed in addition to the pair. All objects to which members point must
+/// outlive the call.
 struct JudgedWith {
   const ContactResult* contact = nullptr;  ///< contact of the working flanks; null if not computed
   bool errors = false;                     ///< true if errors of mounting are included in the
@@ -32,16 +33,16 @@ struct JudgedWith {
 /// The findings for the nominal gears, or for one combination of the ends of their tolerances.
 struct JudgedState {
   std::vector<Finding> findings;
-  std::optional<RatedPair> pair;  ///< rated at this combination; none for the nominal gears or
-                                  ///< without a rating
+  std::optional<RatedPair> pair;  ///< inputs of the rating at this combination; none for the
+                                  ///< nominal gears or without a rating
 };
 
-/// All findings for the nominal values, and all findings that are worse at an end of the
-/// tolerances. The findings have no remedies.
+/// All findings for the nominal values, and all findings that are worse at a combination of the
+/// ends of the tolerances. The findings have no remedies.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
-/// The verdict on the gears. Its messages name members of the input, such as `gear1.profile_shift`.
+/// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 
 // Converts a design that a search has found into the data of a drawing, and judges this drawing.

@@ -128,7 +128,7 @@ std::optional<DriveChange> of_drive(const Drive& drive, std::size_t m, const Spe
   return DriveChange{change.what, gear_index(drive, m, change.gear), change.value};
 }
 
-// True if no other finding is worse than before the change.
+// True if no finding outside the mesh `mesh` is worse after a change than before it.
 bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, std::size_t mesh) {
   return std::all_of(after.begin(), after.end(), [&](const Part& now) {
     if (now.mesh == mesh || now.finding.level == Level::green) return true;
@@ -222,8 +222,8 @@ std::string running(const Drive& drive) {
   if (!pair) return text + fmt::format(" There is no backlash in the mesh {}.", name);
   const CylindricalSpec& spec = pair->gears[0].spec;
   const double recommended = recommended_backlash(pair->center_distance, spec.normal_module);
-  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean of their
-  // present allowances, and j_n = j_bn/cos α_wn.
+  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean
+  // of their present allowances, and j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->mesh.rack.angles.cos_alpha;
   const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
@@ -279,8 +279,8 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   });
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
-  // A drive with a remedy is not rated again, and its contact is not analysed again, so no remedy
-  // is tried for a drive with a rating or with errors.
+  // The changed drive of a remedy is neither rated nor analysed for contact. Remedies are therefore
+  // tried only for a drive without ratings and without contact results.
   const auto worst = parts.empty() ? std::nullopt : parts.front().mesh;
   if (verdict.level != Level::green && worst && drive.geometry.pairs[*worst] &&
       drive.ratings.empty() && drive.contacts.empty())

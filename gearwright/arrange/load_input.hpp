@@ -15,7 +15,7 @@ namespace gearwright {
 /// A load on one tooth, and the points at which the deflection is computed.
 struct LoadProbeInput {
   int gear = 1;
-  double diameter = 0.0;                     ///< mm, at which the load acts
+  double diameter = 0.0;                     ///< mm, diameter at which the load acts
   std::optional<std::array<double, 2>> z{};  ///< mm, heights of both ends of the load
   std::optional<double> half_width{};        ///< mm, half width of the Hertz strip
   std::vector<double> read_z{};              ///< mm, heights at which the deflection is computed
@@ -30,8 +30,8 @@ struct LoadInput {
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of positions
   std::optional<int> slices{};     ///< by default fair_slices()
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
-  double deflection_slope = 0.0;  ///< S  µm, increase over the common face, towards +z
-  double deflection_bow = 0.0;    ///< B  µm, height of the parabola in the middle
+  double deflection_slope = 0.0;  ///< S  µm, increase towards +z over the common face
+  double deflection_bow = 0.0;    ///< B  µm, height of the parabola in the middle of the face
   double deflection_offset =
       0.0;  ///< µm, constant over the face; used for a half of a double-helical gear
   std::vector<LoadProbeInput> probes{};

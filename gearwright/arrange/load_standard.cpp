@@ -61,11 +61,11 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-constexpr double kMuchLeft = 0.1;     // if the part of the ratio to c_γα that is not explained
-                                      // differs from 1 by more, the effects of face width and
-                                      // bodies are computed
+constexpr double kMuchLeft = 0.1;     // greatest difference from 1 of the factor that remains
+                                      // unexplained; above it, the effects of face width and
+                                      // bodies are also computed
 constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules; computing a wider face takes long and adds nothing
+constexpr double kWidest = 12.0;      // modules; a wider face takes long and changes nothing
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;  // resolution of drafted()
@@ -106,9 +106,9 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// The stiffness of the pair without errors and modifications, if its faces are wider by the factor
-// `wider` and the line load is unchanged. The accuracy is low, but sufficient for ratios. NaN if
-// there is no such pair.
+// The stiffness of the pair without errors and modifications. The faces are wider by the factor
+// `wider`, and the line load is unchanged. If `solid`, the bodies are solid. The accuracy is low,
+// but sufficient for ratios. NaN if there is no such pair.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request.undeflected();
@@ -128,8 +128,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new compliance tables: a narrow helical face, and bodies that are thin
-// or held close to their teeth.
+// Adds the effects that need new compliance tables: a narrow helical face, and bodies that are not
+// held at the diameter of a solid body.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

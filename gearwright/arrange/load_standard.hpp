@@ -7,12 +7,13 @@
 
 namespace gearwright {
 
-/// The values of ISO 6336 for solid discs, at each torque for which `answer` has contact. Empty if
-/// the standard does not cover the pair.
+/// The values of ISO 6336 for solid discs, at each torque for which `answer` contains contact.
+/// Empty if the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
-// Finds the reasons why teeth under load are softer or stiffer than ISO 6336 predicts. The pair is
-// computed again without errors, without modifications, with a wider face, and with solid bodies.
+// Finds the reasons why teeth under load are softer or stiffer than ISO 6336 predicts. For this
+// purpose, the pair is computed again: without errors, then also without modifications, and then
+// with a wider face and with solid bodies.
 
 /// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note gives the
 /// factor of each cause and the remaining factor.

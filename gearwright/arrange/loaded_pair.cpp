@@ -16,8 +16,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
-constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; for a
-                                       // larger ratio, Hertz' theory is wrong by more than 1 %
+constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; above
+                                       // this ratio, Hertz' theory is wrong by more than 1 %
 
 Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<Warning>& warnings) {
   const GearInput& input = arranged.completed.gear(which);
@@ -159,7 +159,7 @@ Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
   return bodies;
 }
 
-// The member that deflects the axes under load; empty if nothing does.
+// The member of the input that deflects the axes under load; empty if nothing deflects them.
 std::string deflecting_member(const LoadRequest& request) {
   for (const int which : {1, 2})
     if (request.shafts[static_cast<std::size_t>(which - 1)]) return gear_field(which, "shaft");

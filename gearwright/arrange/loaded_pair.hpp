@@ -1,5 +1,5 @@
-// Computes a pair under torque, and probes of its teeth. This includes the choice of bodies and
-// resolution, and a check that the result can be used.
+// Computes a pair under torque, and probes of its teeth. This includes the choice of the gear
+// bodies and of the resolution, and a check whether the result can be used.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace gearwright {
 /// The pair for contact analysis, with the given flank modifications.
 ///
 /// Domain    a pair (contract)
-/// Errors    as ContactSetup::of
+/// Errors    as ContactSetup::of()
 Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& errors);
 
 struct LoadAnalysis {
@@ -30,18 +30,19 @@ struct LoadAnalysis {
   std::vector<LoadAnalysis> halves{};
 };
 
-/// One half of a double-helical pair. Each half is computed as a separate pair. The half at z < 0 is
-/// computed as its mirror image.
+/// One half of a double-helical pair. Each half is computed as a separate pair. The half at z < 0
+/// is computed as its mirror image.
 struct HalfPlace {
   bool below = false;
-  const PairCompliance* ready = nullptr;  ///< compliance of the other half, which has equal teeth
+  const PairCompliance* ready = nullptr;  ///< compliance of the other half if its teeth are equal;
+                                          ///< null if it must be computed
 };
 
-/// Fraction of the root diameter at which a gear without a bore is held.
+/// Diameter at which a gear without a bore is held, as a fraction of its root diameter.
 inline constexpr double kShaft = 0.5;
 
-/// The pair under each of the torques, and the results of its probes. Warnings about the validity
-/// of the result are added to `warnings`.
+/// The results of the pair under each of the torques, and the results of the probes. Warnings about
+/// the validity of the result are added to `warnings`.
 ///
 /// Domain    torques or probes; torques need a pair (contract)
 /// Errors    `pair.…` and `gearN.…` if loaded contact does not support such gears;
@@ -52,7 +53,7 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
                             Progress* progress = nullptr,
                             const std::optional<HalfPlace>& half = {});
 
-/// The pair under the single torque `torque` on gear 1, N m. All other numbers come from `input`.
+/// The result under the single torque `torque` on gear 1, N m. All other numbers come from `input`.
 Result<LoadedContact> contact_under(const Arranged& arranged, const ContactErrors& errors,
                                     const LoadInput& input, double torque,
                                     std::vector<Warning>& warnings, Progress* progress = nullptr);
@@ -61,7 +62,7 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
 /// of the teeth, then the contact at all positions, and finally judge_load().
 struct LoadTask {
   ContactSetup setup;
-  LoadRequest request;  ///< its `progress` is not set
+  LoadRequest request;  ///< without `progress`
   bool gear2_drives = false;
   bool with_errors = false;   ///< true if there are errors of mounting or deflections
   double torque_share = 1.0;  ///< share of the torque on gear 1; 0.5 for one half of a

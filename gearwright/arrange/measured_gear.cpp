@@ -100,8 +100,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // The seat of a ball of the given diameter. If none is given, the standard size is used. If the
-  // standard size does not fit, the ideal size is used.
+  // The seat of a ball of the given diameter. If no diameter is given, the ball has the standard
+  // size, or the ideal size if the standard size does not fit.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -194,8 +194,9 @@ class Measuring {
     return std::nullopt;
   }
 
-  // Sets the tolerances of the axes of the pair. They follow from the gear with the coarser helix
-  // tolerance. A mating gear without a grade gets the grade of this gear.
+  // Sets the tolerances of the axes of the pair. They are computed from the helix tolerance of the
+  // gear whose helix tolerance is coarser. A mating gear without a grade gets the grade of this
+  // gear.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;

@@ -20,7 +20,7 @@
 namespace gearwright {
 
 struct ChordMeasure {
-  double diameter;  ///< mm, at which the flanks touch the measuring faces
+  double diameter;  ///< mm, diameter at which the flanks touch the measuring faces
   ChordalThickness<double> chord;
 };
 
@@ -38,7 +38,7 @@ struct ThicknessAt {
   double diameter;    ///< d_y  mm
   double transverse;  ///< s_yt  mm, arc length
   double normal;      ///< s_yn  mm, arc length
-  double half_angle;  ///< rad, half of the tooth at d_y
+  double half_angle;  ///< rad, half of the angle of the tooth at d_y
   double helix;       ///< β_y  rad, signed
 };
 
@@ -60,7 +60,7 @@ struct GearMeasures {
 /// The gear, the tools, and additional data.
 struct MeasureRequest {
   int which = 1;
-  MeasureInput tools{};        ///< default tools replace absent ones
+  MeasureInput tools{};        ///< absent tools are replaced by default tools
   const Pair* pair = nullptr;  ///< mounted pair, for the active flank; null for a single gear
   std::optional<double> bearing_span{};  ///< L  mm, for the tolerances of the axes
   /// Converts an error to the text of a warning. If this function is empty, the error's message is
@@ -68,9 +68,9 @@ struct MeasureRequest {
   std::function<std::string(const Error&)> words{};
 };
 
-/// All inspection dimensions of a gear. A dimension that cannot be measured is absent. If its tool
-/// was not given, a warning gives the reason: `no_chord`, `no_span` or `no_balls`. A contact off
-/// the usable flank also causes a warning.
+/// All inspection dimensions of a gear. A dimension that cannot be measured is absent. If the tool
+/// of such a dimension is not given, a warning gives the reason: `no_chord`, `no_span` or
+/// `no_balls`. A tool that touches outside the usable flank also causes a warning.
 ///
 /// Errors    `gearN.measure.…` if a given tool does not fit
 Result<GearMeasures> measure(const Arranged& arranged, const MeasureRequest& request,

@@ -52,7 +52,8 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
     if (!gear->profile_shift)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
-  // Old and exchangeable gears are cut without shift for this centre distance.
+  // If the sum is 0, gears without profile shift have the same centre distance. Old and
+  // exchangeable gears are cut without profile shift, so the user may have meant such gears.
   const double sum =
       given.gears[0]->cylindrical.profile_shift + given.gears[1]->cylindrical.profile_shift;
   const bool standard =

@@ -13,11 +13,11 @@
 
 namespace gearwright {
 
-/// True if at least one profile shift is absent and follows from the given centre distance.
+/// True if at least one profile shift is absent and is computed from the given centre distance.
 bool shifts_follow(const GivenPair& given);
 
-/// A note that lists the computed shifts in `cylindrical`. None if no shift is computed or all are
-/// 0.
+/// A note that lists the computed shifts, which are in `cylindrical`. None if no shift is computed
+/// or if all computed shifts are 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
 /// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
@@ -28,8 +28,8 @@ std::optional<Error> forbidden_shifts(const GivenPair& given);
 /// None if the lead crowning in `given` prevents this in both directions of rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
-/// Adds to `warnings` each warning of `found` that it does not contain yet. The messages of added
-/// warnings begin with `before`.
+/// Adds to `warnings` each warning of `found` that `warnings` does not contain yet. The text
+/// `before` is put in front of the message of each added warning.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";

@@ -16,11 +16,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; a smaller excess is not rounded
-                                 // up
+constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; a smaller excess over whole µm is
+                                 // not rounded up
 
 constexpr double kSame =
-    0.01;  // relative difference below which the reliefs of both gears are made equal
+    0.01;  // relative difference; below it, the reliefs of both gears are made equal
 
 // Rounds up to whole µm, so that the tips carry no load.
 double whole_um_above(double mm) { return std::ceil(mm * kUmPerMm - kNoise) / kUmPerMm; }
@@ -143,8 +143,8 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, R
   if (is_long && !(mesh.true_ratio < 2.0)) return std::nullopt;
   const double beyond = mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step;
   const double length = is_long ? beyond : beyond / 2;
-  // The tip of gear 1 is in contact at the end of the path of contact, and the tip of gear 2 at its
-  // start.
+  // The tip of gear 1 is in contact at the end of the path of contact, and the tip of gear 2 at the
+  // start of the path.
   const double near_end = mesh.rho1_true_end - length;
   const double near_begin = mesh.rho1_true_begin + length;
   const auto i = static_cast<std::size_t>(which - 1);

@@ -6,7 +6,7 @@
 //   δ(x)       approach due to shaft deflection, x = z/b    f_Hβ  helix slope deviation
 //   S, B       slope of δ over the face, and height of its parabola
 //
-// Amounts are normal to the flank and whole µm.     theory: docs/theory/12-loaded-contact.md
+// Amounts are normal to the flank, in whole µm.     theory: docs/theory/12-loaded-contact.md
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ namespace gearwright {
 
 enum class ReliefLength { short_relief, long_relief };
 
-/// Start diameters of the tip reliefs and of the root reliefs of gear `which`, mm. None if the axes
-/// cross or the contact ratio of the flanks is at most 1. Long reliefs also need a contact ratio
+/// Start diameters of the tip relief and of the root relief of gear `which`, mm. None if the axes
+/// cross or if the contact ratio of the flanks is at most 1. Long reliefs also need a contact ratio
 /// below 2, because otherwise there is no single pair contact.
 ///
 /// Formula   [T12.29]
@@ -65,8 +65,8 @@ struct ReliefProposal {
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
   double root_start = 0.0;            ///< mm, diameter on gear 1
-  double root_factor = 1.0;  ///< C_f/C_a2; it is > 1 if the flank of gear 1 starts below the first
-                             ///< contact
+  double root_factor = 1.0;  ///< C_f/C_a2; > 1 if the usable flank of gear 1 starts below its first
+                             ///< point of contact
 
   /// C_a of each gear and C_f of gear 1, mm. `pitch_deviation` is f_pt of both gears together, mm,
   /// normal to the flank.
@@ -74,8 +74,8 @@ struct ReliefProposal {
   double root_amount(double pitch_deviation) const;
 };
 
-/// The reliefs for the errors and deflections of the task. The helix modifications are `lead` if it
-/// is given. Otherwise, the input contains them.
+/// The reliefs for the errors and deflections of the task. If `lead` is given, it replaces the
+/// flank modifications of the task.
 ///
 /// Formula   [T12.28], [T12.29], [T12.30]
 /// Domain    a pair with line contact, and the compliance of its teeth (contract)
@@ -86,9 +86,9 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The sum of the deflection of the shafts and the given deflection under a torque on gear 1, N mm.
-/// The load is assumed to be uniform over the face. A helix slope that cancels the deflection makes
-/// the load uniform.
+/// The sum of the deflection that the shafts have under a torque on gear 1, N mm, and the given
+/// deflection. The load is assumed to be uniform over the face, because the helix slope that
+/// compensates the deflection makes it uniform.
 ///
 /// Formula   [T12.31], [T12.37]
 /// Domain    a pair with line contact, and its compliance (contract)

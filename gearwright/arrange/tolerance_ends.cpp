@@ -14,7 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// The allowance E_sn, mm, of a tooth with this transverse thickness on the base cylinder. [T10.19]
+// The allowance E_sn, mm, of a tooth whose transverse thickness on the base cylinder is
+// `base_thickness`. [T10.19]
 double allowance_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return gear.spec.thickness_allowance + (base_thickness - g.base_tooth_thickness) *
@@ -37,7 +38,8 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     return gear.spec.thickness_allowance + (length - span->length) * per;
   };
   Ends ends{allowance(read[0]), allowance(read[1])};
-  // On an internal gear, the greater span belongs to the thinner tooth, so the order must change.
+  // On an internal gear, the greater span belongs to the thinner tooth, so the allowances are in
+  // descending order here.
   std::sort(ends.begin(), ends.end());
   return ends;
 }
@@ -236,7 +238,8 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // If a gear has a cutter or a given base cylinder, that alone determines its tooth thickness.
+    // If a gear has a pinion cutter or a given base cylinder, the tooth thickness has no tolerance,
+    // because the cutter or the base cylinder determines it.
     if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);

@@ -1,9 +1,9 @@
 // Converts tolerances to numbers. Computes the gears at both ends of their tolerances and at every
 // combination of the ends.
 //
-// Over the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
+// Within the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
 // safeties are monotonic in each toleranced number. The worst value of each quantity therefore
-// occurs at a combination of ends, which is a corner of the box of tolerances.
+// occurs at a combination of ends. Such a combination is called a corner.
 // Internal to arrange/.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace gearwright {
 ///           or if the measuring tool is missing
 Result<GivenPair> with_allowances(const GivenPair& given);
 
-/// Computes the deviations of tip diameters whose tolerance is given as a fit.
+/// Computes the deviations of each tip diameter whose tolerance is given as a fit.
 ///
 /// Errors    `gearN.tolerance.tip_fit` if the fit does not exist; `gearN.tip_diameter` if the
 ///           diameter is outside the table of fits
@@ -39,13 +39,13 @@ Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal
 struct TolerancedNumber {
   enum class Of { thickness, tip, distance } of;
   int gear;   ///< 1 or 2; 0 for the pair
-  Ends ends;  ///< mm: thickness allowance, tip diameter, centre distance
+  Ends ends;  ///< least and greatest thickness allowance, tip diameter or centre distance, mm
 };
 
-/// The tolerances; empty if there are none.
+/// The numbers that have a tolerance; empty if there are none.
 std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal);
 
-/// For each tolerance, the end to use (0 or 1). None stands for the nominal value.
+/// For each toleranced number, the end to use (0 or 1), or none for the nominal value.
 using ToleranceCorner = std::vector<std::optional<std::size_t>>;
 
 /// All combinations of ends.
@@ -60,10 +60,10 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 
-// Computes the gears and the pair at the mean of their tolerances, if they have any.
+// Computes the gears and the pair at the mean of their tolerances, or as given without tolerances.
 
-/// Computes the result of arrange() without `ends` and `given`. The caller must have converted
-/// allowances that follow from a series or a measurement to numbers (with_allowances).
+/// Computes the result of arrange() without `ends` and `given`. If allowances are given by a series
+/// or a measurement, the caller must have converted them to numbers with with_allowances().
 Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

@@ -2,10 +2,11 @@
 // without a gap.
 //
 // Each half is an ordinary helical gear. Two mating halves form a helical pair with the face width
-// of a half. The half at z > 0 is the one that is arranged and mounted.
+// of a half. The pair of the halves at z > 0 is arranged and mounted.
 //
 //   b      whole face with the gap, mm     b_B  face of one half, (b − gap)/2, mm
-//   d_a0   outer diameter of the hob, mm   l_0  half its cutting length, mm     γ_0  its lead angle
+//   d_a0   outer diameter of the hob, mm           γ_0   lead angle of the hob
+//   l_0    half of the cutting length of the hob, mm
 //   h      depth of the teeth, mm          theory: docs/theory/02-involute-and-pair.md, 2.11
 #pragma once
 
@@ -21,7 +22,7 @@ struct Halves {
   double face_width = 0.0;                ///< b    mm
   double half_face_width = 0.0;           ///< b_B  mm
   std::optional<double> groove_diameter;  ///< mm, as given or d_f ∓ m_n/2; none without a gap
-  std::optional<double> hob_run_out;      ///< mm, least gap that the run-out of the hob needs
+  std::optional<double> hob_run_out;      ///< mm, least gap for the run-out of the hob
   /// Δz/e: axial shift of the floating gear per index error e between its halves. The shift divides
   /// the error equally between the halves.
   double axial_shift_per_index_error;
@@ -30,7 +31,8 @@ struct Halves {
 /// Replaces each double-helical gear by one of its halves.
 ///
 /// Formula   [T2.42]
-/// Errors    `gearN.face_width` if it is absent; `gearN.double_helical.gap` if it leaves no half;
+/// Errors    `gearN.face_width` if it is absent; `gearN.double_helical.gap` if the gap leaves no
+///           face width for the halves;
 ///           `gearN.double_helical` if it is absent and the mating gear is double-helical;
 ///           `gear2.double_helical.gap` if the halves are not opposite each other;
 ///           `gear2.double_helical.stagger_pitches` if the staggers differ

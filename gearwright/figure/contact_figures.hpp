@@ -14,21 +14,22 @@
 
 namespace gearwright {
 
-/// A sequence of positions with contact of one tooth pair, either at edges or on the flanks.
+/// Successive positions at which the same tooth pair is in contact. The contact is at an edge at
+/// all of them, or on the flanks at all of them.
 struct TeRun {
   int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;
   std::vector<double> rotation, te;  ///< rad; neighbouring runs share their ends
 };
 
-/// Divides the curve over one pitch into runs. A position without contact ends a run. At the
-/// handover between tooth pairs, both curves are extended to their intersection, but not beyond the
-/// greatest and the least computed value.
+/// Divides the curve over one pitch into runs. A position without contact ends a run. Where the
+/// next tooth pair takes over, the curves of both pairs are extended to their intersection. Its
+/// value is limited to the range of the computed values.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
-/// `result` is the result in the scene, or the result of the non-working flanks. There is no figure
-/// if no position has contact.
+/// `result` is scene.driving, or the result of the non-working flanks. There is no figure if no
+/// position has contact.
 std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
 /// Returns true if all harmonics are rounding errors.
@@ -45,16 +46,16 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 /// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
 /// Empty if the map has one step.
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
-/// Adds the values of a raster to a figure, as shaded steps between the levels and as its grid. If
-/// `above` is given, places with this value or less are left out.
+/// Adds the values of a raster to a figure, as shaded steps between the levels and as the grid of
+/// the figure. If `above` is given, places with this value or less are left out.
 void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
              std::string words, std::string unit, std::optional<double> above = {});
 
 /// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
 double pattern_share(const FlankRaster& raster, double marking);
 
-/// One continuous path of the contact point over a flank: positions in the order in which a tooth
-/// passes them, either at edges or on the flanks.
+/// A continuous piece of the path of the contact point over a flank. The points are in the order in
+/// which a tooth passes them. All of them are contacts at edges, or all are contacts of the flanks.
 struct PathPiece {
   bool edge = false;
   std::vector<const ContactPoint*> points;

@@ -13,7 +13,7 @@
 
 namespace gearwright {
 
-/// An axis as mounted, including errors, in the housing.
+/// The axis of a gear as mounted with its errors, in the housing frame.
 struct ContactAxis {
   Vec3 point = Vec3::Zero();  ///< mm, the middle of the gear's face
   Vec3 direction = Vec3(0, 0, 1);
@@ -40,7 +40,7 @@ struct ContactScene {
 ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const ContactPair& pair,
                            double marking, ContactResult driving);
 
-/// Replaces the axes by their mirror images in the plane z = 0, with their directions towards +z.
+/// Replaces the axes by their mirror images in the plane z = 0. Their directions still point to +z.
 void mirror_axes(ContactScene& scene);
 
 /// The angular pitch of gear 1, rad.
@@ -49,7 +49,7 @@ double pitch_of(const ContactScene& scene);
 /// The name of a kind of contact, "tip edge of gear 1".
 const char* words_of(TouchKind kind);
 
-/// Number of a tooth pair with its sign. "0" is the pair nearest the centre line.
+/// The number of a tooth pair with a sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
 /// Style class of a tooth pair: one of three classes of figure_style.css, in rotation.
 const char* pair_style(int k);
@@ -79,8 +79,8 @@ struct FlankPlace {
 FlankPlace place_on(const ContactAxis& axis, const Vec3& point);
 
 /// The contact ellipse on gear `which` (0, 1), seen along the direction of motion of the tooth, as
-/// a closed polygon of points (height, radius). Empty if the contact has no ellipse or an unbounded
-/// one.
+/// a closed polygon of points (height, radius). Empty if the contact has no ellipse, or if the
+/// ellipse is unbounded.
 ///
 /// Units     mm, true size, projected from the tangent plane at the contact point
 std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint& p,

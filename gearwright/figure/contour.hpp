@@ -16,7 +16,7 @@ namespace gearwright {
 
 struct ContourField {
   std::size_t columns = 0, rows = 0;
-  std::vector<double> value;  ///< [row · columns + column]; infinite: above every level
+  std::vector<double> value;  ///< [row · columns + column]; an infinite value is above every level
 
   double at(std::size_t row, std::size_t column) const { return value[row * columns + column]; }
 };

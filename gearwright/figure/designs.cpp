@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFree = 0.06;  // room beyond the values at each end of an axis, over their range
+constexpr double kFree = 0.06;  // margin at each end of an axis, over the range of the values
 // Ratio of the greatest to the least value above which a linear axis would crowd one end.
 constexpr double kWideSpan = 15.0;
 // Relative difference within which all values of an axis count as one value, and the relative

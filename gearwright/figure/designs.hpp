@@ -14,9 +14,9 @@ struct DesignDot {
   std::string words = {};  ///< the design, shown at the pointer with its two values
 };
 
-/// Draws the dots in their order on axes with some margin, and under them the border of the Pareto
-/// front. An axis of positive values is logarithmic if the greatest value exceeds fifteen times the
-/// least.
+/// Draws the border of the Pareto front, and over it the dots in their order. The axes extend a
+/// little beyond the dots. An axis of positive values is logarithmic if the greatest value exceeds
+/// fifteen times the least.
 ///
 /// Domain    at least one dot, all of them finite (contract)
 Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& dots,

@@ -70,7 +70,7 @@ struct DensityScene {
   std::string id;
   std::size_t which = 0;  ///< 0 for gear 1, 1 for gear 2
   bool internal = false;
-  std::vector<double> diameter, height;  ///< mm, ascending: of the rows, of the columns
+  std::vector<double> diameter, height;  ///< mm, of each row and of each column, ascending
   std::vector<double> share;             ///< 0 to 1, [row · columns + column]
   double marking = 0.0;                  ///< thickness of the marking compound, mm
   std::int64_t samples = 0;

@@ -14,9 +14,9 @@ namespace gearwright {
 /// The class of a body's colour: "b0" to "b7", then "b0" again.
 std::string body_style(std::size_t body);
 
-/// The scheme of the drive in a half section. It shows gears, shafts, carriers with one planet of
-/// each kind and fixed bodies, with speeds and torques at the ends of the shafts. Coaxial shafts
-/// are drawn beside each other. Radii are to scale, but lengths are not.
+/// The scheme of the drive in a half section. It shows gears, shafts, fixed bodies, and carriers
+/// with one planet of each kind. Speeds and torques are written at the ends of the shafts. Coaxial
+/// shafts are drawn beside each other. Radii are to scale, but lengths are not.
 Figure scheme_figure(const Drive& drive, const DrivePlaces& places);
 
 /// Diagram of the power flow from the inputs through bodies and meshes to the output. There is no

@@ -32,7 +32,8 @@ double period_of(const Drive& drive, const PlanetShares& shares) {
   return kCircle;
 }
 
-// The values at the positions of one period, with the first value repeated at its end.
+// The values at the positions of one period, with the first value repeated at the end of the
+// period.
 template <class Of>
 std::vector<Vec2> over_the_period(double period, std::size_t count, const Of& of) {
   std::vector<Vec2> points;

@@ -18,7 +18,7 @@ constexpr double kBar = 0.05;  // half the width of a node, relative to the dist
 constexpr double kAir = 0.62;  // gap between nodes in a column, over the distance between columns
 constexpr double kShown = 0.006;  // least width of a drawn band, over the height of the diagram
 constexpr int kPieces = 24;
-// px, width of the picture for which names are spaced, and the distance by which a name is lifted
+// px: the picture width that the spacing of names assumes, and the step by which names are moved up
 constexpr double kWidth = 616.0, kLift = 18.0;
 
 // A body or a mesh. Powers are shares of the input power.
@@ -27,7 +27,7 @@ struct Node {
   std::size_t index;
   double in = 0.0, out = 0.0, outside_in = 0.0, outside_out = 0.0;
   int column = 0;
-  double y = 0.0;  // height of its middle
+  double y = 0.0;  // height of the middle of the node
   double height() const { return std::max(in + outside_in, out + outside_out); }
 };
 
@@ -35,7 +35,7 @@ struct Band {
   std::size_t from, to;
   double power;
   bool back = false;                   // from a later column to an earlier one
-  double leaves = 0.0, arrives = 0.0;  // y of its centre line at both nodes
+  double leaves = 0.0, arrives = 0.0;  // y of the centre line of the band at `from` and at `to`
 };
 
 class PowerDiagram {
@@ -83,8 +83,8 @@ class PowerDiagram {
     }
   }
 
-  // Puts each node in a column after the columns of all nodes from which it gets power, except in
-  // loops.
+  // Puts each node in a column after the columns of all nodes from which it gets power. A band that
+  // closes a loop is marked as `back` and does not count here.
   void find_columns() {
     std::vector<int> state(nodes_.size(), 0);  // 1: being visited, 2: done
     std::vector<std::size_t> order;

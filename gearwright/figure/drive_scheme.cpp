@@ -24,7 +24,7 @@ constexpr double kLevel = 0.2;    // distance between coaxial shafts
 constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
 constexpr double kLine = 15.0;    // px between lines of words
-constexpr double kFurther = 2.5;  // additional length of each shaft inside the outer one
+constexpr double kFurther = 2.5;  // from the end of a shaft to the end of the next shaft inside it
 
 // A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
 // joins a ring to its shaft.
@@ -154,8 +154,9 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring. It is beyond the slots of the ring, on the side towards the
-  // end of its shaft or the other gears of its body.
+  // The position of the bell of a ring. It is beyond the slots of the ring, on the side on which
+  // the shaft of the ring ends. If this shaft has no end, it is on the side of the other gears of
+  // the body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }

@@ -1,10 +1,10 @@
 // Describes a figure as a value: marks in the units of its axes, without pixels or colours.
 //
 // A figure is made once from a result of the engine. Several writers use it: SVG for the report and
-// the page (figure_svg.hpp), PDF and DXF for papers and CAD (cad/figure_files.hpp), JSON and CSV for
-// the user's own plots (figure_data.hpp). The style of a mark is a list of semantic classes ("g1",
-// "edge", "limit"), which figure_style.css turns into colours for light and dark screens and for
-// paper.
+// the page (figure_svg.hpp), PDF and DXF for papers and CAD (cad/figure_files.hpp), JSON and CSV
+// for the user's own plots (figure_data.hpp). The style of a mark is a list of semantic classes
+// ("g1", "edge", "limit"), which figure_style.css turns into colours for light and dark screens and
+// for paper.
 //
 //   Points are given in data coordinates. ±∞ is the edge of the plot. NaN begins a new piece of a
 //   line or of an area.
@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// A point of a mark that begins a new piece.
+/// The point that begins a new piece of a line or of an area.
 inline const Vec2 kNewPiece = Vec2::Constant(kNoNumber);
 inline bool is_new_piece(const Vec2& p) { return std::isnan(p.x()) || std::isnan(p.y()); }
 
@@ -40,7 +40,8 @@ struct FigureAxis {
   std::vector<AxisName> names = {};  ///< shown instead of round numbers
 };
 
-/// A length at the end of a text of a figure, so that it can be converted to another unit.
+/// A length at the end of a text of a figure. It is stored as a number, so that the figure can be
+/// converted to another unit.
 struct FigureLength {
   double value;
   int decimals;
@@ -58,7 +59,7 @@ struct FigureMark {
     dot,
     text,
     circle,  ///< about a point, `radius` in the units of the axes
-    shape,   ///< a gear's section (gear_shape.hpp), `radius` mm per unit of its path
+    shape,   ///< a gear's section (gear_shape.hpp); `radius` is the length of a path unit, mm
     cross    ///< marks an axis of rotation
   };
   Kind kind = Kind::line;
@@ -75,12 +76,12 @@ struct FigureMark {
   /// dot is first tried at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// For a line, true if it is the border of an area; its label is then on its right side or inside
-  /// the area. For a bar, true if labels must not overlap it.
+  /// For a line, true if it is the border of an area. The label is then on the right side of the
+  /// line, or inside the area. For a bar, true if labels must not overlap it.
   bool border = false;
   double turned = 0.0;     ///< rotation of a shape, degrees counter-clockwise
   double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1
-  int gear = -1;           ///< 0, 1: gear of the mark; for a circle also the side of its label
+  int gear = -1;           ///< 0, 1: gear of the mark; also places the label of a circle
   bool head = false;       ///< true for a line with an arrowhead at its end
   int group = -1;          ///< index of the group with which the mark turns; −1: none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
@@ -165,7 +166,7 @@ struct Figure {
   std::optional<FigureSlide> slide = {};
   std::vector<FigureLeader> leaders = {};  ///< if there are any, marks are clipped to the plot
   std::vector<FigureGroup> groups = {};
-  std::string definitions = {};  ///< SVG definitions of its shapes; empty if the page contains them
+  std::string definitions = {};  ///< SVG definitions of shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
   /// Adds an area. `words` are shown at the pointer, for example the values of a step of a map.

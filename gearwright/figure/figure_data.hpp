@@ -8,11 +8,10 @@
 namespace gearwright {
 
 /// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x,
-/// y], …]}]}. The curves are the named lines, and the bars as one additional curve. A break of a
-/// line is
-/// [null, null]. If there are circles or named dots, they are in "circles" and "points". The values
-/// of a map are in "grid": {"words", "unit", "x": […], "y": […], "values": [[…], …]}, a row for each
-/// y, null where there is no value.
+/// y], …]}]}. Each named line is a curve, and all bars together are one more curve. The point
+/// [null, null] marks a break of a line. Circles and named dots, if there are any, are in "circles"
+/// and "points". The values of a map are in "grid": {"words", "unit", "x": […], "y": […], "values":
+/// [[…], …]}, with a row for each y and with null where there is no value.
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

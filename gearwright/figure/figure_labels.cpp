@@ -15,8 +15,8 @@ using Places = std::vector<LabelPlace>;
 
 constexpr double kDot = 5.0;     // px, half the side of the box around a dot, which labels avoid
 constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
-// rad, px. The distance between neighbouring candidate positions on a circle is at most the smaller
-// of the two.
+// rad, and px along the circle. Neighbouring candidate positions on a circle are separated by the
+// smaller of these two distances.
 constexpr double kTurn = 0.035, kStep = 24.0;
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
@@ -132,8 +132,8 @@ class Labels {
   }
 
   // Most positions are outside the area, on the right of its border, because borders run
-  // counter-clockwise. A position on the left is used only if it lies within an area. The label of
-  // one edge of a narrow region is then not beyond the opposite edge.
+  // counter-clockwise. A position on the left is used only if it lies within an area, because in a
+  // narrow region it could otherwise lie beyond the opposite edge.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;

@@ -45,7 +45,7 @@ struct Scale {
     if (std::isinf(v)) return (v > 0) == (hi > lo) ? to : from;
     const double share = log ? std::log(v / lo) / std::log(hi / lo) : (v - lo) / (hi - lo);
     if (plane) return from + share * (to - from);
-    // Curves may extend beyond their plot by at most its length.
+    // A coordinate is limited to at most one axis length beyond the plot.
     const double length = std::abs(to - from);
     return std::clamp(from + share * (to - from), std::min(from, to) - length,
                       std::max(from, to) + length);
@@ -191,7 +191,7 @@ class Writer {
 
  private:
   Vec2 px(const Vec2& p) const { return Vec2(x_(p.x()), y_(p.y())) - origin_; }
-  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px of x
+  double per_unit() const { return std::abs((x_.to - x_.from) / (x_.hi - x_.lo)); }  // px per x
 
   void begin_frame(int frame) {
     svg_.begin_group(fmt::format("data-frame=\"{}\" data-frames=\"{}\"{}", frame, f_.frames,

@@ -18,13 +18,13 @@ inline constexpr double kFigureWidth = 560.0;  ///< px, of a figure in a column 
 
 /// Returns the picture. The group of class "plot" has the attributes `data-x` and `data-y` with the
 /// text "lo hi from to": the values at both ends of the axis, and the px of both ends.
-/// figure_script.js converts px to values with them.
+/// figure_script.js converts px to values with these attributes.
 ///
 /// Domain    width ≥ 240 px; finite axes of nonzero length (contract)
 std::string figure_svg(const Figure& figure, double width = kFigureWidth);
 
-/// Returns the picture with its caption as the HTML element `figure`, with these attributes.
-/// `control` is HTML that follows the picture.
+/// Returns the HTML element `figure` with these attributes. It contains the picture, then the HTML
+/// text `control`, and then the caption.
 std::string figure_html(const Figure& figure, double width = kFigureWidth,
                         std::string_view attributes = "", std::string_view control = "");
 

@@ -18,7 +18,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kEllipses = 7;                           // approximate number of drawn ellipses
-constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // limits of the drawn height over the width
+constexpr double kLowFlank = 0.36, kHighFlank = 0.72;  // limits of the ratio of height to width
 constexpr double kBeyond = 0.09;  // height drawn beyond root and tip, relative to the flank
 const std::vector<double> kGapLevels{1, 2, 5, 10, 20, 50};  // µm, greatest gaps of the drawn bands
 
@@ -94,10 +94,10 @@ std::string side_words(const ContactScene& scene, std::size_t which) {
       gear.internal() ? " of the internal gear (whose tip is at the smaller diameter)" : "");
 }
 
-// Draws the gap in bands, with their values if nothing else is drawn on the flank.
+// Draws the gap in bands. If `named`, the value of each band is written on it.
 void add_gap(Figure& f, const FlankRaster& raster, bool named, const Vec2& touch) {
   const ContourField field = field_of(raster);
-  // The names of levels keep a distance from each other, from the contact and from the edges of the
+  // The written values keep a distance from each other, from the contact and from the edges of the
   // plot. Distances are fractions of the plot.
   const auto share = [&](const Vec2& p) -> Vec2 {
     return {(p.x() - f.x.lo) / (f.x.hi - f.x.lo), (p.y() - f.y.lo) / (f.y.hi - f.y.lo)};

@@ -190,10 +190,10 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
   const auto units = [&](double mm) { return std::lround(mm / outline_unit_mm(gear)); };
   const std::string tooth = tooth_path(gear);
   const long r_f = units(gear.tooth->root_radius);
-  // The chord that closes the fill of a tooth lies inside the root circle, which the disc fills. If
-  // the chord would cross a bore, the circle itself closes the fill. Colours are inherited where
-  // the shape is used. The attribute vector-effect must be set here, because style sheets do not
-  // apply inside the shape.
+  // A chord inside the root circle closes the fill of a tooth. The chord is invisible, because a
+  // disc fills the root circle. If the chord would cross a bore, an arc of the root circle closes
+  // the fill instead. The shape inherits its colours from the element that uses it. The attribute
+  // vector-effect must be set here, because style sheets do not apply inside the shape.
   std::string text;
   if (!gear.internal()) {
     if (chord_crosses_bore(gear)) {
@@ -219,8 +219,8 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
       text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
     }
   } else {
-    // The tooth of an internal gear is attached to its rim. The fill is closed within the rim, and
-    // the stroke stays open.
+    // The tooth of an internal gear is attached to the rim. Its fill is closed within the rim, and
+    // its stroke stays open.
     const long rim = units(drawn_radius(gear));
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =

@@ -15,7 +15,8 @@ namespace gearwright {
 /// no figure if no position has a value.
 std::optional<Figure> loaded_te_figure(const LoadScene& scene);
 std::optional<Figure> share_figure(const LoadScene& scene);
-/// The load shares of all tooth pairs at the shown torque over two pitches, each pair in its colour.
+/// The load shares of all tooth pairs at the shown torque over two pitches, each pair in its
+/// colour.
 std::optional<Figure> pair_share_figure(const LoadScene& scene);
 std::optional<Figure> stiffness_figure(const LoadScene& scene);
 std::optional<Figure> root_turn_figure(const LoadScene& scene);
@@ -33,19 +34,19 @@ std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
 /// The greatest pressure during a mesh at each place of a flank of gear `which` (0, 1). The raster
-/// contains pressures in MPa instead of gaps, with 0 where there is no contact. They are
+/// contains pressures in MPa instead of gaps, with 0 where there is no contact. Pressures are
 /// interpolated linearly between positions and slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
-/// The greatest pressure at each place of a flank during a mesh, with a frame for each position
-/// that shows the loaded contact lines. A second figure shows the pressure along the face.
+/// The greatest pressure at each place of a flank during a mesh. For each position of the slider,
+/// the figure shows the loaded contact lines. A second figure shows the pressure along the face.
 ///
 /// Domain    teeth that touch along lines (contract)
 Figure pressure_figure(const LoadScene& scene, std::size_t which);
 Figure pressure_along_figure(const LoadScene& scene);
 
 /// The contact ellipses of a tooth with point contact during its mesh, on the flank of gear
-/// `which`. A second figure shows the pressure in them.
+/// `which`. A second figure shows the pressure in these ellipses.
 ///
 /// Domain    teeth that touch at points, at least one position in contact (contract)
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);

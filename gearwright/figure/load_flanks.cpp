@@ -23,8 +23,8 @@ constexpr int kMostLevels = 10;
 constexpr std::size_t kMostDrawn = 14;  // number of ellipses that can be distinguished
 constexpr int kCorners = 48;            // corners of the polygon that represents an ellipse
 
-// A slice of a flank on its way through the mesh: the position of its least gap and the pressure
-// there.
+// A slice of a flank at one rotation of its tooth pair: the position of the least gap in the slice,
+// and the pressure there.
 struct Sample {
   double own;     // rotation of the tooth pair, pitches
   double radius;  // mm
@@ -59,7 +59,7 @@ double greatest_at(const std::vector<Sample>& way, double step, double radius) {
 }
 
 // The line on which a tooth pair carries load, in one or several pieces. Each point is (height of
-// slice j along the face of gear `which`, `of` slice j).
+// slice j along the face of gear `which`, of(j)).
 template <class Of>
 std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, const LoadedPair& pair,
                                  const Of& of) {
@@ -84,11 +84,11 @@ void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
 
 // A tooth at one position of its engagement.
 struct Passing {
-  double own;  // its rotation, pitches
+  double own;  // rotation of the tooth pair, pitches
   const LoadedPoint* point;
 };
 
-// Returns one list for each track of contact points, because teeth with double arcs have two.
+// Returns one list for each track of contact points. Teeth with double arcs have two tracks.
 std::vector<std::vector<Passing>> ways_of(const LoadScene& scene, const LoadedTorque& t) {
   std::map<int, std::vector<Passing>> by_track;
   for (const LoadedPosition& p : t.positions)
@@ -129,7 +129,8 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // Beyond the middles of the outermost slices, their value is used.
+      // Between the middle of an outermost slice and the end of the face, the value of this slice
+      // is used.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);
@@ -154,8 +155,9 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades takes the place of the
-                                                    // names
+  // The key of the shades is drawn where the frame has the diameters of tip and root, so these
+  // texts are removed.
+  std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   add_frames(f, scene, [&](const LoadedPair& pair, int frame) {

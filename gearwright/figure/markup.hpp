@@ -53,7 +53,7 @@ std::string with_symbols(std::string_view text);
 /// Markup without its tags.
 std::string without_tags(std::string_view markup);
 
-/// The HTML element `figure`, with these attributes, that contains the picture and the caption.
+/// The HTML element `figure` with these attributes. It contains the picture and the caption.
 std::string captioned(std::string_view picture, std::string_view caption,
                       std::string_view attributes = "");
 

@@ -15,8 +15,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
-// Distance from the edge of gear 1 to the axis of gear 2 if both are drawn side by side, over the
-// radius of gear 2.
+// If the gears are drawn side by side: the distance from the edge of gear 1 to the axis of gear 2,
+// divided by the radius of gear 2.
 constexpr double kBeside = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
@@ -110,7 +110,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
   }
 }
 
-// Draws an arrow over the axis in the direction of rotation.
+// Draws an arrow above the axis that shows the direction of rotation.
 void add_turn(Figure& f, const Vec2& axis, double radius, bool clockwise, int gear) {
   constexpr double kHalf = 0.55;  // rad, half the angle of the arrow
   std::vector<Vec2> arc;

@@ -2,11 +2,11 @@
 // axis 2 on the right (also for an internal gear) and y up. On crossed axes, both gears are drawn
 // side by side, each along its axis.
 //
-// A pair on parallel axes is in a position in which gear 1, which turns clockwise, touches with its
-// leading flank at the pitch point C. If there is backlash, it opens on the other side. The gears
-// are shapes that a script turns, and the contact slides along the path (`FigureSlide`).
+// On parallel axes, gear 1 turns clockwise, and its leading flank touches gear 2 at the pitch point
+// C. If there is backlash, the gap is at the trailing flank. The gears are shapes that a script
+// turns, and the contact slides along the path (`FigureSlide`).
 //
-//   t    rotation of gear 1 from that position, in pitches
+//   t    rotation of gear 1 from this position, in pitches
 #pragma once
 
 #include <array>
@@ -40,7 +40,7 @@ std::vector<NamedCircle> mesh_circles(const InvolutePair& pair, std::size_t i);
 
 struct MeshScene {
   std::vector<const Gear*> gears;          ///< one or two
-  const MountedGears* pair = nullptr;      ///< null: not mounted
+  const MountedGears* pair = nullptr;      ///< null if the gears are not mounted
   const InvolutePair* involute = nullptr;  ///< the same pair if it is involute, else null
   std::array<std::string, 2> shapes;       ///< names of the definitions (gear_shape.hpp)
   std::array<std::vector<NamedCircle>, 2> circles{};

@@ -37,7 +37,9 @@ Figure density_figure(const DensityScene& scene) {
           scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
       proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  std::erase_if(f.marks, [](const FigureMark& m) {  // the key of the shades replaces the names
+  // The key of the shades is drawn where the frame has the diameters of tip and root, so these
+  // texts are removed.
+  std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });
   add_map(f, raster, kLevels, "share of the samples", "%");

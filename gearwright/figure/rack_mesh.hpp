@@ -1,9 +1,9 @@
 // Shows a rack and its pinion in section. The housing frame is seen from +z with the axis of the
 // pinion on the left, the rack on the right and its travel upright.
 //
-// The pinion turns clockwise and touches with its leading flank at C. If there is backlash, it
-// opens on the other side. C is the pitch point, which lies on the reference circle of the pinion
-// at every centre distance.
+// The pinion turns clockwise, and its leading flank touches the rack at the pitch point C. If there
+// is backlash, the gap is at the trailing flank. C lies on the reference circle of the pinion at
+// every centre distance.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace gearwright {
 struct RackScene {
   const RackPair* pair = nullptr;
   std::array<std::string, 2> shapes;      ///< names of the definitions of pinion and rack
-  std::vector<NamedCircle> circles = {};  ///< pinion; by default tip, pitch and base circle
+  std::vector<NamedCircle> circles = {};  ///< of the pinion; by default tip, pitch and base circle
 };
 
 /// The extent of a picture with this ratio of width to height.
@@ -36,14 +36,15 @@ Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);
 Result<std::string> rack_definition(const RackPair& pair, const std::string& name);
 
 /// The section of the rack as one closed line in its own frame (pair/rack_pair.hpp), mm. If the
-/// number of teeth is not given, the rack has an odd number, at least as many as its pinion.
+/// number of teeth is not given, the rack has an odd number of teeth, at least as many as its
+/// pinion.
 ///
 /// Accuracy  fillets are chords within kOutlineTolerance modules
 /// Errors    as rack_outline()
 Result<std::vector<Vec2>> rack_section(const RackPair& pair);
 
-/// The origin of the rack, turned by 180°, in the position in which its flank touches the leading
-/// flank of the pinion at C.
+/// The point of the figure at which the origin of the rack lies. The rack is turned by 180°, and
+/// its flank touches the leading flank of the pinion at C.
 Vec2 rack_place(const RackPair& pair);
 
 /// Rotation of the pinion, counter-clockwise, at which its leading flank passes through C.

@@ -33,10 +33,11 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
                                                     {"interference at gear 2", "edge-hit"},
                                                     {"no working pressure angle", "edge-mesh"}}};
 
-// Margins over the longer side of what is shown: the limits, or a region with its labels.
+// Margin around all limits and margin around a region with its labels, each as a fraction of the
+// longer side of the limits or of the region.
 constexpr double kPadding = 0.17;
 constexpr double kZoomPadding = 0.42;
-constexpr double kMinWindow = 1e-3;  // modules; a shorter side has the margin of this length
+constexpr double kMinWindow = 1e-3;  // modules; if the longer side is shorter, this length is used
 constexpr double kMap = 0.19;        // size of the overview map, relative to the width
 constexpr double kMapGap = 0.015;    // from the map to the corner of the plot, over the width
 // Length of a stretch over the width of the plot. A shorter stretch of an edge is named only if it
@@ -83,8 +84,8 @@ void add_region(Figure& f, const ShiftChart& chart) {
   }
 }
 
-// Names the longest stretch of each kind and all others that are not short. If the centre distance
-// is exact, its least and its greatest value are the same line.
+// Names the longest stretch of each edge and all other stretches that are not short. If the centre
+// distance is exact, the edges of its least and its greatest value are the same line.
 void name_edges(Figure& f, const ShiftChart& chart) {
   const bool exact = exact_distance(chart.graph.problem());
   const double least = kShortStretch * (f.x.hi - f.x.lo);

@@ -35,7 +35,8 @@ struct RegionWindow {
 RegionWindow region_window(const Bounds& limits, const Bounds& region, double aspect,
                            double fair_part);
 
-/// Returns Σx at which the pair has the centre distance a, or nothing if it is outside the window.
+/// Returns the Σx at which the pair has the centre distance a, or nothing if the line of this Σx is
+/// outside the window.
 ///
 /// Units     a mm
 std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const Bounds& window);

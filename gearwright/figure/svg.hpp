@@ -3,8 +3,8 @@
 //
 // Positions are pixels of the picture, with y down. Colours and widths are classes of
 // figure_style.css, so one picture suits light and dark screens and paper. Strokes, marks and
-// labels keep their size when the user zooms. Marks and labels are groups of class "lb", which the
-// script of the page scales back.
+// labels keep their size when the user zooms. For this purpose, marks and labels are groups of
+// class "lb", and the script of the page scales these groups back.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ class Svg {
   Svg(std::string_view id, double width, double height, std::string_view title,
       std::string_view description);
 
-  /// Begins a group of which only marks inside this rectangle are visible.
+  /// Begins a group. Marks of this group are visible only inside the rectangle.
   void begin_clip(double x, double y, double width, double height);
   void begin_group(std::string_view attributes);
   void end_group();
@@ -64,8 +64,8 @@ class Svg {
   /// and `scale` is px per unit of the shape. `attributes` are inserted unchanged.
   void use(std::string_view shape, const Vec2& center, double scale, double degrees,
            std::string_view style, std::string_view attributes = "");
-  /// `markup` is SVG text content, which the caller has escaped or which comes from symbol_svg. It
-  /// is `offset` px from `at`, at every zoom.
+  /// `markup` is SVG text content, which the caller has escaped or which comes from symbol_svg().
+  /// The text is `offset` px from `at`, at every zoom.
   void text(const Vec2& at, std::string_view markup, Anchor anchor = Anchor::start,
             std::string_view style = "", const Vec2& offset = Vec2::Zero());
   /// Draws a dot of constant size. Its title, plain text, is shown at the pointer.

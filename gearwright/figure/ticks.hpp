@@ -8,14 +8,14 @@ namespace gearwright {
 
 struct Ticks {
   std::vector<double> values;
-  int decimals;  ///< number of decimals that distinguish the values; −1 if each value has its own
-                 ///< number
+  int decimals;  ///< number of decimals that distinguish the values; −1 if each value is written
+                 ///< with as many as it needs
 };
 
 /// Returns round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.
 ///
 /// Domain    lo < hi, most ≥ 1 (contract)
-/// Laws      there are at most most + 1 values
+/// Laws      the number of values is at most `most` + 1
 Ticks round_ticks(double lo, double hi, int most);
 
 /// Returns round values within [lo, hi] of a logarithmic axis. Neighbours are at least `apart`

@@ -15,7 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 1e-6;  // arcsec; smaller harmonics are not drawn
-constexpr double kFlat = 0.01;      // arcsec; a smaller span is drawn with this range
+constexpr double kFlat = 0.01;      // arcsec; a smaller peak to peak is drawn as if it were this
 
 // Returns the positions of the shown pitch and of half a pitch on each side of it. The rotations
 // and tooth pairs of the repeated positions are shifted.
@@ -128,8 +128,8 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
     if (!open || runs.back().pair != p.pair || runs.back().edge != edge) {
       TeRun run{p.pair, edge, {}, {}};
       if (open) {
-        // Neighbouring runs share a point. It is the last position of the first run if both belong
-        // to the same tooth pair, and otherwise the intersection of their curves.
+        // Neighbouring runs share a point. If both runs belong to the same tooth pair, this is the
+        // last position of the first run. Otherwise, it is the intersection of their curves.
         Vec2 border = at(i - 1);
         if (runs.back().pair != p.pair) {
           border = 0.5 * (at(i - 1) + at(i));

@@ -12,8 +12,9 @@ namespace gearwright {
 
 namespace {
 
-// The reduction of a misalignment by running-in, for one material, µm. It is a fraction of the
-// misalignment, with one upper limit at 5 … 10 m/s and another one above 10 m/s.
+// The reduction of the misalignment f by running-in for one material, µm. It is a fraction of f.
+// Hardened surfaces have one upper limit at all speeds v. Other materials have no limit up to 5
+// m/s, one limit up to 10 m/s, and a lower limit above 10 m/s.
 double helix_running_in(const Material& m, double f, double v) {
   using K = MaterialKind;
   if (m.surface_hardened()) return std::min(0.15 * f, 6.0);
@@ -28,7 +29,8 @@ double helix_running_in(const Material& m, double f, double v) {
   return std::min({share * f, v > 10.0 ? fast : v > 5.0 ? medium : kInfinity, f});
 }
 
-// K' of the five arrangements with and without stiffening, and the greatest s/l of the figure.
+// For each of the five arrangements: K' with stiffening (`stiff`), K' without stiffening (`loose`),
+// and the greatest s/l for which the figure is valid (`most`).
 struct Arrangement {
   double stiff, loose, most;
 };
@@ -134,8 +136,8 @@ std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& sha
     const RatedGear& gear = pair.gears[pair.place(which)];
     GW_EXPECTS(!gear.internal());
     const double r_b = gear.base_diameter / 2;
-    // The hand of gear 2 is opposite to the hand of gear 1. In an internal pair, the hands are
-    // equal. Both gears then turn in the same sense, so −hand1 applies there too.
+    // In an external pair, the hand of gear 2 is opposite to the hand of gear 1. In an internal
+    // pair, the hands are equal, but both gears turn in the same sense, so −hand1 is also correct.
     const double hand = which == 1 ? shafts.hand1 : -shafts.hand1;
     const ShaftLoad load{F_bt, push * hand * F_bt * r_b * tilt, -b / 2, b / 2};
     const std::vector<double> w = shaft_deflection(*shaft, load, z).w;

@@ -34,7 +34,7 @@ struct PinionMounting {
 
 struct FaceLoad {
   Factor K_Hbeta;
-  std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, if the factor follows from the mounting
+  std::optional<Factor> f_sh, F_betax, F_betay;  ///< µm, present if K_Hβ is computed from f_sh
   bool offset_in_range = true;                   ///< true if s/l is below the limit of the figure
 };
 
@@ -55,21 +55,23 @@ FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2
 
 /// K_Fβ from K_Hβ.
 ///
-/// Formula   [T11.14]; ISO 6336-1, 7.6: K_Hβ^(N_F); N_F follows from the lesser b/h of both gears,
-///           but at least from b/h = 3
+/// Formula   [T11.14]; ISO 6336-1, 7.6: K_Fβ = K_Hβ^(N_F). N_F depends on the lesser b/h of the two
+///           gears. If this b/h is less than 3, N_F is computed with 3
 Factor face_load_root(const RatedPair& pair, double K_Hbeta);
 
 struct TransverseLoad {
   Factor K_Halpha, K_Falpha;
 };
 
-/// K_Hα and K_Fα. `deviation` is max(f_pb, f_fα) − y_α, µm, and `load` is F_t K_A K_γ K_v K_Hβ/b, N/mm.
+/// K_Hα and K_Fα. `deviation` is max(f_pb, f_fα) − y_α, µm, and `load` is F_t K_A K_γ K_v K_Hβ/b,
+/// N/mm.
 ///
 /// Formula   [T11.15]; ISO 6336-1, 8.3, with both branches of ε_γ and both limits
 TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, double deviation,
                                double load, double Z_epsilon);
 
-// Deviation of the flanks along the face, due to the deflections of both shafts under the mesh force.
+// Deviation of the flanks along the face, due to the deflections of both shafts under the mesh
+// force.
 //
 //   F_t        transverse force at the reference cylinder of the pinion, N
 //   F_bt       force in the transverse plane of action, N       T_i   torque on gear i, N mm
@@ -78,8 +80,8 @@ TransverseLoad transverse_load(const RatedPair& pair, double c_gamma_alpha, doub
 //   f_sh       greatest minus least f over the common face, µm
 //                                                          theory: docs/theory/11-rating.md
 //
-// The bending of a shaft is computed with its given diameters, and the twist over the face with a solid
-// body of the root diameter.
+// The bending of a shaft is computed with the given diameters of the shaft. The twist over the face
+// is computed for a solid cylinder with the root diameter.
 
 /// The shafts of gear 1 and gear 2 of the spec. A gear without a shaft is rigid.
 struct MeshShafts {
@@ -98,7 +100,8 @@ constexpr int kShaftPoints = 257;
 /// Formula   [T11.48]…[T11.52]
 /// Domain    a gear with a shaft is external (contract)
 /// Laws      (1) f is linear in F_t
-///           (2) if the gears are mirrored at z = 0, with the other hand, f is reversed
+///           (2) if the shafts are mirrored at z = 0 and the hands are exchanged, the values of f
+///               are the same in reverse order
 std::vector<double> shaft_deviation(const RatedPair& pair, const MeshShafts& shafts, double F_t);
 
 /// f_sh under F_t, µm.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kSlow = 5.0,
                  kFast = 10.0;  // m/s; above kSlow `most_medium` applies, above kFast `most_fast`
-// Fraction of a deviation that running-in removes, and its upper limits in two ranges of the pitch
-// line velocity, µm.
+// The fraction of a deviation that running-in removes, and the upper limits of the removed amount,
+// µm, in two ranges of the pitch line velocity.
 struct RunningIn {
   double share, most_medium, most_fast;
 };
@@ -135,9 +135,10 @@ Dynamic dynamic_factor(const DynamicInput& in) {
 namespace {
 
 constexpr double kC_M = 0.8;
-constexpr double kSoftBelow = 100.0;  // N/mm; at a lower F_t K_A/b, the stiffness decreases
+constexpr double kSoftBelow = 100.0;  // N/mm; an F_t K_A/b below this value reduces the stiffness
 
-// q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2 + C_8 x_1² + C_9 x_2²
+// q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2
+//      + C_8 x_1² + C_9 x_2²
 double flexibility(const RatedGear& g1, const RatedGear& g2) {
   const double inverse1 = 1 / g1.virtual_teeth;
   const double inverse2 = g2.internal() ? 0.0 : 1 / g2.virtual_teeth;

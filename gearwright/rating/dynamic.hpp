@@ -41,7 +41,7 @@ struct DynamicInput {
   double reduced_mass = 0.0;         ///< m_red kg/mm
   double pitch_error = 0.0;          ///< f_pb − y_p  µm
   double profile_error = 0.0;        ///< f_fα − y_f  µm
-  std::optional<double> tip_relief;  ///< C_a   µm; none for grade 6 and coarser, so that B_k = 1
+  std::optional<double> tip_relief;  ///< C_a   µm; absent for grade 6 and coarser, where B_k = 1
   double epsilon_gamma = 0.0;
   int teeth = 0;  ///< z_1
 };
@@ -81,13 +81,13 @@ struct Stiffness {
   double C_R, C_B;
   bool in_range;  ///< true if x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the formula for q'
 };
-/// The body with the dimensions of web and rim from the drawing, mm.
+/// The gear body with the thickness of its web and the thickness of its rim on the drawing, mm.
 inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// The stiffness of a mesh. `specific_load` is F_t K_A/b in N/mm; below 100 N/mm the stiffness
-/// decreases. `elasticity` is E/E_St.
+/// The stiffness of a mesh. `specific_load` is F_t K_A/b in N/mm. A load below 100 N/mm reduces the
+/// stiffness. `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), and with
 ///           1/z_n2 = 0 for an internal gear

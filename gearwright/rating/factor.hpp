@@ -1,5 +1,5 @@
-// A number of a strength rating with its clause in the standard and the branch of its formula, so
-// that users can compare it with another report.
+// A number of a strength rating, with the clause of the standard and the branch of the formula from
+// which it was computed, so that users can compare the number with another report.
 //
 // Clause and branch are string literals, so they cost no time. The design search can therefore use
 // the same functions.
@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Editions of ISO 6336-1, -2, -3, and the guideline for plastics. docs/theory/11-rating.md lists
-/// the changes of the later edition.
+/// Editions of ISO 6336-1, -2 and -3, and the guideline VDI 2736 for plastics. The changes in the
+/// later edition of ISO 6336 are listed in docs/theory/11-rating.md.
 enum class RatingEdition { iso_2006, iso_2019, vdi_2736 };
 
 /// The name of an edition, for example "ISO 6336:2006".
@@ -34,7 +34,7 @@ struct Factor {
 inline constexpr Factor kNoFactor{kNoNumber, "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 
-/// A factor of pinion and wheel, or of gear 1 and gear 2.
+/// The two values of a factor, for pinion and wheel or for gear 1 and gear 2.
 using FactorPair = std::array<Factor, 2>;
 
 inline constexpr const char* kGivenFactor = "given by the user";

@@ -15,14 +15,14 @@
 namespace gearwright {
 
 Factor zone_factor(const RatedPair& pair);  ///< Z_H [T11.17]
-/// Z_B of the pinion and Z_D of the wheel, which is 1 for an internal gear. [T11.18]
+/// Z_B of the pinion and Z_D of the wheel. Z_D is 1 for an internal wheel. [T11.18]
 FactorPair single_contact_factors(const RatedPair& pair);
 Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
 Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [T11.21]
 
-/// Inputs of the lubricant film factors; the lower σ_Hlim of the two materials determines their
-/// constants.
+/// Inputs of the lubricant film factors. `sigma_Hlim` is the lower σ_Hlim of the two materials; it
+/// determines the constants of the factors.
 struct Film {
   double sigma_Hlim = 0.0;                  ///< N/mm²
   std::optional<double> viscosity;          ///< ν_40  mm²/s
@@ -30,8 +30,8 @@ struct Film {
   std::optional<std::array<double, 2>> Rz;  ///< roughness of the flanks of pinion and wheel, µm
 };
 
-// The following three functions return values at the reference number of cycles. For a limited life,
-// the values are raised to the power Life::reference.
+// The following three functions return values at the reference number of cycles. For a limited
+// life, the values are raised to the power Life::reference.
 Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
 Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
 Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]
@@ -39,8 +39,8 @@ Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11
 FactorPair work_hardening_factors(const RatedPair& pair, const std::array<Material, 2>& materials,
                                   const Film& film);
 
-/// Nominal contact stress σ_H0, N/mm² [T11.16], due to the tangential force F_t in N. `Z` is the product
-/// of the Z factors.
+/// Nominal contact stress σ_H0, N/mm² [T11.16], due to the tangential force F_t in N. `Z` is the
+/// product of the Z factors.
 double nominal_contact_stress(const RatedPair& pair, double tangential_force, double Z);
 
 }  // namespace gearwright

@@ -139,7 +139,8 @@ struct Knot {
 
 constexpr double kLast = 1e10;
 
-// The life on the lines through the knots, in log-log scale. The last knot is at the reference number.
+// Interpolates the life factor between the knots, linearly in log N and log σ. The last knot is at
+// the reference number of cycles. `at_last` is the life factor at 10¹⁰ cycles.
 Life on_lines(std::span<const Knot> knots, std::optional<double> cycles, double at_last,
               const char* formula) {
   const Knot& first = knots.front();

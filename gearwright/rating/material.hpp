@@ -66,8 +66,8 @@ struct Material {
   }
 };
 
-/// A material of this kind with the usual elasticity and density, without strength. For a plastic,
-/// elasticity and density must be given.
+/// A material of this kind with the usual elasticity and density of the kind, but without strength
+/// values. The elasticity and density of a plastic are not known; the caller must set them.
 Material material_of_kind(MaterialKind kind);
 
 struct NamedMaterial {
@@ -80,22 +80,23 @@ struct NamedMaterial {
 
 std::span<const NamedMaterial> named_materials();
 
-/// The allowable stress numbers for quality MQ at a hardness, on the line of ISO 6336-5; none if the
-/// hardness is outside the range of the line.
+/// The allowable stress numbers for quality MQ at a hardness, computed from the line of ISO 6336-5;
+/// none if the hardness is outside the range of this line.
 ///
 /// Formula   ISO 6336-5, clause 5, σ = A·x + B, with x in HV or HB depending on the kind
-/// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for 34CrNiMo6
-///           at 240 HB (700, 290; the line gives 704, 294). For the other kinds, compare
+/// Source    Printed reports confirm the values for case-hardened steel (1500, 430) and for
+///           34CrNiMo6 at 240 HB (700, 290; the line gives 704, 294). For the other kinds, compare
 ///           docs/theory/11-rating.md with the tables of the standard
 struct Limits {
   double sigma_Hlim, sigma_Flim;  ///< N/mm²
 };
 std::optional<Limits> limits_of(MaterialKind kind, double hardness_HV);
 
-/// The material of the table with this name, at the given hardness or, if none is given, at its usual
-/// hardness.
+/// The material of the table with this name, at the given hardness or, if none is given, at its
+/// usual hardness.
 ///
-/// None      if the name is not in the table, or if the hardness is outside the range of limits_of()
+/// None      if the name is not in the table, or if the hardness is outside the range of
+///           limits_of()
 std::optional<Material> material_named(std::string_view name,
                                        std::optional<double> hardness_HV = std::nullopt);
 
@@ -109,8 +110,9 @@ std::optional<Material> material_named(std::string_view name,
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent of factors for the reference number, such as Z_L: 0 at static
-                     ///< stress, 1 above that number of cycles, linear in log N between them
+  double reference;  ///< exponent to which factors at the reference number of cycles, such as Z_L,
+                     ///< are raised: 0 for static stress, 1 from the reference number of cycles,
+                     ///< linear in log N between them
 };
 
 /// The user's choices for long lives.
@@ -119,13 +121,13 @@ struct LifeChoice {
   double at_10_10 = 0.85;        ///< Z_NT, Y_NT at 10¹⁰ cycles, 0.85 … 1
 };
 
-/// The life of the flank. By default, `cycles` is the reference number.
+/// The life factor of the flank. By default, `cycles` is the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-2, clause 10; confirmed at 10⁹ and 10¹⁰ by printed reports
 /// Law       the factor is continuous and does not increase with N
 Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});
 
-/// The life of the root. By default, `cycles` is the reference number.
+/// The life factor of the root. By default, `cycles` is the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-3, clause 12
 Life root_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});

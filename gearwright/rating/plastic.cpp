@@ -51,7 +51,7 @@ Factor given_or_one(const std::optional<double>& factor) {
                          "of these factors"};
 }
 
-// Marks the factors of ISO 6336 that the guideline does not contain as absent.
+// Marks as absent the factors of ISO 6336 that the guideline does not contain.
 void leave_out(Rating& r) {
   Stiffness& s = r.stiffness;
   for (Factor* f : {&s.c_th, &s.c_prime, &s.c_gamma_alpha, &s.c_gamma_beta, &r.Z_L, &r.Z_v, &r.Z_R})
@@ -70,7 +70,8 @@ const char* strength_branch(const Material& m, const ByTemperature& list) {
 // The temperatures of the teeth, as given or computed.
 //
 // Formula   [T11.43]; power in W, pitch line velocity in m/s
-// Domain    temperatures given, or ambient temperature and friction (contract)
+// Domain    either both tooth temperatures are given, or the ambient temperature and the
+//           coefficient of friction (contract)
 ToothTemperatures tooth_temperatures(const RatedPair& pair, const PlasticInput& input,
                                      const std::array<Material, 2>& materials, double power,
                                      double velocity) {

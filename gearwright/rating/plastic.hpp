@@ -3,7 +3,7 @@
 //   ϑ_Fla, ϑ_Fu   temperatures of flank and root, °C       ϑ_0   ambient temperature, °C
 //   H_V           degree of tooth loss                     μ     coefficient of friction
 //   k_ϑ           heat transfer of the teeth, K (m/s)^0.75 mm^1.75/W
-//   R_λG, A_G     thermal resistance of the housing, K m²/W, and its surface, m²
+//   R_λG, A_G     thermal resistance, K m²/W, and surface, m², of the housing
 //   ED            relative duty
 //
 // Wear, deformation of the teeth and static peaks are not covered. theory: docs/theory/11-rating.md
@@ -31,7 +31,8 @@ struct PlasticInput {
   std::optional<double> root_heat_transfer;   ///< k_ϑ of the root
 };
 
-/// Temperatures of flank and root of both gears, °C. For a metal gear none are computed.
+/// Temperatures of flank and root of both gears, °C. Temperatures of a metal gear are present only
+/// if the user gives them.
 struct ToothTemperatures {
   FactorPair flank, root;
 };
@@ -46,7 +47,7 @@ struct Rating;
 
 /// Errors for the missing inputs that VDI 2736 requires.
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
-/// The rating by VDI 2736, which rate() calls. The result is in the order pinion, wheel.
+/// Rates a pair by VDI 2736; called by rate(). The result is in the order pinion, wheel.
 ///
 /// Formula   [T11.45]…[T11.47]
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& input);

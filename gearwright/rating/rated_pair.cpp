@@ -12,8 +12,9 @@ namespace gearwright {
 namespace {
 
 // The tool that determines the root of a gear. For an internal gear without a given cutter,
-// gear/pinion_cut.hpp has chosen a cutter without profile shift, rounded like the rack of the gear. A
-// given cutter has the profile shift of its reference data and the rounding of its tip corners.
+// gear/pinion_cut.hpp has chosen a cutter that has no profile shift and the same tip rounding as
+// the rack of the gear. For a given cutter, the profile shift follows from the generating centre
+// distance, and the rounding is the rounding of its tip corners.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;
@@ -23,15 +24,15 @@ RootTool root_tool(const Gear& gear) {
       std::min(rack.root_fillet_radius, full_radius(rack, gear.spec.normal_pressure_angle));
   tool.protuberance = rack.protuberance;
   if (!gear.cut_by) return tool;
-  // The dedendum follows from the root diameter, and the shift of the cutter from the generating centre
-  // distance:  inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
+  // The dedendum is computed from the root diameter. The shift of the cutter is computed from the
+  // generating centre distance with  inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
   const ReferenceGeometry<double>& r = gear.reference();
   const double m = gear.spec.normal_module;
   tool.dedendum = gear.side() * (r.reference_diameter - gear.root_diameter) / (2 * m) +
                   r.generating_profile_shift;
   tool.cutter_teeth = gear.cut_by->cutter_teeth;
   if (gear.cut_by->by_default) return tool;
-  StraightRack reach;  // a rack of this dedendum, which limits the rounding to the full radius
+  StraightRack reach;  // a rack with this dedendum, whose full radius limits the rounding
   reach.dedendum = tool.dedendum;
   tool.fillet = std::min(gear.cut_by->tip_rounding / m,
                          std::max(0.0, full_radius(reach, gear.spec.normal_pressure_angle)));
@@ -134,7 +135,7 @@ FlankTolerances tolerance_edition(RatingEdition edition) {
 
 Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,
                       double alpha_t) {
-  // None of these tolerances depends on the helix angle, so it is 0 here.
+  // None of these tolerances depends on the helix angle, so the helix angle is set to 0 here.
   const ToleranceSubject subject{gear.reference_diameter, normal_module, gear.face_width,
                                  std::abs(gear.teeth),    0.0,           alpha_t};
   const FlankToleranceValues t = flank_tolerances(tolerance_edition(edition), grade, subject);

@@ -1,11 +1,12 @@
-// The inputs of ISO 6336 from a pair of involute gears on parallel axes. The pinion is the first gear.
+// The inputs of ISO 6336, computed from a pair of involute gears on parallel axes. In every list,
+// the pinion is the first gear.
 //
 //   z, m_n, α_n, β     as on the drawing; z < 0 for an internal gear, β ≥ 0 for both hands
 //   α_t, α_wt, β_b     transverse and working pressure angle, base helix angle, rad
 //   d, d_b, d_a, d_f   diameters, positive, mm
 //   x, x_E             profile shift and generating profile shift
 //   ε_α, ε_β           transverse contact ratio and overlap ratio       u = z2/z1, |u| ≥ 1
-//   ε_αn, z_n          contact ratio and tooth number of the virtual spur gear in the normal section
+//   ε_αn, z_n          contact ratio and tooth number of the virtual spur gear (normal section)
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
@@ -33,7 +34,7 @@ struct RatedGear {
   int teeth = 0;                    ///< z, negative if internal
   double reference_diameter = 0.0;  ///< d    mm
   double base_diameter = 0.0;       ///< d_b  mm
-  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends
+  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends at the tip
   double root_diameter = 0.0;       ///< d_f  mm
   double tooth_height = 0.0;        ///< h    mm, from root to tip
   double profile_shift = 0.0;       ///< x
@@ -87,14 +88,14 @@ double virtual_teeth(int teeth, double beta, double beta_b);
 /// The inputs of a mounted pair, with the bores of its gears.
 ///
 /// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the flanks do not meet,
-///           `gear1.rack` for circular arcs
+///           `gear1.rack` for circular-arc teeth
 Result<RatedPair> rated_pair(const Pair& pair);
 /// The inputs of a mounted pair, with these bores of gear 1 and gear 2, mm (0 for a solid disc).
 Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore);
 
-// Tolerances of ISO 1328-1 that a rating requires, from the accuracy grade.
+// The tolerances of ISO 1328-1 that a rating requires, computed from the accuracy grade.
 //
-//   f_pt, f_pb    single pitch deviation, µm; on the base circle f_pb = f_pt cos α_t
+//   f_pt, f_pb    single pitch deviation and base pitch deviation, µm; f_pb = f_pt cos α_t
 //   f_fα, f_Hβ    profile form and helix slope deviation, µm
 //
 // ISO 6336 of 2006 is used with ISO 1328-1:1995, and ISO 6336 of 2019 with ISO 1328-1:2013.

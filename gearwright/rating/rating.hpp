@@ -35,7 +35,7 @@ struct RatingInput {
   std::optional<double> life_h;               ///< L_h  h
   bool reversed = false;                      ///< true for bending in both directions (idler)
   std::optional<double> viscosity;            ///< ν_40 mm²/s
-  std::optional<std::array<int, 2>> quality;  ///< Q of ISO 1328-1
+  std::optional<std::array<int, 2>> quality;  ///< accuracy grades of ISO 1328-1
   std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm
   std::optional<double> tip_relief;                                      ///< C_a  µm
   // Factors given by the user.
@@ -69,7 +69,7 @@ struct Rating {
   Factor K_Fbeta, K_Halpha, K_Falpha;
   Stiffness stiffness;
   Factor Z_H, Z_E, Z_epsilon, Z_beta, Z_L, Z_v, Z_R;
-  FactorPair Z_B, Z_NT, Z_L_at_N, Z_v_at_N, Z_R_at_N, Z_W, Z_X;  ///< Z_B is Z_D for the wheel
+  FactorPair Z_B, Z_NT, Z_L_at_N, Z_v_at_N, Z_R_at_N, Z_W, Z_X;  ///< Z_B contains Z_D of the wheel
   Factor sigma_H0;
   FactorPair sigma_H, sigma_HG, S_H;
   std::array<CriticalSection, 2> section;
@@ -80,28 +80,30 @@ struct Rating {
   std::vector<Warning> limits;                   ///< limits of the standard that this pair exceeds
 };
 
-/// The error of rate() for missing inputs and for a grade that the edition of ISO 1328-1 does not have.
-/// It does not depend on the pair.
+/// The error of rate() for missing inputs and for a grade that the edition of ISO 1328-1 does not
+/// have. This error does not depend on the pair.
 std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 /// The rating of a pair.
 ///
 /// Formula   [T11.1], [T11.22], [T11.40]
-/// Errors    `rating.speed` if K_v requires it; `rating.quality`; `rating.face_load_factor` if neither
-///           this factor nor a mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for
-///           double-helical gears without a face load factor; `gearN.rack` if no tangent touches the
-///           root; by VDI 2736 `rating.plastic…`, and `gearN.material…` if there is no value at the
+/// Errors    `rating.speed` if it is absent and K_v requires it; `rating.quality` if it is absent
+///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a
+///           mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for double-helical
+///           gears without a face load factor; `gearN.rack` if no tangent touches the root; by
+///           VDI 2736 `rating.plastic…`, and `gearN.material…` if there is no value at the
 ///           temperature
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T
 ///           (2) if lengths are multiplied by k and the torque by k³, the stresses do not change
-///           (3) if gear 1 and gear 2 are exchanged, with the torque and speed of the other gear, the
-///               numbers do not change
+///           (3) if gear 1 and gear 2 are exchanged, and torque and speed are those of the new
+///               gear 1, the numbers do not change
 /// Domain    torque > 0 (contract)
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 
-// The missing inputs of a rating, as a list. User interfaces add missing loads and materials to it.
+// The missing inputs of a rating, as a list. User interfaces add missing loads and materials to
+// this list.
 
-/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears, for which a
-/// mounting does not give the face load factor.
+/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears, for
+/// which a mounting does not give the face load factor.
 std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 
 }  // namespace gearwright

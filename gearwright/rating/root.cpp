@@ -63,8 +63,8 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.theta = *theta;
   s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
-  // The point of load application: the tip, or the outer point of single pair contact, which is one
-  // pitch from the start of contact.
+  // The load acts at the tip, or at the outer point of single pair contact, which is one base pitch
+  // after the start of contact.
   const double side = gear.side();
   const double d_n = m * z_n;
   const double d_bn = d_n * cos_a;

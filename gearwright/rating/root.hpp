@@ -3,9 +3,10 @@
 //   σ_F0 = F_t/(b m_n) Y_F Y_S Y_β Y_B Y_DT             σ_F = σ_F0 K_A K_γ K_v K_Fβ K_Fα
 //   σ_FG = σ_Flim Y_ST Y_NT Y_δrelT Y_RrelT Y_X, Y_ST = 2     S_F = σ_FG/σ_F
 //
-// The critical section lies where a line at 30° to the tooth's centre line (60° for an internal gear) is
-// tangent to the fillet. The fillet has the radius ρ_F there, and the chord of the section is s_Fn. The
-// load acts at the outer point of single pair contact (d_en, α_Fen), with the lever arm h_F.
+// The critical section lies where a line at 30° to the tooth's centre line (60° for an internal
+// gear) is tangent to the fillet. The fillet has the radius ρ_F there, and the chord of the section
+// is s_Fn. The load acts at the outer point of single pair contact (d_en, α_Fen), with the lever
+// arm h_F.
 //                                              theory: docs/theory/11-rating.md
 #pragma once
 
@@ -30,8 +31,8 @@ struct CriticalSection {
   double q_s;        ///< s_Fn/(2 ρ_F)
 };
 
-/// The critical section of a gear in the normal plane, from the rack that cut it (x_E, ρ_fP*, h_fP*,
-/// s_pr*). For an internal gear, the equivalent radius ρ_fPv represents its pinion cutter.
+/// The critical section of a gear in the normal plane, from the rack that cut it (x_E, ρ_fP*,
+/// h_fP*, s_pr*). For an internal gear, the equivalent radius ρ_fPv represents its pinion cutter.
 ///
 /// Formula   [T11.27]…[T11.31]; ISO 6336-3, 6.2
 /// None      if no tangent at 30° (60°) touches the fillet

@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kDecades = 1e6;      // greatest ratio, up or down, to the torque of the input
+constexpr double kDecades = 1e6;      // greatest factor between input torque and found torque
 constexpr double kSameTorque = 1e-9;  // relative accuracy of the torque
 constexpr double kSameFace = 1e-7;    // relative accuracy of the face width
 
@@ -71,11 +71,11 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
-  // Safety factors grow with the width, but decrease where a tolerance reaches its next step, so the
-  // sufficient widths may form several ranges. If the safety factor at the width b is s times the
-  // required one, a sufficient width is at least b s^(−1/kPower). Only the least step may therefore skip
-  // a sufficient width.
-  constexpr double kPower = 4.0;       // 1 for the load, the rest for overlap and load factors
+  // Safety factors grow with the width, but decrease where a tolerance reaches its next step, so
+  // the sufficient widths may form several ranges. If the safety factor at the width b is s times
+  // the required one, a sufficient width is at least b s^(−1/kPower). A sufficient width can
+  // therefore be skipped only where the step is kLeastStep.
+  constexpr double kPower = 4.0;       // 1 for the load, 3 for overlap and load factors
   constexpr double kLeastStep = 1e-4;  // relative; narrower ranges of widths may be missed
   constexpr double kBlind = 1.001;     // relative step if there is no rating at this width
   double lo = std::min(most, pair.normal_module);

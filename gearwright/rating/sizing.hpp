@@ -1,8 +1,8 @@
 // Inverse problems of the rating: the torque, the face width or the steel with sufficient safety
 // factors.
 //
-// Load factors depend on the load and on the face width, so there is no closed form. The functions rate
-// the pair repeatedly within a bracket, and the returned values have been rated.
+// Load factors depend on the load and on the face width, so there is no closed form. The functions
+// rate the pair repeatedly within a bracket. Each returned value has itself been rated.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct WantedSafety {
 /// True if flank and root of both gears have the required safety factors.
 bool holds(const Rating& rating, const WantedSafety& wanted);
 
-/// The greatest torque on gear 1 with the required safety factors, N m. None if there is no such torque
-/// between 1e-6 and 1e6 times the torque of the input.
+/// The greatest torque on gear 1 with the required safety factors, N m. None if there is no such
+/// torque between 1e-6 and 1e6 times the torque of the input.
 ///
 /// Accuracy  1e-9, relative
 /// Law       safety factors decrease as the torque increases
@@ -35,19 +35,19 @@ RatedPair with_face_width(RatedPair pair, double face_width);
 /// The greatest face width of the search, in modules.
 constexpr double kMostFaceModules = 40.0;
 
-/// The least common face width with the required safety factors, mm. None if there is no such width from
-/// one module up to `most`.
+/// The least common face width with the required safety factors, mm. None if there is no such width
+/// from one module up to `most`.
 ///
-/// Accuracy  1e-7, relative. Safety factors decrease where a tolerance reaches its next step, so the
-///           sufficient widths may form several ranges. A range narrower than 1e-4 of the width may be
-///           missed
+/// Accuracy  1e-7, relative. Safety factors decrease where a tolerance reaches its next step, so
+///           the sufficient widths may form several ranges. A range narrower than 1e-4 of the width
+///           may be missed
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted, double most);
 /// Alternative steels of the table, the weakest first.
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
-/// The weakest of these steels that is sufficient. It replaces the material of the gears whose safety
-/// factors are too low.
+/// The weakest of these steels that is sufficient. It replaces the material of the gears whose
+/// safety factors are too low.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted);
 

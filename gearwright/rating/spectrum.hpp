@@ -3,10 +3,10 @@
 //   n_i   cycles of step i        N_i(σ)  permissible cycles at the stress σ
 //   U     damage Σ n_i/N_i, 1 at failure (Miner)
 //
-// As in ISO 6336-6, every step is rated with its own load factors and with K_A = 1, because the spectrum
-// replaces K_A. The safety factor is the factor by which all stresses must be multiplied for a damage of
-// 1. A stress below the strength at 10¹⁰ cycles causes no damage. A stress above the static strength
-// causes failure.
+// As in ISO 6336-6, every step is rated with its own load factors and with K_A = 1, because the
+// spectrum replaces K_A. The safety factor is the factor by which all stresses must be multiplied
+// for a damage of 1. A stress below the strength at 10¹⁰ cycles causes no damage. A stress above
+// the static strength causes failure.
 #pragma once
 
 #include <vector>
@@ -31,10 +31,10 @@ struct SpectrumRating {
 /// The rating of a pair under a load spectrum.
 ///
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule
-/// Errors    as rate
+/// Errors    as rate()
 /// Domain    at least one step; torques, speeds and hours > 0 (contract)
 /// Laws      (1) a spectrum of one step has the safety factors of rate() with K_A = 1
-///           (2) a step can be divided in two without a change of the result
+///           (2) if a step is divided in two, the result does not change
 ///           (3) U ≤ 1 if S ≥ 1
 Result<SpectrumRating> rate_spectrum(const RatedPair& pair, const RatingInput& input,
                                      const std::vector<LoadBin>& spectrum);

@@ -42,7 +42,7 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
   add_bodies(f, scene, {kDegPerRad * angles[0], kDegPerRad * angles[1]});
   f.line({{0.0, 0.0}, {pair.center_distance, 0.0}}, "thin dashdot");
   add_circles(f, scene, true);
-  // Direction of the common normal, projected onto this section.
+  // Direction of the common normal, projected onto the transverse section.
   const Vec2 n = Vec2(contact.at.normal.x(), contact.at.normal.y()).normalized() * 1.6 * m;
   f.line({p - n, p + n}, "action-line");
   f.dot(p, 4.0, "mark action-dot");

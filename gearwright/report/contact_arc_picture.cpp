@@ -21,8 +21,8 @@ constexpr double kAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
 // The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's rack.
-// Each point is (height towards the mating gear, position along the datum line). If `mate`, it is
-// the outline of the other rack: turned upside down and moved by half a pitch.
+// Each point is (height towards the mating gear, position along the datum line). If `mate`, the
+// outline is turned upside down and moved by half a pitch, as for the rack of the mating gear.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -37,7 +37,8 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// The polygon of a chain of points, closed by a line at the height `depth` in the material.
+// The polygon that consists of a chain of points and of a line at the height `depth`, inside the
+// material.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
   const Vec2 last = chain.back();
@@ -63,8 +64,8 @@ void add_material(Figure& f, const std::vector<Vec2>& chain, double depth, std::
   f.line(all_upright(chain), std::string("outline ") + kInk[gear]);
 }
 
-// Draws an arc of the circle about `center` through `at`, which extends `half` rad to either side
-// of `at`, and draws the radius to `at`.
+// Draws the radius from `center` to `at`, and the arc with this radius that extends 0.5 rad to
+// either side of `at`.
 void add_arc_radius(Figure& f, const Vec2& center, const Vec2& at, std::size_t gear, bool dashed) {
   const double turn = std::atan2(at.y() - center.y(), at.x() - center.x());
   const double radius = (at - center).norm();
@@ -87,8 +88,9 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // Finds the convex and the concave arc whose points at the normal angle of the contact coincide.
-  // For this pair of arcs, the computed distance of the points is least.
+  // Finds the convex and the concave arc that touch: their points at the normal angle of the
+  // contact coincide. The distance of these points is computed for all combinations of arcs, and
+  // the combination with the least distance is used.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));
@@ -215,7 +217,7 @@ std::vector<Vec2> rack_half_tooth(const Gear& gear) {
 
 NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact) {
   // The tooth traces of the rack are inclined by the helix angle, in one of two directions. The
-  // right one lies in the flank and is therefore perpendicular to the normal.
+  // correct direction lies in the flank and is therefore perpendicular to the normal.
   const double beta = pair.gears[0].spec.helix_angle.rad();
   const Vec3& n = contact.at.normal;
   Vec3 best(0, std::sin(beta), std::cos(beta));

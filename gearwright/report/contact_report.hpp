@@ -1,5 +1,5 @@
-// Data of the report on tooth contact that are not in its scene: patterns, maps, and the names and
-// values of the assumed errors.
+// The data of the report on tooth contact. In addition to the data of ContactScene, these are the
+// patterns, maps, and the names and values of the assumed errors.
 #pragma once
 
 #include <array>
@@ -37,7 +37,8 @@ struct ContactReport : ContactScene {
   std::vector<ContactReport> halves;
 };
 
-/// arcsec; a smaller peak-to-peak transmission error is a rounding error
+/// arcsec; a smaller peak-to-peak transmission error is due to rounding, and the flanks are
+/// conjugate
 inline constexpr double kConjugate = 1e-6;
 
 /// The result of tooth contact in one or two sentences of plain text, for all interfaces: the

@@ -1,8 +1,8 @@
 // The pictures of a crossed pair: in plan, in section, on its faces, and over the pressure angle of
 // the common rack.
 //
-//   leading line A–E, trailing line A′–E′: its image under the half turn about the centre line
-//   T_1, T_2  base tangent points      C  pitch point of gear 1
+//   A–E       leading line of action    T_1, T_2  base tangent points    C  pitch point of gear 1
+//   A′–E′     trailing line of action: the leading line turned by 180° about the centre line
 //   plan      view along the centre line from the side of gear 2, true to scale: y points to the
 //             right, z up, and axis 1 is upright
 //   section   cut by the plane of the leading line, normal to the teeth of the common rack. It
@@ -40,7 +40,7 @@ std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 /// HTML with both figures of plan_figures().
 std::string plan_part(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
-/// The point of the section, mm: (h, x), onto which a point of the housing is projected.
+/// The projection of a point of the housing onto the section, (h, x) in mm.
 ///
 /// Formula   h = −y cos β_1 + z sin β_1
 Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
@@ -84,13 +84,14 @@ Figure speed_figure(const CrossedPair& pair);
 std::string speed_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The exact least centre distance, and approximations for manual calculation. The solutions of
-/// pair/series.hpp are marked on the curve a(α_wn), which is magnified. Empty if there is nothing
-/// to compare: no least centre distance, gears with different racks, or a difference below 1e-6 µm.
+/// pair/series.hpp are marked on a magnified part of the curve a(α_wn). Empty if there is no least
+/// centre distance, if the gears have different racks, or if all solutions agree within 1e-6 µm.
 std::string min_distance_figure(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
-/// A table of the exact least centre distance and its approximations. Each row has the exact values
-/// at the α_wn of one of them. Δ is the difference from the exact solution. If all of them agree
-/// (the sum of shifts is 0), a sentence replaces the table. Empty if there are no approximations.
+/// A table of the exact least centre distance and its approximations. Each row shows one solution:
+/// its α_wn, the exact shaft angle and centre distance at this α_wn, and the differences Δ from the
+/// exact solution. If all solutions agree (the sum of shifts is 0), a sentence replaces the table.
+/// Empty if there are no approximations.
 std::string min_distance_table(const CrossedPair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The table and the figure of the least centre distance, in a folded section for manual checks.

@@ -19,8 +19,8 @@ namespace {
 constexpr double kPlanWidth = 640.0;
 constexpr double kPlanAspect = 640.0 / 520.0;
 constexpr double kWholeWidth = 420.0;
-// Greatest scale reduction of the plan, relative to the picture of the whole gears. It applies if
-// the lines of action lie far outside the faces.
+// The plan is at most kMaxReduction times smaller and at most kMaxEnlargement times larger than a
+// picture of the whole gears. It is smaller if the lines of action lie far outside the faces.
 constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // with more teeth, no tooth lines are drawn
@@ -119,8 +119,7 @@ Figure plan_figure(const InvolutePair& pair) {
   return f;
 }
 
-// Draws the tooth lines on the visible side of the pitch cylinder, x > 0, which is seen from gear
-// 2.
+// Draws the tooth lines on the side x > 0 of the pitch cylinder, which is visible from gear 2.
 void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const auto& side = pair.mesh.rack.sides[i];
   const int z = std::abs(pair.input.gears[i].teeth);
@@ -134,7 +133,7 @@ void add_teeth(Figure& figure, const InvolutePair& pair, std::size_t i) {
   const double reach = std::abs(turn) * half + std::numbers::pi / 2;
   const double pitch = 2 * std::numbers::pi / z;
   for (int k = static_cast<int>(-reach / pitch); k * pitch <= reach; ++k) {
-    // The range of s for which φ = k pitch + turn s lies on the visible half.
+    // The range of s in which the tooth line φ = k pitch + turn s is on the visible half.
     double lo = -half;
     double hi = half;
     if (turn != 0.0) {

@@ -18,12 +18,13 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
-// rad. At the limit of the pressure angle, a helix angle is 90° and the pitch radius is infinite.
-// The range ends at this distance from it, where α_n is within 1e-6 rad of its limiting value.
+// rad. At the limit of the pressure angle, the helix angle of one gear is 90° and its pitch radius
+// is infinite. The range ends at this distance from the limit of the transverse pressure angle.
+// There, α_n is within 1e-6 rad of its limit.
 constexpr double kBeforeLimit = 1e-3;
-// rad. Angles are kept at this distance from the limit, because the involute function is infinite
-// there. A mounted pair may lie at the limit within rounding. This distance changes the centre
-// distance by at most r_b kAtLimit.
+// rad. Transverse pressure angles are kept at this distance from 90°, where the involute function
+// is infinite. A mounted pair may lie at this limit within rounding. The change of its centre
+// distance is at most r_b kAtLimit.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 
@@ -47,7 +48,8 @@ std::optional<CrossedSample> sample_at_transverse(const CrossedPair& pair, doubl
   return CrossedSample{place, mesh.path_ratio, face_widths(mesh)};
 }
 
-// The two gears as cut by one common rack. None if their racks differ.
+// The two gears with the module and the pressure angle of one common rack. None if their racks
+// differ.
 std::optional<ReferencePair<double>> shared_rack(const CrossedPair& pair) {
   ReferencePair<double> racks;
   for (std::size_t i : {0u, 1u}) {

@@ -19,15 +19,15 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The pair without backlash whose common rack has the pressure angle α_wn. None if there is no
-/// such rack.
+/// The same gears as a pair without backlash whose common rack has the pressure angle α_wn. None if
+/// there is no such rack.
 ///
 /// Formula   crossed_place, then mesh_of at the resulting position
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 
-/// Samples with increasing α_wn. As far as racks exist, their range contains all angles with ε ≥ 1,
-/// the mounted position and the least centre distance, with some margin.
+/// Samples with increasing α_wn. The range of α_wn contains all angles with ε ≥ 1, the mounted
+/// position and the least centre distance, with some margin. It ends where no rack exists.
 ///
 /// Domain    crossed axes (contract)
 /// Laws      at least two samples; the range contains the pair's α_wn within 1e-6 rad
@@ -41,8 +41,8 @@ struct Approximation {
 };
 
 /// The approximate solutions of pair/series.hpp for the least centre distance. Empty if the pair is
-/// internal or the gears have different racks (module and pressure angle must agree to a relative
-/// 1e-9). Solutions for which no rack exists are omitted.
+/// internal or if the gears have different racks, which means that the modules or the pressure
+/// angles differ by more than a relative 1e-9. Solutions for which no rack exists are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
 /// The figure axis of α_wn in degrees.
@@ -50,7 +50,7 @@ FigureAxis angle_axis(double lo, double hi);
 
 /// Sets the x axis of a figure to the range of the samples, with a band where ε ≥ 1. Lines mark the
 /// least centre distance and the mounted pair, and their names are above the plot. The caller sets
-/// the y axis before and adds curves afterwards.
+/// the y axis before this call and adds curves afterwards.
 void add_angles(Figure& figure, const CrossedPair& pair, const std::vector<CrossedSample>& samples);
 
 /// The curve of a value of the samples over α_wn in degrees.

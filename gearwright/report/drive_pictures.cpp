@@ -19,7 +19,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
-constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // px; height over width
+constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // width, px, and height over width
 constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // teeth per second in the fastest mesh while the picture
                                          // turns
@@ -175,8 +175,8 @@ class Pictures {
         1.0 / kSliderSteps);
   }
 
-  // Pictures of each mesh of each planet with a central gear. In every picture the planet is above
-  // the central gear. A planet with phase γ lags γ pitches behind the first planet.
+  // One picture for every mesh between a planet and a central gear. In every picture, the planet is
+  // above the central gear. A planet with phase γ lags γ pitches behind the first planet.
   std::string phases() {
     std::string text;
     for (const PlanetSet& set : drive_.sets) {

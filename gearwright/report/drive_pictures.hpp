@@ -1,5 +1,5 @@
-// Pictures of an assembled drive in section, which the user can turn, and of the meshes of its
-// planets side by side. Internal to report/.
+// Pictures of an assembled drive: sections of the drive whose gears the user can turn, and the
+// meshes of the planets side by side. Internal to report/.
 //
 // One control turns all pictures. While t runs from 0 to 1, the drive makes the smallest motion
 // after which it looks the same as before.

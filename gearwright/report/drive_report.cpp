@@ -160,7 +160,8 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// The end of the names that begin at `at` after a mark: a quote or, after "url(#", a parenthesis.
+// The position after the names that begin at `at`. They end at a quote, or at a parenthesis if
+// `mark`, the text before them, is "url(#".
 std::size_t end_of_names(const std::string& html, std::string_view mark, std::size_t at) {
   return std::min(html.find(mark.front() == 'u' ? ')' : '"', at), html.size());
 }
@@ -175,8 +176,9 @@ std::set<std::string> ids_in(const std::string& html) {
   return ids;
 }
 
-// Ids of figures must be unique in a page, so the ids of each mesh get a prefix, and so do the
-// references to them. References to the shapes of the drive, which the page defines once, are kept.
+// Adds a prefix to the ids in the HTML of a mesh and to the references to these ids, because ids
+// must be unique in a page. References to the shapes of the drive, which the page defines once, are
+// kept.
 std::string with_prefix(const std::string& html, const std::string& prefix) {
   constexpr std::array<std::string_view, 4> kMarks{" id=\"", " aria-labelledby=\"", "url(#",
                                                    " href=\"#"};

@@ -1,5 +1,5 @@
-// One HTML page about a whole drive: verdict, scheme, the drive in section with its control, power,
-// phases, and finally each mesh as a pair of gears.
+// Writes one HTML page about a whole drive: verdict, scheme, sections of the drive with the control
+// that turns the gears, power, phases, and finally each mesh as a pair of gears.
 //
 // The page depends only on its input. The laws of report_html() hold for this page too.
 #pragma once
@@ -15,7 +15,7 @@ namespace gearwright {
 struct DriveReportInput {
   std::string title;  ///< if empty, a title is made from the tooth numbers
   const Drive* drive = nullptr;
-  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed (no scheme)
+  const DrivePlaces* places = nullptr;  ///< null if the axes cannot be placed; there is no scheme
   const DriveLayout* layout = nullptr;  ///< null if the drive cannot be assembled
   std::string why_no_layout;            ///< if `layout` is null, the reason, as a sentence
   Verdict verdict;

@@ -18,9 +18,10 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// The upper end of the face width axis. The axis contains the required and the actual widths. It
-// contains the curves for ε ≥ 1 up to 1.8 times these widths only, because f′ is unbounded if the
-// lines of action move along the teeth.
+// The upper end of the axis of face widths. The axis contains the required widths, the actual
+// widths, and the part of the curves with ε ≥ 1 that is below 1.8 times the greatest of these
+// widths. The curves are cut off there, because f′ is unbounded if the lines of action move along
+// the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -33,8 +34,8 @@ double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samp
   return 1.12 * std::max(there, std::min(curves, 1.8 * there));
 }
 
-// Draws the part of the face that a line of action uses: thin from tip to tip, and thick on the
-// part that lies within the usable flanks and both faces.
+// Draws the part of the face that a line of action uses. The line is thin from tip to tip, and
+// thick where it lies within the usable flanks and within both faces.
 void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, double y) {
   const Mesh<double>& m = pair.mesh;
   const double sign = leading ? 1.0 : -1.0;
@@ -49,7 +50,7 @@ void add_use(Figure& f, const CrossedPair& pair, std::size_t i, bool leading, do
   f.point(E, 3.0, "mark " + style + "-dot", leading ? "E" : "E′", {-side, 0.0});
 }
 
-// A sentence about the parts of the lines that lie outside the faces.
+// A sentence about the parts of the lines of action that lie outside the faces.
 std::string beyond(const CrossedPair& pair) {
   std::string text;
   for (const std::size_t i : {0u, 1u}) {

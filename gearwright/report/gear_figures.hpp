@@ -1,9 +1,9 @@
-// The pictures of one gear: its tooth; the root of a gear with few teeth, compared with the root
-// that the rack alone would cut; and the tooth at other profile shifts.
+// The pictures of one gear: the tooth, the root (for a gear with few teeth, compared with the root
+// that the rack alone would cut), and the tooth at other profile shifts.
 //
 //   F    where undercut begins: the flank on the base circle, ξ = 0
 //   C, J where the circular root fillet and the circular tip fillet touch the flank
-//   r_r, r_t  their radii, mm
+//   r_r, r_t  radii of the circular root fillet and of the circular tip fillet, mm
 //   l    distance along the straight flank of the rack from its lower end, mm
 //   x    profile shift         x_E  profile shift with the thickness allowance
 //                                              theory: docs/theory/06-few-teeth.md
@@ -56,8 +56,8 @@ std::string tooth_part(const Gear& gear, const std::string& shape, const std::st
 /// outline, cut by a rack. It must also have a circular root fillet, undercut, or at most 12 teeth.
 bool root_is_worth_a_picture(const Gear& gear);
 
-/// The gear of the same spec without circular fillets, as cut by its rack. None if the spec has no
-/// circular fillets, or if this gear cannot be made.
+/// The gear as its rack alone would cut it, without circular fillets. None if the spec has no
+/// circular fillets, or if the gear cannot be made without them.
 std::optional<Gear> by_rack_alone(const Gear& gear);
 
 /// The point of the flank on the base circle, on the side y > 0, mm.
@@ -73,8 +73,8 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
 struct ShiftedTooth {
   double shift;                 ///< x
   bool own;                     ///< true if this is the gear's own shift
-  Gear rack_cut;                ///< without circular fillets; may be impossible
-  std::optional<Gear> rounded;  ///< with the circular root fillet; none if it does not fit
+  Gear rack_cut;                ///< without circular fillets; it may be a gear that cannot exist
+  std::optional<Gear> rounded;  ///< with the circular root fillet; none if the fillet does not fit
 };
 
 /// True if the gear has at most 8 teeth, is cut by a rack, and has a circular root fillet or
@@ -82,8 +82,9 @@ struct ShiftedTooth {
 bool shift_is_worth_a_picture(const Gear& gear);
 
 /// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip
-/// diameters that the rack leaves. It has its own root fillet, or else one that begins at the
-/// undercut limit, and its own tip fillet if this fits.
+/// diameters that result from the rack. A `rounded` gear has the circular root fillet of the given
+/// gear, or by default a root fillet that begins at the undercut limit. It has the tip fillet of
+/// the given gear if this tip fillet fits.
 ///
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);

@@ -1,5 +1,5 @@
 // The K-diagram of a flank: design profile and design helix, and the band within which a measured
-// trace must lie for its accuracy grade.
+// trace must lie for the accuracy grade of the gear.
 //
 //   L   roll length, mm       z   axial position from the middle of the face, mm
 //   deviations in µm, positive out of the material

@@ -61,7 +61,8 @@ std::string key_figures(const ReportInput& input) {
   if (input.pair) {
     const std::vector<ValueRecord> nominal{pair_quantities().of(*input.pair)};
     const auto& ends = input.pair_ends.empty() ? nominal : input.pair_ends;
-    // The usable flanks can end before the tips.
+    // If the usable flanks end before the tips, the box shows the contact ratio of the usable
+    // flanks.
     auto keys = kOfPair;
     if (std::abs(input.pair->contact_ratio() - input.pair->contact_ratio_true()) > kSameRatio)
       std::replace(keys.begin(), keys.end(), std::string_view("contact_ratio"),

@@ -21,8 +21,8 @@ struct PathMark {
   const char* style = "";  ///< style of its dot
 };
 
-/// The points A to E in this order, as far as they lie between A and `last`. B and D are omitted if
-/// ε_α > 2, because they then lie outside the path.
+/// Those of the points A to E that lie between A and `last`, in alphabetical order. B = E − step is
+/// omitted if the path is shorter than one step, because B then lies before A.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
 /// A point whose letter or words (SVG markup) are written at the upper border of a plot, with a
@@ -33,8 +33,8 @@ struct LetterAt {
   std::string line_style = "leader", style = "letter halo";
 };
 
-/// Adds the letters to a figure whose axes already contain the curves. The axes are extended to
-/// make room for the letters above the plot and at both ends of the x axis.
+/// Adds the letters to a figure whose axes already contain the curves. The axes are extended so
+/// that there is room for the letters at the top and at both ends of the x axis.
 void add_letters(Figure& figure, const std::vector<LetterAt>& letters);
 
 /// ρ_1 of the points that a picture should contain: A, E, C and the base tangent points. C and the
@@ -44,7 +44,8 @@ std::vector<double> line_ends(const InvolutePair& pair);
 enum class Lines { leading, both };
 
 /// Draws the lines of action in a figure of a plane. `on` maps points of the housing to the plane.
-/// Each letter is on the side of its line away from the other line, or at a free position.
+/// Each letter is on that side of its line that faces away from the other line, or at a free
+/// position.
 void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);

@@ -47,7 +47,7 @@ std::string facts(const LoadScene& report, UnitSystem units) {
   for (const TextGroup& group : text_groups(quantities.table(), records, kPage, units)) {
     for (const TextRow& row : group.rows) {
       if (row.info->key == "torque_Nm") continue;  // the column headings contain this value
-      // The texts for one torque: one text, or two if each gear has its own.
+      // The number of texts for one torque: one, or two if each gear has a value of its own.
       const std::size_t each = row.texts.size() / columns.size();
       std::vector<std::string> texts;
       for (std::size_t i = 0; i < columns.size(); ++i)

@@ -53,7 +53,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const double most = f.stress[f.worst];
   const std::string name = fmt::format("Gear {}", which + 1);
   // The window extends radially from one module behind the root to almost one module beyond the
-  // fillet. The side in tension is in the middle.
+  // fillet. The point of the greatest stress on the side in tension is in the middle.
   const double out = gear.side();
   const double root = f.at.front().norm() - out * 1.0 * module;
   const double flank = f.at.back().norm() + out * 0.9 * module;

@@ -1,8 +1,8 @@
 // Parts that all pages share: the head, the style, the hint about pictures, and the spec.
 //
 // Style sheets and scripts are files in report/page/. The build converts each file into a function
-// with the name of the file (cmake/gw_embed.cmake). The scripts for rotation and for search tables
-// are also such functions.
+// with the name of the file (cmake/gw_embed.cmake). This also applies to the scripts for rotation
+// and for search tables.
 #pragma once
 
 #include <string>

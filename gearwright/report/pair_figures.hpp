@@ -31,8 +31,8 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
                       UnitSystem units = UnitSystem::mm, const std::string& below = {});
 
-/// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` as for
-/// mesh_figures(), with the name of the rack second.
+/// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` are the
+/// names of the SVG definitions of pinion and rack.
 ///
 /// Errors    as rack_definition()
 Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2>& shapes);
@@ -43,9 +43,9 @@ Figure path_figure(const InvolutePair& pair);
 /// Transverse, overlap and total contact ratio as bars.
 Figure ratio_figure(const InvolutePair& pair);
 
-/// True if the centrodes are worth a picture: the axes are parallel, the centre distance differs
-/// from the reference one by at least 0.02 m_n, and profile shifts or a pinion cutter are the
-/// reason.
+/// True if the centrodes are worth a picture. This is so if the axes are parallel, the centre
+/// distance differs from the reference centre distance by at least 0.02 m_n, and profile shifts or
+/// a pinion cutter are the reason for this difference.
 bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// Two figures: the reference circles at the reference centre distance, and the working pitch
@@ -78,8 +78,9 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
                                  int teeth);
 
 /// Two figures: the racks that cut the teeth, in one normal section, and the teeth in the plane
-/// normal to them through the contact point. If the arcs touch, but not at the reference centre
-/// distance, only the second figure exists. If the arcs do not touch, there is no figure.
+/// normal to the teeth through the contact point. If the arcs touch at the mounted centre distance
+/// but not at the reference centre distance, only the second figure exists. If the arcs do not
+/// touch, there is no figure.
 std::vector<Figure> arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

@@ -16,7 +16,7 @@ namespace {
 
 enum class Along { objective, distance, ratio };
 
-// A quantity that is shown along an axis.
+// A quantity of the designs that is shown along an axis.
 struct Quantity {
   FigureAxis axis;
   Along along;

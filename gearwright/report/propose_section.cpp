@@ -20,7 +20,8 @@ bool scored(const LoadedScore& s) {
   return std::isfinite(s.peak_to_peak.rad()) && std::isfinite(s.max_pressure);
 }
 
-// Each proposal as a dot with its number, by transmission error and pressure.
+// A figure in which each proposal is a dot over its transmission error and its pressure, with its
+// number.
 std::string effects(const ProposeView& v) {
   std::vector<DesignDot> dots;
   std::vector<std::string> numbers;

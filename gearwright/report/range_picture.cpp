@@ -46,8 +46,9 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
            3}};
 }
 
-// Values that the axis of a panel must contain: the value of the mounted pair and the curve. If the
-// contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1 counts.
+// The range of the axis of a panel. It contains the values on the curve and the value of the
+// mounted pair. If the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1
+// counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
                           const Quantity& q) {
   double lo = q.mounted;
@@ -102,7 +103,7 @@ constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; angles that differ by less count as equal
 
-// Difference between the centre distance at α_wn (degrees) and the least one, µm.
+// The centre distance at α_wn, in degrees, minus the least centre distance, µm.
 double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
@@ -149,7 +150,7 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
 std::vector<std::string> table_row(const CrossedPair& pair, const std::string& name, Angle angle,
                                    UnitSystem units) {
   const auto s = crossed_sample(pair, angle);
-  GW_EXPECTS(s.has_value());  // all given angles have a rack
+  GW_EXPECTS(s.has_value());  // a rack exists for every given angle
   const double off = s->place.center_distance - pair.min_distance->center_distance;
   const double seconds = kArcsecPerDeg * (angle - pair.min_distance->normal_pressure_angle).deg();
   return {escaped(name),

@@ -24,8 +24,8 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// px. Width of figures that have a table beside them, and of the bars below the picture of the
-// whole pair.
+// px. Width of a figure that has a table beside it, and width of the figure of bars below the
+// picture of the whole pair.
 constexpr double kWideFigure = 640.0, kBarWidth = 420.0;
 
 std::string default_title(const ReportInput& input) {

@@ -1,8 +1,8 @@
 // Writes one HTML page about the gears and their pair, for users: words, tables and pictures in one
 // self-contained file.
 //
-// The page depends only on its input, not on a clock, a random number or a path. Every value comes
-// from the gears and the pair. It is rounded to the digits of a drawing.
+// The page depends only on its input, not on a clock, a random number or a path. Every value is
+// taken from the input and rounded to the digits of a drawing.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ struct ReportInput {
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
   std::array<std::optional<Halves>, 2>
-      halves{};                    ///< if gears are double-helical; `gears` then contains a half of
-                                   ///< each
+      halves{};                    ///< present for a double-helical gear; `gears` then contains one
+                                   ///< of its halves
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< null if there is no rack; with a rack, the only gear is its
                                    ///< pinion
@@ -53,7 +53,7 @@ struct ReportInput {
                                                ///< empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
-  const ProposeView* propose = nullptr;        ///< null without proposals for the flanks
+  const ProposeView* propose = nullptr;        ///< null if there are no proposals for the flanks
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
   const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
   const RatingView* rating = nullptr;          ///< null if the spec requests no rating

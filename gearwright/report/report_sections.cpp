@@ -26,7 +26,8 @@ std::string arcsec(const ContactScore& s) {
   return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
 }
 
-// A sentence about the result under load, for the torque with the worst result before correction.
+// A sentence about the result under load, for the torque that has the worst result before the
+// corrections.
 std::string finding_under_load(const CompensateView& v) {
   const bool pressure = v.aim == CompensateAim::pressure;
   const auto aimed = [&](const LoadedScore& s) {
@@ -52,7 +53,8 @@ std::string finding(const CompensateView& v) {
         "There is nothing to correct, because none of these corrections improves the pair by {}.",
         least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
-  // Position of the contact pattern along the face, or along the profile if that is the objective.
+  // Position of the contact pattern along the face. If the position along the face is 0 in both
+  // states, the position along the profile is used.
   const bool face = v.before.along_face != 0.0 || v.after.along_face != 0.0;
   const auto place = [&](const ContactScore& s) {
     return percent(face ? s.along_face : s.along_profile);

@@ -35,7 +35,7 @@ std::string pair_section(const CrossedPair& pair, const std::array<std::string, 
                          UnitSystem units);
 
 /// The text `shared` about both halves of a double-helical pair, followed by the pictures of each
-/// half under a heading. If there are pictures of one half only, the sentence `alike` is added.
+/// half under a heading. If there are only pictures of one half, the sentence `alike` is added.
 std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures);
 
@@ -72,8 +72,8 @@ std::string contact_section(const ContactReport& report, UnitSystem units = Unit
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
                          UnitSystem units = UnitSystem::mm);
 
-/// Two kinds of figures of the root stress: along the fillet of each gear, and over the face. Empty
-/// if root stresses were not computed.
+/// The figures of the root stress: one figure of the stress along the fillet for each gear, and a
+/// figure of the stress over the face. Empty if root stresses were not computed.
 std::string root_stress_figures(const LoadScene& report, const std::array<std::string, 2>& shapes,
                                 UnitSystem units = UnitSystem::mm);
 
@@ -92,8 +92,8 @@ std::string compensate_section(const CompensateView& view, UnitSystem units = Un
 ///
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view, UnitSystem units = UnitSystem::mm);
-/// The samples of a quantity with its percentiles. None if the quantity is the same in all samples.
-/// `id` is the id of the figures.
+/// The values of a quantity in all samples, and its percentiles. None if the quantity is the same
+/// in all samples. `id` is the id of the figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,
                                                     ScatterQuantity quantity, const char* id);
 /// The figures of a scatter, for the report, the web page and notebooks: one or more for each
@@ -108,8 +108,8 @@ std::string rating_section(const RatingView& view, UnitSystem units);
 
 /// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack.
 /// The page must contain the definition of the pinion, and the section contains the definition of
-/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture. `head` is
-/// as in pair_section().
+/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture. `head`
+/// is as in pair_section().
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units, std::string_view head = "<h2>Rack and pinion</h2>\n");
 

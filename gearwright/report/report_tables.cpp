@@ -23,7 +23,7 @@ std::string with_unit(UnitSystem units, double mm) {
 std::string ratio(const std::optional<double>& value) { return fixed(value, kRatioDigits); }
 std::string none() { return std::string(kNoValue); }
 
-// A factor with the digits of the input.
+// A factor of the spec with as many digits as the user gave.
 std::string given(double value) { return fmt::format("{:.10g}", value); }
 
 constexpr int kRackDigits = 6;  // digits of the data of arcs, in modules or degrees
@@ -32,7 +32,8 @@ std::optional<double> unless_zero(double value) {
   return value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-// Rows without a value for any gear are omitted. A gear cut by a pinion cutter has no rack.
+// Adds the rows of the rack. A row is omitted if no gear has a value for it. A gear that is cut by
+// a pinion cutter has no rack.
 void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   struct Row {
     const char *words, *symbol, *unit;
@@ -116,7 +117,7 @@ std::vector<TextGroup> gear_groups(UnitSystem units, const std::vector<const Gea
   return text_groups(gear_quantities().table(), records, kPage, units);
 }
 
-// A sentence about what was checked, for a pair without interference.
+// A sentence for a pair without interference. It states what was checked.
 std::string no_collision_text(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
     return "<p>There is no interference of tips. They keep clear of roots, fillets and flanks. "
@@ -171,7 +172,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, Unit
   return rows;
 }
 
-// The rows of those interferences `named` whose words do not occur in the rows `listed`.
+// The rows of those interferences in `named` whose words do not yet occur in the rows of `listed`.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed, UnitSystem units) {
   std::vector<CollisionRow> rows;

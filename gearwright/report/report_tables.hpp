@@ -42,12 +42,12 @@ std::string interference_table(const InvolutePair& pair, UnitSystem units = Unit
 // The most important quantities of a pair, at the top of the report.
 
 /// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
-/// ends of the tolerances), mass, safeties, contact pressure, transmission error. Words, symbols and
-/// units are defined in the catalogue. Empty if there are none.
+/// ends of the tolerances), mass, safeties, contact pressure, transmission error. Words, symbols
+/// and units are defined in the catalogue. Empty if there are no key figures.
 std::string key_figures(const ReportInput& input);
 
-/// A box for each of these keys for which the records have a value, in the order of `keys`. If
-/// there are several records, a box shows the range from the first value to the last.
+/// One box for each key for which the records have a value, in the order of `keys`. If there are
+/// several records, a box shows the range from the value of the first record to that of the last.
 std::string key_boxes(const QuantityTable& table, const std::vector<ValueRecord>& records,
                       std::span<const std::string_view> keys, UnitSystem units);
 

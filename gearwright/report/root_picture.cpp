@@ -37,15 +37,16 @@ Vec2 root_center(const Gear& gear) {
   return center_of(*gear.tooth->root_fillet, kPi / gear.spec.teeth);
 }
 
-// True if F, the point of the flank at which undercut begins, lies on this tooth. Beyond the middle
-// of the space, it would lie on the neighbouring tooth.
+// True if F, the point of the flank at which undercut begins, lies on this tooth. F does not lie on
+// this tooth if it is beyond the middle of the space.
 bool shows_limit(const Gear& gear) {
   return gear.reference().base_tooth_thickness / gear.reference().base_diameter <
          kPi / gear.spec.teeth;
 }
 
-// Points on the part of the tooth that the picture must show, mm. If the tip matters, this is the
-// whole tooth. Otherwise it is the root on the right, up to slightly above the start of the flank.
+// Points on the part of the tooth that the picture must show, mm. This part is the whole tooth if
+// the tip has a fillet, or if a gear with circular fillets has at most 4 teeth. Otherwise, it is
+// the root on the right, up to slightly above the start of the flank.
 std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack) {
   const bool whole = gear.tooth->tip_fillet || (rack && gear.spec.teeth <= 4);
   const double start = std::max(gear.base_radius(), gear.root_form_radius().value_or(0.0));

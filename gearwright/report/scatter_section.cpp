@@ -58,7 +58,8 @@ std::string loaded_part(const ScatterView& view, UnitSystem units) {
   return part;
 }
 
-// The range of every input and the key that gives it. Waves and pitches vary within their grade.
+// The range of every input, and the key of the spec that determines it. Waves and pitches have no
+// range here, because they vary within a grade.
 std::string input_table(const ScatterView& view, UnitSystem units) {
   TableBuilder table("Inputs", {"Least", "Greatest", "From"});
   for (const ScatterTolerance& t : view.task->tolerances) {

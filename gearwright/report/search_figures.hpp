@@ -1,7 +1,7 @@
 // The pictures of a design search: the designs by their objectives, the regions of their profile
 // shifts, and the limits for each number of teeth.
 //
-//   front    the designs that no other design dominates, joined as a staircase
+//   front    the designs that no other design dominates; a staircase joins them
 //   x1, x2   to the right and up, normal modules, at the same scale, so that lines Σx = const
 //            fall at 45°
 //   lo, hi   midpoints of the region on its lines of least and greatest Σx
@@ -25,14 +25,14 @@ inline constexpr std::size_t kMaxDots = 2000;  ///< greatest number in one pictu
 /// separates the designs found from the part of the plane without designs. `greater` is true for an
 /// axis on which greater values are better.
 ///
-/// Laws      (1) no given point lies beyond the staircase   (2) along the staircase, one value gets
-///           worse as the other gets better
+/// Laws      (1) no given point lies beyond the staircase
+///           (2) along the staircase, one value becomes worse as the other becomes better
 std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
-/// A figure of the designs over the first two objectives. If there is one objective, the second
+/// A figure of the designs over the first two objectives. If there is only one objective, the other
 /// axis is the centre distance, or the ratio if the centre distance is given. The figure shows the
-/// first kMaxDots designs and the whole front. Pointing at a dot shows its design. Empty if there
-/// are no designs.
+/// first kMaxDots designs and the whole front. If the user points at a dot, its design is shown.
+/// Empty if there are no designs.
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
                           UnitSystem units = UnitSystem::mm);
 
@@ -60,7 +60,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
 
 /// The contact ratio ε_α of two identical gears over their number of teeth. There are five curves,
 /// at 0, ¼, ½, ¾ and 1 of the way from the least to the greatest profile shift that the search
-/// allows. Empty for searches of crossed axes or internal gears, to which it does not apply.
+/// allows. Empty for a search for crossed axes or internal gears, to which the chart does not
+/// apply.
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial);
 
 }  // namespace gearwright

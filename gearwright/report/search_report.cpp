@@ -44,8 +44,8 @@ std::string kind_of(const SearchProblem& problem, UnitSystem units) {
   return kind;
 }
 
-// "by contact ratio", or for several objectives "by size, the Pareto front over size and contact
-// ratio first".
+// The order of the designs in words: "by contact ratio" for one objective, and for several
+// objectives "by size, the Pareto front over size and contact ratio first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
   std::string text = fmt::format("by {}", words_of(objectives[0]).name);
@@ -138,7 +138,7 @@ std::string thumbnail_section(const SearchReport& report) {
 std::string chart_section(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
   const DesignRow* best = report.answer.designs.empty() ? nullptr : &report.answer.designs.front();
-  Trial trial;  // if there is no design, the first rack and helix angle
+  Trial trial;  // of the best design, or the first rack and helix angle if there is no design
   trial.helix = {problem.helix.front(), Angle()};
   if (best != nullptr) trial = best->trial;
   return "<section>\n<h2>Limits for each number of teeth</h2>\n" + (best ? "" : picture_hint()) +

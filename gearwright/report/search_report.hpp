@@ -19,8 +19,8 @@ struct SearchReport {
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
-  std::vector<std::string> reasons;   ///< plain text: warnings, and if no design is feasible, the
-                                      ///< reasons and changes that would help
+  std::vector<std::string> reasons;   ///< plain text: warnings; if no design is feasible, also the
+                                      ///< reasons and the changes that would help
   std::size_t rows = 200;             ///< number of designs in the table
   std::string version;                ///< version of the program
   UnitSystem units = UnitSystem::mm;  ///< units of the lengths

@@ -14,8 +14,8 @@ namespace gearwright {
 
 namespace {
 
-// The columns in the order of the page: first the design, then its rank, then its values. An entry
-// has a text of its own if the explanation in the catalogue does not suit the page.
+// The columns in the order of the page. If the explanation in the catalogue does not suit the page,
+// `meaning` replaces it.
 struct Entry {
   std::string_view key;
   std::optional<std::string_view> meaning;
@@ -110,7 +110,7 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
   return records;
 }
 
-// The symbol with the number of the gear. A quantity without a symbol is shown by its words.
+// The symbol with the number of the gear. If the quantity has no symbol, its key is used.
 std::string symbol_of(const Column& c) {
   if (c.info->symbol.empty()) return c.info->key;
   if (!c.gear) return symbol_html(c.info->symbol);
@@ -241,8 +241,8 @@ ObjectiveWords words_of(Objective objective) {
 
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective) {
-  // Only a ranked (balanced) design has a cost. A plot needs a value for every design, so the row
-  // is treated as balanced.
+  // cost() returns a value only for a ranked (balanced) design. A plot needs a value for every
+  // design, so a copy of the row is marked as balanced.
   DesignRow any = row;
   any.balanced = true;
   const auto value = cost(problem, any, objective);

@@ -1,4 +1,4 @@
-// Designs as a sortable table, and the table of a search.
+// Writes sortable tables of designs, in particular the table of a search.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kPlot = 480.0;                // px, width of the plot without the columns of names
-constexpr double kLow = 220.0, kHigh = 460.0;  // px, limits of its height
+constexpr double kLow = 220.0, kHigh = 460.0;  // px, limits of the height of the plot
 constexpr int kSteps = 500;                    // number of points on a quarter of an ellipse
 
 Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
@@ -44,8 +44,8 @@ Bounds window(const InvolutePair& pair) {
   const double m = pair.gears[0].spec.normal_module;
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale = std::min((kPlot - 60) / size.x(), (kHigh - 110) / size.y());  // px/mm
-  // The height is no greater than needed for the lines of action with their letters, and a part of
-  // the cylinders.
+  // Beyond its least value, the height is only as great as the lines of action with their letters
+  // and a part of the cylinders require.
   const Vec2 half = 0.5 / scale * Vec2(kPlot, std::max(kLow, scale * size.y() + 110.0));
   const Vec2 center = (box.lo + box.hi) / 2;
   return {center - half, center + half};
@@ -55,8 +55,9 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Draws the part of the ellipse within the plot. Its name is on the side `side` (+1 to the right),
-// at the point where the ellipse, followed from the mesh, leaves the plot.
+// Draws the part of the ellipse of a cylinder that is within the plot. The name of the cylinder is
+// on the side `side` (+1 to the right), at the point where the ellipse leaves the plot if it is
+// followed from the mesh.
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);

@@ -24,8 +24,8 @@ Figure over_teeth(Figure f) {
   return f;
 }
 
-// The area of the shifts within the limits of the problem, with one piece for each run of tooth
-// numbers for which such shifts exist.
+// The area of the shifts within the limits of the problem. It has one piece for each sequence of
+// successive tooth numbers for which such shifts exist.
 std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   std::vector<std::vector<Vec2>> pieces;
   std::vector<Vec2> below, above;
@@ -47,7 +47,7 @@ std::vector<Vec2> room_of(const std::vector<ShiftLimits>& chart) {
   return pieces_of(pieces);
 }
 
-// Shows the name of the last curve of a figure beside this curve.
+// Writes the name of the last curve of a figure beside this curve.
 void name_curve(Figure& f) {
   FigureMark& curve = f.marks.back();
   curve.label = curve.words;

@@ -15,7 +15,8 @@ constexpr double kWidth = 640.0;
 constexpr double kAspect = 554.0 / 450.0;
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 200.0 / 170.0;
-// If the region extends over at least this fraction of the rectangle, the whole rectangle is shown.
+// If the longer side of the region is at least this fraction of the longer side of the rectangle of
+// shift limits, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
 // The same fraction for small pictures. It is lower, because most small pictures should have the
 // same scale.

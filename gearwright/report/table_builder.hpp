@@ -29,14 +29,14 @@ class TableBuilder {
   void common(const TextRow& text, const std::string& value,
               const std::optional<std::string>& note = {});
   /// Adds the rows of a group of the catalogue, without the heading of the group. A row has one
-  /// value for each column, or one value for all columns. The table has as many columns as there
-  /// are records. For a single record (a pair), it may also have two columns.
+  /// value for each column, or one value for all columns. The table must have as many columns as
+  /// the group has records. For a single record (a pair), the table may also have two columns.
   void rows(const TextGroup& group);
   /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);
 
-  /// Sets the words, with symbols, that are next to the caption of a folded table instead of the
-  /// first values.
+  /// Sets the words that a folded table shows next to its caption instead of the first values. The
+  /// words may contain symbols.
   void decisive(std::string_view words);
   /// Selects, by keys of the catalogue, the rows that a folded table shows next to its caption. By
   /// default, these are the first rows. The call must precede the rows.

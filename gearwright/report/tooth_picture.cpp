@@ -197,7 +197,7 @@ void add_upright_arcs(Figure& f, const Gear& gear,
 }
 
 void lead_circle(Figure& f, double radius, std::string_view symbol, int decimals) {
-  constexpr double kSteepest = 0.94;  // x over the radius, at which a small circle gets its name
+  constexpr double kSteepest = 0.94;  // greatest x over radius of the point that the name marks
   const double x = std::min(f.x.hi, kSteepest * radius);
   const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
   if (!(y > f.y.lo && y < f.y.hi)) return;
@@ -267,7 +267,7 @@ std::vector<ShiftedTooth> shifted_teeth(const Gear& gear) {
     if (!cut) continue;  // this shift is outside the limits of a spec
     ShiftedTooth t{x, x == own, std::move(cut).take(), std::nullopt};
     spec.root_fillet = gear.spec.root_fillet.value_or(RootFilletSpec{});
-    // The tooth gets the given tip fillet if it fits, otherwise the tip that the rack leaves.
+    // The tooth gets the given tip fillet if this fits. Otherwise it gets the tip without fillet.
     spec.tip_fillet = gear.spec.tip_fillet;
     auto rounded = make_gear(spec);
     if (!rounded && spec.tip_fillet) {
