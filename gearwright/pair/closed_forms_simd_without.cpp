@@ -1,5 +1,5 @@
-// Without Google Highway the formulas use plain doubles, which are the reference for tests of the
-// vector code.
+// If the program is built without Google Highway, the formulas are computed with plain doubles. The
+// tests compare the vector code with the same functions.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

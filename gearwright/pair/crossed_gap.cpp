@@ -103,7 +103,7 @@ class TipMotion {
   double start_;
 };
 
-// Returns the ψ at which `beyond` changes its sign, on the side where it is negative. `beyond` is
+// Returns a ψ next to the sign change of `beyond`, at which `beyond` is still negative. `beyond` is
 // negative at `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
@@ -116,8 +116,8 @@ double crossing(const F& beyond, double deepest, double away, double z) {
   return in;
 }
 
-/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the
-/// cylinder; the function is empty if there is no such point.
+/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the tip
+/// cylinder. They return an empty GapOver if there is no such point.
 using GapOver = std::function<TipGap(double, double)>;
 
 /// External pairs: u maps to ψ, measured from the direction of the axis of B, and v maps to the
