@@ -1,6 +1,6 @@
 // The input of a double-helical gear: two halves of opposite hands on one body.
 //
-//   b      whole face width with the gap, mm     b_B  face width of one half, (b − gap)/2, mm
+//   b      whole face width, including the gap, mm     b_B  face width of one half, (b − gap)/2, mm
 //                                              theory: docs/theory/02-involute-and-pair.md, 2.11
 #pragma once
 
@@ -29,8 +29,8 @@ inline constexpr const char* kWholeFace =
 ///
 /// Errors    `double_helical.gap`
 std::optional<Error> half_error(const DoubleHelical& given, double face);
-/// The error if two mating gears do not match. The halves of the narrower gear must lie within the
-/// halves of the other gear. `faces` are the whole face widths, mm.
+/// The error if two mating gears do not match; empty if they match. Each half of the narrower gear
+/// must lie within the opposite half of the other gear. `faces` are the whole face widths, mm.
 ///
 /// Domain    at least one gear is double-helical (contract)
 /// Errors    `gearN.double_helical` if only the mating gear is double-helical,
