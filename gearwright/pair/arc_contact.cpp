@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// w: distance along the centre line between the point of one rack and the point of the other rack
-// at which the normal angle is θ. [T7.15]
+// w: distance along the centre line between two points, one of each rack, at which the normal angle
+// is θ. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
@@ -21,8 +21,8 @@ double height_gap(const ArcMeshInput& in, double theta) {
 // Height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// The part of the axial position of a point on a gear that does not depend on the rotation φ at
-// which the point was cut. The other part is r φ tan λ. [T7.13]
+// The axial position of a point on a gear, without the part r φ tan λ, which depends on the
+// rotation φ at which the point was cut. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
@@ -30,8 +30,8 @@ double axial(const WorkingArc& arc, double theta, double lambda) {
 
 // Radius of curvature of the transverse profile, > 0 if n points away from the centre of curvature.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
-  // The tangent u_z t − t_z u of the transverse section. Its length equals the component of n in
-  // this section.
+  // The tangent u_z t − t_z u of the transverse section. The length of this vector equals the
+  // length of the component of n in this section.
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);

@@ -9,10 +9,9 @@
 //                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
 // Frame: z runs along the axis of the convex gear, and x points towards the other axis. The convex
-// gear is right handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating
-// gear lie on the x axis.
-// The normal n of the surfaces points out of the convex flank. The curvature K is defined by dn =
-// −K dr.
+// gear is right handed and drives clockwise. At rotation 0, tooth 0 of this gear and a space of the
+// mating gear lie on the x axis. The normal n of the surfaces points out of the convex flank. The
+// curvature K is defined by dn = −K dr.
 #pragma once
 
 #include <array>
@@ -54,9 +53,9 @@ struct ArcContact {
   Angle angle;                ///< between the direction of k1 and the projection of the axis
   double
       transverse_radius_convex;  ///< radius of curvature of the convex transverse profile, mm; > 0
-                                 ///< if its centre lies on the side of the convex gear
-  double transverse_radius_concave;  ///< radius of curvature of the concave profile, mm; > 0 if its
-                                     ///< centre lies on the side of the convex gear
+                                 ///< if the centre of curvature lies on the side of the convex gear
+  double transverse_radius_concave;  ///< radius of curvature of the concave profile, mm; > 0 if the
+                                     ///< centre of curvature lies on the side of the convex gear
   double line_contact_difference;  ///< ρ_2 − ρ_1 of the transverse profiles in line contact, mm
 };
 

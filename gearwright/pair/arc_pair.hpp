@@ -59,7 +59,7 @@ constexpr Angle kSamePressureAngle =
 /// Errors    `gearN.rack` if a gear is an involute gear, or if no convex arc meets a concave arc;
 ///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
 ///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch, with the
-///           values at which they can. Contacts off the usable flanks and similar faults are
+///           values at which two arcs touch. Contacts off the usable flanks and similar faults are
 ///           warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 

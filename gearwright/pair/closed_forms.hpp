@@ -1,5 +1,5 @@
 // Closed forms for columns of numbers, computed with the processor's vector instructions. The
-// Python binding calls them for arrays.
+// Python binding calls these functions for arrays.
 //
 //   y    given value of inv α        s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md

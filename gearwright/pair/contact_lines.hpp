@@ -3,7 +3,7 @@
 //
 //   ε_α, ε_β   transverse contact ratio, overlap ratio
 //   τ          rotation, in pitches
-//   λ(τ)       total length of all contact lines divided by b/cos β_b; its mean is ε_α
+//   λ(τ)       total length of all contact lines divided by b/cos β_b; the mean of λ is ε_α
 //                                              theory: docs/theory/09-design-search.md, 9.8
 //
 // If every mm of contact line has the same stiffness, the deflection of the teeth under a constant

@@ -139,8 +139,8 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the
-/// section at z that lies beyond the radius `limit` of B, on the side of the teeth of B.
+/// Internal pairs: v maps to the height z on the face of A. In the section at z, the teeth of B lie
+/// beyond the radius `limit`, and u maps to ψ over the part of the tip circle that lies there.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);

@@ -18,7 +18,8 @@
 namespace gearwright::detail {
 
 /// The least gap between each tip (corner or rounded) and the mating gear's fillet, as a turn of
-/// gear 2. For internal pairs, the least gap to the whole tooth is included if it is smaller.
+/// gear 2. For internal pairs, the least gap between the tip and the whole mating tooth is included
+/// if it is less than the gap to the fillet.
 ///
 /// Formula   [T4.33], minimised over the tip cylinder by a grid and quadratic steps
 /// Domain    crossed axes and two gears with a tooth (contract); tips above the mating roots

@@ -20,8 +20,8 @@ struct Efficiency {
   std::optional<double> gear2_drives;
 };
 
-/// M_i: mean over the path of the component of w_i in the direction of sliding, divided by v_n. The
-/// efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
+/// M_i: component of w_i in the direction of sliding, averaged over the path and divided by v_n.
+/// The efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
 struct SlidingShares {
   double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed divided by v_n
 };

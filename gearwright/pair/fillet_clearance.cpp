@@ -1,4 +1,5 @@
-// The path of a tip corner through the mating gear's root, and its least distance from the fillet.
+// The path of a tip corner through the root of the mating gear, and the least distance between this
+// path and the fillet.
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
 //   η          half the backlash as a rotation of the mating gear; this rotation closes the gap
@@ -34,8 +35,8 @@ struct Corner {
   double half_angle;
 };
 
-// The corners at the tip of a tooth. If a tip fillet follows the flank, both of its ends are
-// corners.
+// The corners at the tip of a tooth. If a tip fillet follows the flank, both ends of the tip fillet
+// are corners.
 std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;

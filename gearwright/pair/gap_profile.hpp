@@ -26,7 +26,7 @@ struct ProfileCorner {
                  ///< a land
 };
 
-/// An arc that is not a land. The distance from the gear's axis changes along it.
+/// An arc that is not a land. Along the arc, the distance from the axis of the gear changes.
 struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< radii of its two ends

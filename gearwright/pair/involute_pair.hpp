@@ -50,7 +50,7 @@ struct InvolutePair : MountedGears {
   double extended_center_distance;    ///< mm
   std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
   std::array<std::optional<double>, 2>
-      contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
+      contact_root_diameter;  ///< d_Nf  mm; none if contact passes the base tangent point
   SpecificSliding<double> sliding_A, sliding_E;
   double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the basic racks
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given

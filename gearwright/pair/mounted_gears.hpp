@@ -17,9 +17,9 @@
 namespace gearwright {
 
 /// mm. If the normal backlash of a pair or of a pinion and rack lies between −kNoBacklash and
-/// kNoBacklash, it is called "no backlash" and printed as 0.0000 mm. The limit is greater than the
-/// effect of rounding the backlash-free centre distance to four decimals, which changes j_n by at
-/// most 2 · 0.5e-4 tan α_wn mm, or 3.6e-5 mm for 20°.
+/// kNoBacklash, it is called "no backlash" and printed as 0.0000 mm. Rounding the backlash-free
+/// centre distance to four decimals changes j_n by at most 2 · 0.5e-4 tan α_wn mm. For 20° this is
+/// 3.6e-5 mm, which is less than the limit.
 constexpr double kNoBacklash = 0.5e-4;
 
 struct MountedGears {

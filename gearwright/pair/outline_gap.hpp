@@ -57,7 +57,8 @@ struct OutlineGap {
 /// Formula   [T2.29]…[T2.33]
 /// Units     mm, rad
 /// Domain    outlines with arcs; gear 1 is external, and an internal gear is gear 2 with more teeth
-///           (contract). A tip below the mating root circle gives no gap; its tip clearance is < 0
+///           (contract). A tip below the mating root circle gives no gap; the tip clearance is < 0
+///           in this case
 /// Accuracy  every gap is computed for two points of the outlines, so except for rounding it is
 ///           never less than the true least gap. If the least gap of two arcs is less than `limit`,
 ///           the result exceeds it by at most 1e-12 rad, provided that between neighbouring samples

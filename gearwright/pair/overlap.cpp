@@ -1,4 +1,4 @@
-// Overlap and collisions beyond the flanks, from the gap of the two finished outlines.
+// Finds overlaps and contacts beyond the flanks from the gaps between the two finished outlines.
 //
 //   g_f    gap of the flanks: half their play, as a turn of gear 2     g  gap of two other arcs
 //   early  (g_f − g) h, mm along the common normal: distance by which these arcs are nearer than

@@ -22,7 +22,7 @@
 
 namespace gearwright {
 
-/// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
+/// A rack as a part. The teeth have the profile of the basic rack of the pinion.
 struct RackBar {
   std::optional<int> teeth{};          ///< n; see RackGeometry::teeth if it is absent
   std::optional<double> face_width{};  ///< b    mm; by default the face width of the pinion
@@ -119,8 +119,8 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
 //         (2) the normal section, (x, y cos β), is the section of the spur rack with the same m_n
 //         (3) the flank is straight, and the flank of the pinion is the envelope of this flank
 
-/// Half a tooth from root to tip, with the x axis as its centre line. The member `teeth` of the
-/// outline is the number of teeth of the rack, or 1 if no number is given.
+/// Half a tooth from root to tip. The x axis is the centre line of the tooth. The member `teeth` of
+/// the outline is the number of teeth of the rack, or 1 if no number is given.
 ///
 /// Formula   [T2.45]: land at x = −h_f, circle of radius ρ_f (in the transverse section an
 ///           ellipse), line n = s_n/2 − x tan α_n, land at x = h_a

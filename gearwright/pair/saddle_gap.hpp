@@ -17,7 +17,7 @@
 namespace gearwright {
 
 /// For each gear, the least lead crowning, mm, with which the flanks clear each other beside every
-/// point of their path if only this gear is crowned. None if crowning this gear alone is not
+/// point of the path if only this gear is crowned. None if crowning this gear alone is not
 /// sufficient.
 ///
 /// Formula   [T4.36], at the end of the path at which the result is greater
