@@ -1,5 +1,5 @@
-// A gear described by the dimensions of its base cylinder. They determine the flanks independently
-// of the rack.
+// A gear described by the dimensions of its base cylinder. These dimensions determine the flanks
+// independently of the rack.
 //
 //   z    teeth, negative if internal     r_b    base radius, mm
 //   s_bt transverse tooth thickness on the base cylinder, mm; extrapolated for an internal gear

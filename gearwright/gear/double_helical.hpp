@@ -15,7 +15,7 @@ namespace gearwright {
 /// The values on the drawing. The face width of the gear includes both halves and the gap.
 struct DoubleHelical {
   double gap = 0.0;              ///< mm, between the halves
-  double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the other
+  double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the half at z > 0
   std::optional<double> groove_diameter{};  ///< mm, diameter of the gap's groove
   std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
   Angle hob_lead_angle{};                   ///< γ_0   lead angle of the hob

@@ -168,8 +168,9 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if it is at
-// most 1e-9 modules. It is accurate to rounding if δ has only one maximum on each arc.
+// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if this δ
+// is at most 1e-9 modules. The result is accurate to rounding if δ has only one maximum on each
+// arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;

@@ -15,7 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The limits of a spec. They lie far beyond real gears. All formulas are tested within them.
+// The limits of a spec. They lie far beyond real gears. All formulas are tested within these
+// limits.
 constexpr int kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3;   // mm
 constexpr double kMaxModule = 1e3;    // mm

@@ -29,11 +29,11 @@ struct CylindricalSpec {
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter{};              ///< d_a   mm; by default from the rack
-  Rack rack{};                                       ///< if it has arcs, α_n and x are not used
-  std::optional<RootFilletSpec> root_fillet{};       ///< a circular arc instead of the root as cut
-  std::optional<TipFilletSpec> tip_fillet{};         ///< a circular arc instead of the tip as cut
+  Rack rack{};                                  ///< if the rack has arcs, α_n and x are not used
+  std::optional<RootFilletSpec> root_fillet{};  ///< a circular arc instead of the root as cut
+  std::optional<TipFilletSpec> tip_fillet{};    ///< a circular arc instead of the tip as cut
 
-  /// The rack of an involute gear.   Domain: it is straight (contract)
+  /// The rack of an involute gear.   Domain: the rack is straight (contract)
   const StraightRack& straight_rack() const;
   StraightRack& straight_rack();
 };

@@ -9,7 +9,8 @@
 //   r0     base radius of an involute; 0 for other teeth, so that L is the radius
 //   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
 //
-// Every modification is its amount times one of these fields (ISO 21771-1, "flank modifications"):
+// A modification removes its amount C times one of these fields (ISO 21771-1, "flank
+// modifications"):
 //
 //   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
 //   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
@@ -55,14 +56,14 @@ struct FormWave {
   bool operator==(const FormWave&) const = default;
 };
 
-/// The modifications of one flank, the same on every tooth.
+/// The modifications of one flank. They are the same on every tooth.
 struct FlankModifications {
   Relief tip_relief{};            ///< C_αa, at d_Fa
   Relief root_relief{};           ///< C_αf, at d_Ff
   double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0 if hollow
   double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes material at the tip
   double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0 if hollow
-  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at its +z end
+  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at the +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
   FormWave profile_wave{}, helix_wave{};
@@ -169,7 +170,7 @@ class RemovalField {
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
   /// Derivative of at() with respect to the amount of a modification, in mm removed per mm of the
-  /// amount. It is 0 for a relief without a reach, which applies in no piece.
+  /// amount. It is 0 for a relief without a reach, because such a relief applies in no piece.
   Removal derivative(Modification of, double u, double z, const Piece& piece) const;
 
   double amount(Modification of) const { return amounts_[of]; }  ///< C  mm
