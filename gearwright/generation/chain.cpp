@@ -25,8 +25,8 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
     GW_ENSURES(root.found());
     return root.x;
   }
-  // The solver uses the parameter of the branch without a closed-form radius, which avoids nested
-  // root finding.
+  // The solver varies the parameter of the branch whose radius has no closed form. This avoids
+  // nested root finding.
   const bool by_last = !last.curve->radius_is_closed_form();
   const Branch& free = by_last ? last : next;
   const Branch& other = by_last ? next : last;

@@ -102,8 +102,8 @@ class Cutting {
   }
 
  private:
-  // Adds the branches that a curve of the cutter cuts behind the tooth, in order from its root side
-  // to its tip side.
+  // Adds the branches that a curve of the cutter cuts behind the tooth, ordered from the root side
+  // to the tip side of this curve.
   void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
               double t_tip) const {
     const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);

@@ -207,8 +207,8 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
   return in_order(std::move(found), a, b);
 }
 
-// Returns the roots of a polynomial in h that lie between the values of h at the ends a and b of a
-// piece. h is monotone along the piece if the normal meets the centrode everywhere.
+// Returns those roots of a polynomial in h that lie between the values of h at the ends a and b of
+// a piece. h is monotone along the piece if the normal meets the centrode everywhere.
 std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomial, double a,
                                                 double b) const {
   const double rho = circle()->rho;

@@ -70,8 +70,8 @@ class PinionEnvelope final : public Curve {
   CurvePoint at(double t) const override;
   double polar_angle(double t) const override;
 
-  /// Returns true if the cutter lies outside the material of the gear near the point, which
-  /// requires s < r_p and w G > 0.
+  /// Returns true if the cutter lies outside the material of the gear near the point. This is the
+  /// case if s < r_p and w G > 0.
   bool cuts(double t) const;
   bool reaches(double t) const;  ///< true if the normal meets the centrode, s < r_p
   /// Returns the parameters at which cuts() may change, in order from a to b. They are the cusps

@@ -36,7 +36,7 @@ struct RackMotion {
 /// Each function has its own body, because computing one jet for all of them would be slower and
 /// less accurate. at() computes the tangent and the curvature from F. Compared with 50 digits on
 /// 20 000 random circles, their errors are at most 6e-16 rad and 9e-16. A tangent and a curvature
-/// from polar_jet() have errors of 4e-14 rad and 2e-13, because its first derivative suffers from
+/// from polar_jet() have errors of 4e-14 rad and 2e-13, because the first derivative suffers from
 /// cancellation near a cusp. point(), polar_angle() and log_radius() are as accurate as polar_jet()
 /// and take two thirds of its time (20 ns instead of 30 ns).
 ///
