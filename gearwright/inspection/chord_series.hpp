@@ -9,8 +9,8 @@
 //
 // The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With
 // three corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4.
-// It is small for the threads of a worm, because their helix angle is great. The functions are
-// templates over the scalar.
+// The error is small for the threads of a worm, because their helix angle is great. The functions
+// are templates over the scalar.
 #pragma once
 
 #include <cmath>

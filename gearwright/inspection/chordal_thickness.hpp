@@ -7,9 +7,9 @@
 //   k, Δh    chord, and rise of the arc over the chord, mm        * marks the shortest chord
 //                                                   theory: docs/theory/05-approximations.md
 //
-// A calliper across a helical tooth can be inclined. Its reading is the shortest chord, which is
-// computed exactly. The same code applies to spur gears and worms. The functions are templates over
-// the scalar.
+// A calliper across a helical tooth can be inclined. The reading is then the shortest chord, which
+// is computed exactly. The same code applies to spur gears and worms. The functions are templates
+// over the scalar.
 #pragma once
 
 #include <cmath>
@@ -43,9 +43,9 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad. If θ_t is not less, θ* is a normal floating-point number for every T up to 1e33,
-/// which is tan² of the double next to π/2. The θ_t of every real tooth is much greater, and so is
-/// a θ_t of about 1e-17 that is only a rounding error.
+/// Least θ_t, rad. For every θ_t of at least this value, θ* is a normal floating-point number for
+/// every T up to 1e33, which is tan² of the double next to π/2. The θ_t of every real tooth is much
+/// greater, and so is a θ_t of about 1e-17 that is only a rounding error.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
@@ -76,7 +76,7 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
   T hi = theta_t;
   if (tan_psi_squared > T(1)) hi = acos(T(-1) / tan_psi_squared) / T(2);
   if (theta_t > half_pi && (!(tan_psi_squared > T(1)) || f(hi).value < T(0))) {
-    lo = theta_t;  // the only root lies beyond the axis, where the sine is negative
+    lo = theta_t;  // the only root lies beyond the axis, where sin 2θ is negative
     hi = pi;
   }
   T start = theta_t / (T(1) + tan_psi_squared);
@@ -130,8 +130,8 @@ ToothArc<double> tooth_arc(const Gear& gear, double diameter);
 ///           this diameter, if no calliper can span the tooth, or if the gear has no flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
-// The constant chord. If a rack touches both sides of a tooth at the same time, it is the chord
-// between the two points of contact.
+// The constant chord, which is the chord between the points at which a rack touches both sides of a
+// tooth at the same time.
 //
 //   s_n   normal tooth thickness at the reference cylinder, mm     s_c   constant chord, mm
 //   h_c   height of the tip over the chord, mm                     α_n   pressure angle of the rack

@@ -11,8 +11,8 @@
 // degrees, or free. x_E and a free helix angle are fitted. The evidence of a hypothesis combines
 // the quality of the fit, the fraction of the prior range that agrees with the readings, and the
 // prior probability of such gears. Readings of tip and root are only rough, because tips may be
-// worn and roots may be cut by several racks. They select the basic rack of the drawing. The
-// reading of the tip also distinguishes a profile shift from a thickness allowance.
+// worn and roots may be cut by several racks. These readings select the basic rack of the drawing.
+// The reading of the tip also distinguishes a profile shift from a thickness allowance.
 #pragma once
 
 #include <array>

@@ -25,7 +25,7 @@ namespace {
 // Lengths in modules.
 constexpr double kMostUsualAllowance = 0.1;  // upper limit of a usual allowance; smaller if
                                              // kUsualSeries gives less
-constexpr double kMostAllowance = 0.2;       // beyond this value, a thickness is implausible
+constexpr double kMostAllowance = 0.2;       // a greater allowance is implausible
 constexpr double kNearTip = 0.02;            // usual tolerance of a tip radius
 constexpr double kMinusTip = 0.05;           // greatest undersize that indicates x = 0
 constexpr double kMostWear = 0.1;            // greatest wear of a tip radius

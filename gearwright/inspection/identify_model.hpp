@@ -1,4 +1,4 @@
-// Predicts the readings of a gear with the tools with which an unknown gear was measured.
+// Predicts the readings that a gear would give with the tools that were used on an unknown gear.
 //
 // Internal to inspection/. identify() calls these functions about ten thousand times, so they use
 // closed forms and do not make the gear.

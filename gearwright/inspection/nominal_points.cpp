@@ -69,8 +69,8 @@ struct FilletPlace {
   Vec2 point, normal;
 };
 
-// Returns n places at equal distances along the root fillet. Its length is computed from the chords
-// of a fine subdivision.
+// Returns n places at equal distances along the root fillet. The length of the fillet is computed
+// from the chords of a fine subdivision.
 std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   constexpr int kFine = 400;
   struct Station {
