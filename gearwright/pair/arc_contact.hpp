@@ -50,7 +50,8 @@ struct ArcContact {
   Mat2 curvature_convex;      ///< K of the convex flank in (t, u), 1/mm
   Mat2 curvature_concave;     ///< K of the concave flank in (t, u), 1/mm
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
-  Angle angle;                ///< between the direction of k1 and the projection of the axis
+  Angle angle;                ///< angle in the tangent plane, between the direction of k1 and the
+                              ///< projection of the axis
   double
       transverse_radius_convex;  ///< radius of curvature of the convex transverse profile, mm; > 0
                                  ///< if the centre of curvature lies on the side of the convex gear

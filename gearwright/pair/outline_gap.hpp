@@ -41,7 +41,7 @@ struct OutlineTouch {
 struct OutlineGap {
   static constexpr int kNames = 5;
   using Row = std::array<std::optional<OutlineTouch>, kNames>;
-  std::array<Row, kNames> touches;  ///< least gap by the names of the two arcs, [gear 1][gear 2]
+  std::array<Row, kNames> touches;  ///< least gap for each pair of arc names, [gear 1][gear 2]
 
   const std::optional<OutlineTouch>& of(ArcName arc_1, ArcName arc_2) const;
   /// The touch with the least gap; none if the gears do not reach each other. This gap is half the
