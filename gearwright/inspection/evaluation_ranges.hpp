@@ -69,7 +69,8 @@ struct EvaluationRanges {
   RollPlace root_form, reference, tip_form;  ///< at d_Ff, d, d_Fa
   std::array<double, 2> profile;             ///< mm, roll lengths of both ends
   std::array<double, 2> helix;          ///< mm, heights of both ends from the middle of the face
-  std::optional<ActiveFlank> active{};  ///< if the gear is mounted and touches its mating gear
+  std::optional<ActiveFlank> active{};  ///< present if the gear is mounted and touches its mating
+                                        ///< gear
 };
 /// The roll length and the roll angle of the involute at the diameter d_y.
 ///
