@@ -139,20 +139,20 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on the face of A. In the section at z, the teeth of B lie
-/// beyond the radius `limit`, and u maps to ψ over the part of the tip circle that lies there.
+/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the tip
+/// circle at z that lies on the root side of the radius `limit` of B.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // Radial distance of a point from the radius `limit` of B; negative on the side of the teeth of
-  // B.
+  // Radial distance of a point from the radius `limit` of B; negative on the root side of this
+  // radius.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // The ψ of the point that lies deepest in the teeth of B, and the least and greatest ψ of the
-  // points in these teeth; none if the teeth are not reached.
+  // The ψ of the point that lies farthest on the root side of `limit`, and the least and the
+  // greatest ψ of the points on this side; none if no point lies there.
   struct Window {
     double deepest, lo, hi;
   };

@@ -6,7 +6,7 @@
 //   ψ      angle of this point in the space of B, from the middle of the space
 //   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; if B is gear 1, it is converted to a turn of
 //                                gear 2 by the factor z_1/z_2
-//   k        −1 if A is an internal gear, otherwise 1      ε = −σ,  κ = σ z_A/z_B
+//   k        −1 if A is an internal gear, otherwise 1      ε = −σ,  κ = σ |z_A/z_B|
 //
 // The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
 // B turns by −κφ. So D = k a + ε e^{iφ} W and ψ = arg D + κφ, reduced to one pitch.
