@@ -29,8 +29,8 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   return std::nullopt;
 }
 
-// The diameter at which the two flanks of a tooth meet on the part that the last arc of the edge
-// cuts; none if they do not meet there.
+// The diameter at which the two flanks of a tooth meet; none if they do not meet within the part of
+// the flank that the last arc of the edge cuts.
 std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdge& edge) {
   const auto* last = std::get_if<EdgeCircle>(&edge.arcs.back().shape);
   GW_EXPECTS(last != nullptr);
@@ -42,7 +42,7 @@ std::optional<double> pointed_diameter(const RackMotion& motion, const CutterEdg
   return 2 * curve.point(find_root(theta, std::min(a, b), std::max(a, b)).x).norm();
 }
 
-// True if the arc of the flank begins beyond its cusp, on the side of the root.
+// True if the arc of the flank begins on the root side of its cusp.
 bool is_undercut(const EdgeCircle& flank, const std::optional<Angle>& limit) {
   if (!limit) return false;
   return flank.q > 0.0 ? *limit > flank.begin_tau : *limit < flank.begin_tau;

@@ -40,7 +40,8 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double sin_t = std::sin(g.transverse_pressure_angle);
   const double r_b = g.base_diameter / 2;
   const double rho_C = r_b * std::tan(g.transverse_pressure_angle);
-  // The diameter of the flank point that the rack cuts at the depth h* below its datum line.
+  // The diameter of the point that the rack cuts with its flank at the depth h* below the datum
+  // line.
   const auto form_at = [&](double h) { return 2 * std::hypot(r_b, rho_C - (h - x_E) * m / sin_t); };
   rack.root_fillet_radius = 0.0;
   const double full = full_radius(rack, spec.normal_pressure_angle);

@@ -1,5 +1,5 @@
-// A gear described by the dimensions of its base cylinder, which determine the flanks independently of
-// the rack.
+// A gear described by the dimensions of its base cylinder. These dimensions determine the flanks
+// independently of the rack.
 //
 //   z    teeth, negative if internal     r_b    base radius, mm
 //   s_bt transverse tooth thickness on the base cylinder, mm; extrapolated for an internal gear
@@ -7,8 +7,8 @@
 //   α_n  pressure angle of a rack       p_bn   normal base pitch, mm
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// Any rack with m_n cos α_n = p_bn/π can cut the gear, and m_n, α_n, β and x depend on the chosen rack.
-// The functions are templates over the scalar.
+// Every rack with m_n cos α_n = p_bn/π can cut the gear. m_n, α_n, β and x depend on the rack that
+// is chosen. The functions are templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -60,8 +60,8 @@ bool has_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return cos(alpha_n) > abs(sin(gear.helix_angle));
 }
 
-/// The reference data of the gear for a rack with the pressure angle α_n. The profile shift alone
-/// gives the tooth thickness, and the allowance is 0.
+/// The reference data of the gear for a rack with the pressure angle α_n. The profile shift
+/// accounts for the whole tooth thickness, so the allowance is 0.
 ///
 /// Formula   m_n = p_bn/(π cos α_n), sin β = sin β_b/cos α_n, x from s_bt; [T4.2], [T4.3]
 /// Domain    0 < α_n < π/2, has_rack (contract)
@@ -93,8 +93,8 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return rack;
 }
 
-// The rack that cuts a given root diameter and root form diameter. It is used for gears that are given
-// by their base cylinder.
+// The rack that cuts a given root diameter and root form diameter. It is used for gears that are
+// given by their base cylinder.
 //
 //   d, d_f, d_Ff          reference, root and root form diameter, mm
 //   ρ_C, ρ_F              radii of curvature of the flank at d and at d_Ff, mm
@@ -102,7 +102,7 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
 //                                              theory: docs/theory/04-conjugate-action.md, 4.2
 
 /// The rack of `spec`, with the dedendum that gives d_f. If d_Ff is given, the tip rounding of the
-/// rack is the one whose fillet ends at d_Ff.
+/// rack is chosen so that the fillet of the gear ends at d_Ff.
 ///
 /// Formula   h_fP* = x_E ± (d − d_f)/(2 m_n), h_Ff* = x_E − (ρ_F − ρ_C) sin α_t/m_n,
 ///           ρ_fP* = (h_fP* − h_Ff*)/(1 − sin α_n); [T4.4]

@@ -8,7 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The error of the rim of an internal gear, which must extend to the radius `room`, mm.
+// The error if an internal gear has no rim diameter, or if the rim has a keyway or does not extend
+// to the radius `room`, mm; empty if there is none.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   // The value is rounded up, so that the printed diameter is large enough.
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
@@ -27,8 +28,8 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   return std::nullopt;
 }
 
-// The error of a bore that is too large or invalid; empty if there is none. `room` is the radius, mm,
-// that the bore and its keyway must not exceed.
+// The error if the bore is too large or invalid; empty if there is none. Neither the bore nor its
+// keyway must exceed the radius `room`, mm.
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
     return refused("bore.diameter", bore.diameter,

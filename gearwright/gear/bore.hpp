@@ -2,7 +2,8 @@
 //
 //   r  bore radius, mm     w, t  width and depth of the keyway, mm
 //
-// The floor of the keyway is at y = r + t, and its walls are at x = ±w/2. If w = 0, there is no keyway.
+// The floor of the keyway is at y = r + t, and its walls are at x = ±w/2. If w = 0, there is no
+// keyway.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,8 @@ struct Bore {
   bool has_keyway() const { return keyway_width > 0.0; }
 };
 
-/// Largest distance of the bore from the axis, mm: the distance of the keyway's corner, or the bore radius.
+/// Largest distance from the axis to the edge of the bore, mm. It is the distance to a corner of
+/// the keyway, or the bore radius if there is no keyway.
 double bore_reach(const Bore& bore);
 
 /// The cylinders of a gear that limit its bore or its rim.
@@ -29,8 +31,9 @@ struct HoleLimits {
   std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
 };
 
-/// The error of a bore or a rim that leaves less than `wall` mm to the roots or to the groove. An
-/// internal gear must have a rim diameter, and its rim has no keyway.
+/// The error if the bore or the rim leaves less than `wall` mm of material to the roots or to the
+/// groove, if the bore is invalid, if an internal gear has no rim diameter, or if a rim has a
+/// keyway. The result is empty if there is no error.
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
                                 double wall);
 

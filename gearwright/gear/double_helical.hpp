@@ -1,6 +1,6 @@
 // The input of a double-helical gear: two halves of opposite hands on one body.
 //
-//   b      whole face width with the gap, mm     b_B  face width of one half, (b − gap)/2, mm
+//   b      whole face width, including the gap, mm     b_B  face width of one half, (b − gap)/2, mm
 //                                              theory: docs/theory/02-involute-and-pair.md, 2.11
 #pragma once
 
@@ -15,7 +15,7 @@ namespace gearwright {
 /// The values on the drawing. The face width of the gear includes both halves and the gap.
 struct DoubleHelical {
   double gap = 0.0;              ///< mm, between the halves
-  double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the other
+  double stagger_pitches = 0.0;  ///< s  pitches, offset of the half at z < 0 from the half at z > 0
   std::optional<double> groove_diameter{};  ///< mm, diameter of the gap's groove
   std::optional<double> hob_diameter{};     ///< d_a0  mm; if absent, the run-out is not computed
   Angle hob_lead_angle{};                   ///< γ_0   lead angle of the hob
@@ -29,8 +29,8 @@ inline constexpr const char* kWholeFace =
 ///
 /// Errors    `double_helical.gap`
 std::optional<Error> half_error(const DoubleHelical& given, double face);
-/// The error if two mating gears do not match. The halves of the narrower gear must lie within the
-/// halves of the other gear. `faces` are the whole face widths, mm.
+/// The error if two mating gears do not match; empty if they match. Each half of the narrower gear
+/// must lie within the opposite half of the other gear. `faces` are the whole face widths, mm.
 ///
 /// Domain    at least one gear is double-helical (contract)
 /// Errors    `gearN.double_helical` if only the mating gear is double-helical,

@@ -32,8 +32,8 @@ Gear described(const CylindricalSpec& spec) {
   gear.root_diameter = d - sigma * 2 * m * (dedendum_of(spec.rack) - x_E);
   gear.lead = beta == 0.0 ? 0.0 : std::numbers::pi * d / std::tan(beta);
   const double psi_b = reference.base_tooth_thickness / reference.base_diameter;
-  // The tooth of an internal gear becomes thinner inward, and its flanks meet at inv α = −ψ_b if ψ_b is
-  // not positive. [T2.13]
+  // The tooth of an internal gear becomes thinner inward, and its flanks meet at inv α = −ψ_b if
+  // ψ_b is not positive. [T2.13]
   const double y = sigma * psi_b;
   if (y >= 0.0) gear.pointed_diameter = reference.base_diameter / std::cos(inverse_involute(y));
   return gear;
@@ -45,12 +45,13 @@ void warn(Gear& gear, WarningCode code, std::string message) {
 
 namespace {
 
-// The profile shift x of the drawing that gives x_E. x_E also contains the allowance.
+// The profile shift x of the drawing with which this gear, with its thickness allowance, has the
+// given x_E.
 double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
 
-// The end of a sentence that names the cause of undercut or a remedy for it.
+// The end of a sentence about undercut. It names the cause of the undercut or a remedy for it.
 std::string without_undercut(const Gear& gear) {
   if (const ArcTeeth* arcs = gear.arcs()) {
     return fmt::format(
@@ -141,8 +142,9 @@ void warn_about_tooth(Gear& gear) {
 
 // A tip that projects beyond the involute of its flank.
 //
-// A pinion cutter with undercut or protuberance lacks the part of its flank that would cut the tip of
-// the gear. The remaining material projects beyond the involute and can collide with other mating gears.
+// A pinion cutter with undercut or protuberance lacks the part of its flank that would cut the tip
+// of the gear. The remaining material projects beyond the involute and can collide with other
+// mating gears.
 //
 //   δ = r_b (θ − θ_i)   projection along the normal of the involute, mm [T2.35]
 //   θ, θ_i              polar angles of the outline and of the involute at one radius
@@ -166,8 +168,9 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if it is at
-// most 1e-9 modules. It is accurate to rounding if δ has only one maximum on each arc.
+// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if this δ
+// is at most 1e-9 modules. The result is accurate to rounding if δ has only one maximum on each
+// arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;
@@ -199,8 +202,8 @@ void find_tip_bulge(Gear& gear) {
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 
-// Normal thickness of the finished tooth at its tip, which is the width of the remaining land; 0 if the
-// tip is pointed or rounded.
+// Normal thickness of the finished tooth at its tip, which is the width of the remaining land; 0 if
+// the tip is pointed or rounded.
 std::optional<double> tip_thickness(const Gear& gear) {
   if (!gear.exists()) return std::nullopt;
   if (!gear.involute()) {
@@ -213,7 +216,7 @@ std::optional<double> tip_thickness(const Gear& gear) {
     if (gear.tooth->pointed || gear.tooth->rounded_tip) return 0.0;
     const double d_end = 2 * gear.tooth->tip_radius;
     const Arc& land = gear.tooth->outline.arcs.back();
-    // Due to rounding, a tip on the base circle may lie inside the base circle.
+    // A tip on the base circle may lie inside this circle by a rounding error.
     const bool plain = gear.tooth->tip_form_radius == gear.tooth->tip_radius && d_end >= d_b;
     const double s_t = plain
                            ? tooth_thickness_transverse(

@@ -1,5 +1,6 @@
-// Computes the data that do not depend on the kind of cutter: closed forms before the tooth is cut,
-// and tip, root and warnings afterwards. Internal to gear/.
+// Computes the data of a gear that do not depend on the kind of cutter. Data in closed form are
+// computed before the tooth is cut; tip, root and warnings are determined afterwards. Internal to
+// gear/.
 #pragma once
 
 #include <optional>
@@ -20,9 +21,9 @@ void warn(Gear& gear, WarningCode code, std::string message);
 
 // A gear with circular-arc (Wildhaber-Novikov) teeth of any kind, cut by a rack of arcs.
 
-/// The normal angle τ at which the envelope of the circle has the cusp nearest to the root. The cutter
-/// undercuts a convex tooth below this angle, and a concave tooth above it. None if there is no cusp on
-/// the quarter circle.
+/// The normal angle τ at which the envelope of the circle has the cusp nearest to the root. The
+/// cutter undercuts a convex tooth below this angle, and a concave tooth above it. None if there is
+/// no cusp on the quarter circle.
 ///
 /// Formula   F(sin τ) = 0, [T3.9]; [T7.12]
 std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& circle);

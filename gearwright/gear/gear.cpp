@@ -15,7 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The limits of a spec. They lie far beyond real gears, and within them all formulas are tested.
+// The limits of a spec. They lie far beyond real gears. All formulas are tested within these
+// limits.
 constexpr int kMaxTeeth = 100'000;
 constexpr double kMinModule = 1e-3;   // mm
 constexpr double kMaxModule = 1e3;    // mm
@@ -122,7 +123,7 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   if (fillets->root) flanks.point_c_l = ruler.l(fillets->root->roll);
   if (fillets->tip) {
     flanks.point_j_l = ruler.l(fillets->tip->roll);
-    // Without a blank, the tooth ends with its tip fillet.
+    // If no blank is given, the tooth ends where its tip fillet ends.
     if (!blank) gear.tip_diameter = 2 * fillets->tip->arc.end;
   }
   auto tooth = cut_by_rack(edge, motion, spec.teeth, gear.tip_diameter / 2, *fillets);

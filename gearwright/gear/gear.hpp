@@ -29,11 +29,11 @@ struct CylindricalSpec {
   double thickness_allowance = 0.0;                  ///< E_sn  mm, < 0 thins the tooth
   double face_width = 0.0;                           ///< b     mm
   std::optional<double> tip_diameter{};              ///< d_a   mm; by default from the rack
-  Rack rack{};                                       ///< if it has arcs, α_n and x are not used
-  std::optional<RootFilletSpec> root_fillet{};       ///< a circular arc instead of the root as cut
-  std::optional<TipFilletSpec> tip_fillet{};         ///< a circular arc instead of the tip as cut
+  Rack rack{};                                  ///< if the rack has arcs, α_n and x are not used
+  std::optional<RootFilletSpec> root_fillet{};  ///< a circular arc instead of the root as cut
+  std::optional<TipFilletSpec> tip_fillet{};    ///< a circular arc instead of the tip as cut
 
-  /// The rack of an involute gear.   Domain: it is straight (contract)
+  /// The rack of an involute gear.   Domain: the rack is straight (contract)
   const StraightRack& straight_rack() const;
   StraightRack& straight_rack();
 };
@@ -46,7 +46,7 @@ struct PinionCutting {
   bool by_default = false;    ///< true if gear/pinion_cut.hpp chose the cutter
 };
 
-/// The data of involute gears only.
+/// The data that only involute gears have.
 struct InvoluteTeeth {
   ReferenceGeometry<double> reference;
   std::optional<double> undercut_free_profile_shift;  ///< least x_E without undercut, signed; only
@@ -56,13 +56,13 @@ struct InvoluteTeeth {
   std::optional<double> point_c_l, point_j_l;  ///< l_C, l_J  mm, with circular fillets
 };
 
-/// The data of gears cut by a rack of arcs only.
+/// The data that only gears cut by a rack of arcs have.
 struct ArcTeeth {
   RackOfArcs rack;                            ///< lengths in modules
   std::optional<double> reference_thickness;  ///< s_n  mm, with the allowance
   Angle flank_begin;                          ///< τ at the root end of the flank arc. If there are
-                                              ///< several, it is the undercut arc, or the lowest
-                                              ///< arc if none is undercut
+                                              ///< several flank arcs, the undercut arc is used, or
+                                              ///< the lowest arc if none is undercut
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
@@ -94,8 +94,8 @@ struct Gear {
 
   bool internal() const { return spec.teeth < 0; }
   double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
-  /// True if the left flanks of this gear touch its mate. They do on an external gear if gear 2 of
-  /// the pair drives, and on an internal gear if gear 1 drives.
+  /// True if the left flanks of this gear touch the mating gear. On an external gear they do so if
+  /// gear 2 of the pair drives, and on an internal gear if gear 1 drives.
   bool left_flank_works(bool gear2_drives) const { return gear2_drives == (side() > 0.0); }
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }
@@ -113,25 +113,25 @@ struct Gear {
   std::optional<double> root_form_radius() const;
   /// True if the two flanks of a tooth meet before the tip.
   bool pointed() const;
-  /// d_Fa/2, the radius at which the usable flank ends. For an internal gear without a tooth, it is the
-  /// tip radius, or the base radius if the tip lies inside the base circle.
+  /// d_Fa/2, the radius at which the usable flank ends. For an internal gear without a tooth, it is
+  /// the tip radius, or the base radius if the tip lies inside the base circle.
   double tip_form_radius() const;
-  /// The radius at which the finished tooth ends. The blank, the bottom land of the cutter or the point
-  /// of the tooth determines it.
+  /// The radius at which the finished tooth ends. The blank, the bottom land of the cutter or the
+  /// point of the tooth determines it.
   double actual_tip_radius() const;
-  /// The whole face width, mm, of a gear whose teeth are `face` mm wide. For a double-helical gear it
-  /// includes both halves and the gap.
+  /// The whole face width, mm, of a gear whose teeth are `face` mm wide. For a double-helical gear
+  /// it includes both halves and the gap.
   double whole_face(double face) const { return gap ? 2.0 * face + *gap : face; }
   double twist() const;  ///< 2π/p_z [T1.2]  rad/mm, signed, 0 for a spur gear
 };
 
-/// Checks the limits of a spec and returns the error of the first member that is out of bounds, if any.
-/// make_gear() also calls this function.
+/// Checks the limits of a spec and returns the error of the first member that is out of bounds, if
+/// any. make_gear() also calls this function.
 std::optional<Error> check_limits(const CylindricalSpec& spec);
 /// Makes the gear: computes the closed-form data and generates the tooth.
 ///
-/// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …). Undercut,
-///           pointed and severed teeth are not errors but data and warnings
+/// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
+///           Undercut, pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
 
 // Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".

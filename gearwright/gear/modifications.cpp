@@ -14,13 +14,13 @@ namespace gearwright {
 
 namespace {
 
-// Greatest amount, relative to the depth of the usable flank. The depth is about two modules, so the
-// greatest amount is 0.2 modules, which is ten times the usual amounts. If it is removed from both
-// flanks, half the tip land of most teeth is left.
+// Greatest amount, relative to the depth of the usable flank. The depth is about two modules, so
+// the greatest amount is 0.2 modules, which is ten times the usual amounts. If this amount is
+// removed from both flanks, most teeth still have half of their tip land.
 constexpr double kMaxAmount = 0.1;
-// Greatest slope of a relief over its depth or length. The material is removed along the normal of the
-// unmodified flank. The relative error of the amount is half the square of the slope, here 2 %. A
-// steeper relief is a chamfer, which is a separate surface.
+// Greatest slope of a relief over its depth or length. Because the material is removed along the
+// normal of the unmodified flank, the amount has a relative error of half the square of the slope,
+// which is 2 % here. A steeper relief is a chamfer, which is a separate surface.
 constexpr double kSteepest = 0.2;
 // Least depth of a profile relief, relative to the depth of the flank, and least length of an end
 // relief, relative to the face width. A shorter relief counts as an edge.
@@ -36,7 +36,8 @@ constexpr double kSameDiameter = 1e-9;
 constexpr double kMinRoll = 1e-6;
 // Relative rounding error of the form radius of a flank that begins on the base circle.
 constexpr double kOnBase = 1e-12;
-// Converts mm to µm as in the spec, without the rounding errors of the conversion in both directions.
+// Converts mm to µm. The result is rounded, so that a value of the spec is recovered exactly after
+// it has been converted to mm.
 double in_um(double mm) {
   constexpr double kSteps = 1e9;  // steps per µm, finer than any drawing and coarser than rounding
                                   // errors
@@ -204,7 +205,8 @@ void add(Removal& sum, double amount, const Removal& unit) {
   sum.c_zz += amount * unit.c_zz;
 }
 
-// The candidates inside (lo, hi), in ascending order. Neighbours closer than kSameBorder are merged.
+// The candidates inside (lo, hi), in ascending order. Candidates that are too close to the
+// preceding border or to an end are left out.
 std::vector<double> borders(std::vector<double> candidates, double lo, double hi) {
   const double same = kSameBorder * (hi - lo);
   std::sort(candidates.begin(), candidates.end());
@@ -287,9 +289,10 @@ bool RemovalField::ridge_between(const Piece& a, const Piece& b) const {
          begins(a.end_lo != b.end_lo || a.end_hi != b.end_hi, end_, Modification::end_relief);
 }
 
-// L as a function of y = ρ² − r0². Above y0 = y_floor_, L = √y. Below y0, L = √y0 (1 − h) with
-// t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and second
-// derivative of 1 − √(1 − t). h increases for all t ≥ 0, and for large t like √t.
+// L as a function of y = ρ² − r0². If y ≥ y0 = y_floor_, L = √y. If y < y0, L = √y0 (1 − h) with
+// t = (y0 − y)/y0 and h = t (1 + 7t/4)/(2 (1 + t)^(3/2)). At t = 0, h has the value, slope and
+// second derivative of 1 − √(1 − t). For t ≥ 0, h increases everywhere, and for large t it grows
+// like √t.
 RemovalField::Roll RemovalField::roll(double rho) const {
   const double y = (rho - extent_.r0) * (rho + extent_.r0);
   const double y_u = 2 * rho * rho;

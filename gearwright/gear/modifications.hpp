@@ -1,15 +1,16 @@
 // Flank modifications: material removed from a flank, as the numbers of a drawing and as a smooth
 // field over the flank.
 //
-//   C      amount of one modification, mm          c(u, z)  material removed normal to the flank, mm
-//   ρ, u   radius, mm, and ln ρ                    z, b     height from the middle of the face, mm;
-//                                                           face width, mm
+//   C      amount of one modification, mm         c(u, z)  material removed normal to the flank, mm
+//   ρ, u   radius, mm, and ln ρ                   z, b     height from the middle of the face, mm;
+//                                                          face width, mm
 //   L      roll length √(ρ² − r0²), mm, which measures the position along the profile; L_f at d_Ff
 //          and L_a at d_Fa
 //   r0     base radius of an involute; 0 for other teeth, so that L is the radius
 //   w      (L − (L_f + L_a)/2)/(L_a − L_f), from −½ at the root to ½ at the tip
 //
-// Every modification is its amount times one of these fields (ISO 21771-1, "flank modifications"):
+// A modification removes its amount C times one of these fields (ISO 21771-1, "flank
+// modifications"):
 //
 //   tip relief        q or q²,  q = (L − L_start)/(L_a − L_start), from d_start to the tip
 //   root relief       q or q²,  q = (L − L_start)/(L_f − L_start), from d_start to the root
@@ -17,9 +18,10 @@
 //   helix crowning     4 (z/b)²                      helix slope modification     z/b
 //   end relief        q or q²,  q = (|z| − b/2 + l)/l, over the length l from each face
 //
-// A measured or designed topography is added, and so are the waves of form deviations,
-// ½ f_f sin(2π n w + χ) along the profile and ½ f_f sin(2π n z/b + χ) along the face, with n whole waves.
-// The formulas also hold for an internal gear, whose tip has the lesser radius.
+// c is the sum of these products, of a measured or designed topography, and of the waves of form
+// deviations. The waves are ½ f_f sin(2π n w + χ) along the profile and ½ f_f sin(2π n z/b + χ)
+// along the face, with n whole waves. The formulas also hold for an internal gear, whose tip has
+// the lesser radius.
 //
 // The right and the left flank are defined as seen from +z with the tooth pointing up. If the
 // centre line of the tooth is the x axis, the right flank has y < 0.
@@ -54,14 +56,14 @@ struct FormWave {
   bool operator==(const FormWave&) const = default;
 };
 
-/// The modifications of one flank, the same on every tooth.
+/// The modifications of one flank. They are the same on every tooth.
 struct FlankModifications {
   Relief tip_relief{};            ///< C_αa, at d_Fa
   Relief root_relief{};           ///< C_αf, at d_Ff
   double profile_crowning = 0.0;  ///< C_α   mm, at both ends of the usable flank; < 0 if hollow
   double profile_slope = 0.0;     ///< C_Hα  mm, from root to tip; > 0 removes material at the tip
   double lead_crowning = 0.0;     ///< C_β   mm, at both faces; < 0 if hollow
-  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at its +z end
+  double lead_slope = 0.0;        ///< C_Hβ  mm, over the face; > 0 removes material at the +z end
   Relief end_relief{};            ///< C_βI = C_βII
   std::shared_ptr<const Topography> topography{};
   FormWave profile_wave{}, helix_wave{};
@@ -89,8 +91,8 @@ struct ModificationMember {
   double amount_of(const FlankModifications& m) const {
     return relief ? (m.*relief).amount : m.*alone;
   }
-  /// True if the reach of a relief is given. An amount alone needs no reach, because it applies to
-  /// the whole flank, and the result is also true.
+  /// True if the range of the modification is known. The range of a relief is known if its reach is
+  /// given. An amount alone always applies to the whole flank.
   bool placed(const FlankModifications& m) const { return !relief || (m.*relief).reach; }
 };
 
@@ -135,8 +137,8 @@ struct Removal {
 /// The field of one flank.
 ///
 ///   Laws  (1) at() = Σ amount · derivative() + topography + waves
-///         (2) pieces() cover the usable flank without overlap; the formulas of a piece are smooth and
-///             continue beyond its borders, so that an iteration may leave the piece
+///         (2) pieces() cover the usable flank without overlap; the formulas of a piece are smooth
+///             and also apply beyond its borders, so that an iteration may leave the piece
 ///         (3) the derivatives returned are the exact derivatives of c at every point
 class RemovalField {
  public:
@@ -158,35 +160,35 @@ class RemovalField {
   /// The material removed at (u, z), by the formulas of `piece`.
   ///
   /// Units     u = ln(ρ/mm), z in mm
-  /// Domain    any u, z. Every relief of `piece` must have a reach (contract). √(ρ² − r0²) is not
-  ///           defined inside the base circle. Below half the least L of the usable flank (1e-6 of the
-  ///           greatest L, if the flank begins on the base circle), L is therefore continued by another
-  ///           function with the same value and the same first two derivatives
-  /// Accuracy  derivatives are computed by formulas, not by differences. They grow as ρ²/L² towards
+  /// Domain    any u, z. Every relief of `piece` must have a reach (contract). Inside the base
+  ///           circle, √(ρ² − r0²) is not defined. L is therefore continued by another function,
+  ///           with the same value and the same first two derivatives, below half the least L of
+  ///           the usable flank. If the flank begins on the base circle, this limit is 1e-6 of the
+  ///           greatest L
   ///           the base circle, where c is not a smooth function of u
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 
   /// Derivative of at() with respect to the amount of a modification, in mm removed per mm of the
-  /// amount. It is 0 for a relief without a reach, which applies in no piece.
+  /// amount. It is 0 for a relief without a reach, because such a relief applies in no piece.
   Removal derivative(Modification of, double u, double z, const Piece& piece) const;
 
   double amount(Modification of) const { return amounts_[of]; }  ///< C  mm
   const ModificationAmounts& amounts() const { return amounts_; }
 
-  /// The piece that contains (u, z). On a border, it is the piece with the greater u or z. Outside
-  /// the flank, it is the nearest piece.
+  /// The piece that contains (u, z). For a point on a border, the result is the piece with the
+  /// greater u or z. For a point outside the flank, it is the nearest piece.
   const Piece& piece_at(double u, double z) const;
   /// Pieces in order of u, and for equal u in order of z.
   const std::vector<Cell>& pieces() const { return cells_; }
-  /// Borders between pieces, in ascending order. At a border the first derivative jumps, or the second
-  /// derivative if the relief is parabolic. A relief with a reach has a border even if its amount is 0,
-  /// because derivative() depends on the border.
+  /// Borders between pieces, in ascending order. At a border the first derivative jumps, or the
+  /// second derivative if the relief is parabolic. A relief with a reach has a border even if its
+  /// amount is 0, because derivative() depends on the border.
   const std::vector<double>& kinks_u() const { return kinks_u_; }
   const std::vector<double>& kinks_z() const { return kinks_z_; }
 
-  /// True if the border between two neighbouring pieces is a ridge. A ridge is the start of a linear
-  /// relief with an amount other than 0, where the first derivative of c jumps.
+  /// True if the border between two neighbouring pieces is a ridge. A ridge is the start of a
+  /// linear relief with an amount other than 0, where the first derivative of c jumps.
   bool ridge_between(const Piece& a, const Piece& b) const;
 
   bool has_topography() const { return topography_ != nullptr; }
@@ -224,7 +226,7 @@ class RemovalField {
 
   FlankExtent extent_;
   ModificationAmounts amounts_;
-  double y_floor_ = 0.0;  // mm², L² below which L is extrapolated
+  double y_floor_ = 0.0;  // mm²; below this L², L is continued by another function
   double roll_root_ = 0.0, roll_tip_ = 0.0, roll_mid_ = 0.0;
   Ramp tip_, root_, end_;
   std::shared_ptr<const TopographySpline> topography_;
@@ -236,8 +238,8 @@ class RemovalField {
 /// Makes the field, if the modifications fit the flank.
 ///
 /// Errors    the member of FlankModifications, such as `tip_relief.reach`: a start off the usable
-///           flank, a relief without a reach or steeper than 1 in 5 (a chamfer), an amount greater than
-///           a tenth of the flank's depth, or a grid that does not cover the flank
+///           flank, a relief without a reach or steeper than 1 in 5 (a chamfer), an amount greater
+///           than a tenth of the flank's depth, or a grid that does not cover the flank
 /// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; is_grid() of the topography
 ///           (contract)
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,

@@ -23,9 +23,10 @@ double shift_at(const Gear& cutter, int teeth, double roll_w) {
   return sum - g.generating_profile_shift;
 }
 
-// ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet or, if the blank
-// reaches so far, the root rounding of the rack that cut the cutter. It is 0 for sharp tips, and
-// for a cutter that was itself cut by a pinion cutter, which has no rounding of constant radius.
+// ρ_a0, the tip rounding of the cutter. It is the radius of the circular tip fillet of the cutter.
+// If there is none, it is the root rounding of the rack that cut the cutter, provided that the
+// cutter's tip reaches this rounding. It is 0 for sharp tips, and for a cutter that was itself cut
+// by a pinion cutter, because its tip has no rounding of constant radius.
 double tip_rounding(const Gear& cutter) {
   if (const auto& arc = cutter.tooth->tip_fillet) return arc->radius;
   const StraightRack& rack = cutter.spec.straight_rack();
@@ -96,8 +97,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
   const PinionMotion motion{cutter.spec.teeth, wanted.teeth, e};
-  // By default, the tip radius is the radius to which the root of the cutter cuts. It is computed exactly as in
-  // cut_by_pinion(); otherwise rounding could determine whether the blank or the cutter limits the tip.
+  // By default, the tip radius of the gear is the radius to which the root of the cutter cuts. It
+  // is computed exactly as in cut_by_pinion(). Otherwise a rounding error could determine whether
+  // the blank or the cutter limits the tip.
   spec.tip_diameter = wanted.tip_diameter.value_or(2 * left_by_root(*cutter.tooth, motion));
   if (auto error = check_limits(spec)) return *error;
   Gear gear = detail::described(spec);
@@ -115,7 +117,7 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
 
 namespace {
 
-constexpr double kCutterDedendum = 1.5;  // modules; with a sharp root, so that the cutter clears
+constexpr double kCutterDedendum = 1.5;  // modules; the root is sharp, so that the cutter clears
                                          // the tip of any internal gear
 constexpr double kMinLand = 0.1;         // modules, at the cutter's tip
 constexpr double kSameTip = 1e-9;        // relative tolerance for the requested tip
@@ -125,7 +127,8 @@ struct Cutter {
   double distance;
 };
 
-// A cutter of z_0 teeth with this tip rounding. Its tip reaches the root of the internal gear.
+// A cutter of z_0 teeth with this tip rounding, whose tip reaches the root of the internal gear;
+// none if it cannot be made.
 std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   CylindricalSpec c;
   c.teeth = z_0;

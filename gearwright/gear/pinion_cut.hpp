@@ -1,5 +1,5 @@
-// A gear cut by a pinion cutter. The cutter is a gear that rolls with the workpiece at the generating
-// centre distance.
+// A gear cut by a pinion cutter. The cutter is a gear that rolls with the workpiece at the
+// generating centre distance.
 //
 //   E    generating centre distance, mm
 //   x    profile shift with which cutter and gear mesh at E without backlash
@@ -17,7 +17,8 @@ struct PinionCutSpec {
   std::optional<double> tip_diameter;  ///< d_a  mm; by default determined by the cutter's root
 };
 
-/// The reason why a cutter cannot cut a gear with this number of teeth at any distance; empty if it can.
+/// The reason why no distance exists at which the cutter can cut a gear with this number of teeth;
+/// empty if there is one.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
 /// The generating centre distance that gives the gear the profile shift x.
@@ -34,14 +35,15 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec)
 
 // The default pinion cutter of an internal gear, which is used if the drawing names no cutter.
 //
-// A drawing of an internal gear gives tip, root and thickness of the teeth, but seldom the cutter, which
-// determines the root fillet. The default cutter has no profile shift. Its tip reaches the root circle
-// and is rounded like the basic rack of the internal gear.
+// A drawing of an internal gear gives tip, root and thickness of the teeth. It seldom gives the
+// cutter, which determines the root fillet. The default cutter has no profile shift. Its tip
+// reaches the root circle of the internal gear and is rounded like the basic rack of the internal
+// gear.
 //                            theory: docs/theory/06-few-teeth.md, 6.5
 
-/// The internal gear with a tooth cut by a cutter of |z|/2 teeth. If this cutter would remove part of
-/// the flank, a cutter with more or fewer teeth is used. All other data are unchanged. None if no
-/// cutter leaves the whole flank down to the tip.
+/// The internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter would remove
+/// part of the flank, a cutter with more or fewer teeth is used. All other data of the gear are
+/// unchanged. None if no cutter leaves the whole flank up to the tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

@@ -7,7 +7,8 @@
 //   x, x_E    profile shift and generating profile shift, which includes the allowance E_sn
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// The functions are templates over the scalar: double in production, 50 digits in the accuracy ledger.
+// The functions are templates over the scalar: double in production, 50 digits in the accuracy
+// ledger.
 #pragma once
 
 #include <cmath>
@@ -85,7 +86,8 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   return g;
 }
 
-/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the tooth.
+/// Transverse tooth thickness (arc) at the diameter d_y, mm; negative beyond the point of the
+/// tooth.
 ///
 /// Formula   s_yt = d_y (s_bt/d_b ∓ inv α_y), with minus for an external gear; [T2.11]
 /// Domain    d_y ≥ d_b (contract)

@@ -9,9 +9,9 @@ namespace gearwright {
 
 namespace {
 
-// Slopes of the not-a-knot cubic spline at its points. The second derivative is continuous at each inner
-// point, and the third derivative at the first and the last inner point. The elimination requires no
-// pivoting, because all pivots are > 0.
+// Slopes of the not-a-knot cubic spline at its points. The second derivative is continuous at every
+// inner point. The third derivative is continuous at the first and at the last inner point. The
+// elimination requires no pivoting, because all pivots are > 0.
 std::vector<double> spline_slopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   std::vector<double> h(n - 1), s(n - 1);  // steps, and slopes of the chords
@@ -25,7 +25,8 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
     return {s[0] - h[0] * half_second, s[0] + h[0] * half_second, s[1] + h[1] * half_second};
   }
   std::vector<double> m(n),
-      above(n);  // m: right-hand side, later slopes; above: upper diagonal over pivot
+      above(n);  // m: first the right-hand side, then the slopes; above: upper diagonal divided by
+                 // the pivot
   const double first = h[0] + h[1];
   above[0] = first / h[1];
   m[0] = ((h[0] + 2 * first) * h[1] * s[0] + h[0] * h[0] * s[1]) / first / h[1];
@@ -42,7 +43,8 @@ std::vector<double> spline_slopes(const std::vector<double>& x, const std::vecto
   return m;
 }
 
-// Cubic Hermite basis on a cell, for value and slope at its two ends, with first and second derivatives.
+// The cubic Hermite basis on a cell and its first and second derivatives. The basis functions
+// belong to the values and slopes at both ends of the cell.
 struct HermiteBasis {
   std::size_t cell;
   std::array<std::array<double, 4>, 3> b;  // [derivative][value left, right, slope left, right]

@@ -1,16 +1,17 @@
-// The topography of a flank: material removed at the points of a grid, and the smooth surface through
-// these points.
+// The topography of a flank: material removed at the points of a grid, and the smooth surface
+// through these points.
 //
 //   d, z   diameter and height from the middle of the face, mm         s(d, z)   removed, mm
 //
 // The surface is a tensor product of cubic splines with not-a-knot ends, and twice continuously
-// differentiable. Its error is of fourth order in the grid step up to the edge. The error of a natural
-// spline would be of second order at the edges of the flank, because it has no curvature at its ends.
-// Two or three points along a side give the line or the parabola through them.
+// differentiable. Its error is of fourth order in the grid step up to the edges of the flank. The
+// error of a natural spline would be of second order at the edges, because a natural spline has no
+// curvature at its ends. Two or three points along a side give the line or the parabola through
+// them.
 //
 //   Laws  (1) the surface passes through the points of the grid
 //         (2) cubics in d and in z are reproduced
-//         (3) splines along d first and along z first give the same surface
+//         (3) the order of the directions d and z in the computation does not change the surface
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
-// Facts about gears and pairs that are not errors, with their meaning for the user.
+// Facts about gears and pairs that are not errors, and what they mean for the user.
 //
-// Every warning, finding of a verdict and entry of `interference` has a code. One table (warning.cpp) has
-// a row for each code, with its name in results, its severity and its sentences.
+// Every warning, finding of a verdict and entry of `interference` has a code. One table
+// (warning.cpp) has a row for each code, with its name in results, its severity and its sentences.
 #pragma once
 
 #include <array>
@@ -134,10 +134,10 @@ inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCod
 /// A row of the table.
 struct WarningMeaning {
   WarningCode code;
-  const char* text;  ///< the name of the code in all results, "undercut"
+  const char* text;  ///< the name of the code in all results, such as "undercut"
   Severity severity;
   const char* sentence;       ///< the condition for the warning, used in documents
-  const char* reason = "";    ///< a clause for headlines, "the gears jam"; empty for a note
+  const char* reason = "";    ///< a clause for headlines, such as "the gears jam"; empty for a note
   const char* advice = "";    ///< a change of the spec, if the remedy is not a number
   bool gear_unnamed = false;  ///< true if the message does not name the gear
 };

@@ -16,8 +16,8 @@ namespace gearwright::detail {
 
 // The tip circle and the end of a branch count as equal within this relative difference.
 constexpr double kSameEnd = 1e-12;
-// Least length of a root land, relative to half a pitch. A full-radius root may have a shorter
-// land, which is only a rounding error.
+// Least length of a root land, relative to half a pitch. A shorter land at a full-radius root is
+// only a rounding error.
 constexpr double kNoLand = 1e-12;
 
 double Branch::t_at(double h) const {
@@ -46,7 +46,7 @@ Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double 
 
 namespace {
 
-// Finds the smallest half angle of the root fillet below the tip.
+// Finds the smallest half angle of that part of the root fillet that lies below the tip.
 void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedTooth& tooth) {
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::root_fillet || branch.height_lo >= tip_height) continue;
@@ -66,7 +66,8 @@ void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedToo
   }
 }
 
-// Ends the chain at the tip circle, or at the point of the tooth if the tooth is pointed below that circle.
+// Ends the chain at the tip circle, or at the point of the tooth if the tooth is pointed below that
+// circle.
 void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     Branch& branch = chain[i];
@@ -79,8 +80,8 @@ void end_at_tip(std::vector<Branch>& chain, double side, GeneratedTooth& tooth) 
       tooth.tip_radius = std::abs(branch.height_hi);
       tooth.rounded_tip = true;
     } else if (branch.theta_at(end) <= 0.0) {
-      // The root finder solves for the parameter of the curve. The radius is nearly stationary here
-      // and does not determine the position accurately.
+      // The root finder solves for the parameter of the curve. The radius is nearly stationary
+      // here, so it would not determine the position accurately.
       const double t_end = branch.t_at(end);
       const auto theta = [&](double t) { return branch.curve->polar_angle(t); };
       branch.t_hi = find_root(theta, std::min(branch.t_lo, t_end), std::max(branch.t_lo, t_end)).x;
@@ -143,9 +144,9 @@ void name_by_place(std::vector<Branch>& chain) {
   }
 }
 
-// Returns the error if the branches do not join. Heights along the edge of a rack never decrease, so
-// the branches of a rack always meet, and only a circular fillet can cause an error. A branch of a
-// pinion cutter may end without meeting another branch.
+// Returns the error if the branches do not join. Heights along the edge of a rack never decrease,
+// so the branches of a rack always meet, and only a circular fillet can cause an error. A branch of
+// a pinion cutter may end without meeting another branch.
 std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& ends,
                            const GeneratedTooth& tooth) {
   if (ends.rack) {
@@ -192,16 +193,16 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
     return tooth;
   }
   end_at_tip(chain, side, tooth);
-  // If blank and cutter end the tooth at the same radius, the tooth is not topped. The two radii
-  // then differ only by rounding.
+  // If the radii at which the blank and the cutter end the tooth differ only by rounding, the tip
+  // does not count as cut by the rack.
   constexpr double kOneRadius = 1e-13;
   tooth.tip_cut_by_rack =
       !tooth.pointed && !tooth.rounded_tip &&
       side * (ends.blank_radius - ends.cutter_radius) > kOneRadius * std::abs(ends.cutter_radius);
   for (const Branch& branch : chain) {
     if (branch.name != ArcName::flank) continue;
-    // A rack of arcs may cut several flank arcs. The usable flank extends from the start of the first
-    // to the end of the last. For a single involute, this is [T3.15].
+    // A rack of arcs may cut several flank arcs. The usable flank extends from the start of the
+    // first flank arc to the end of the last flank arc. For a single involute, this is [T3.15].
     if (!tooth.form_radius || !ends.rack) tooth.form_radius = std::abs(branch.height_lo);
     tooth.tip_form_radius = std::abs(branch.height_hi);
   }

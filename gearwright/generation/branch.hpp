@@ -1,10 +1,10 @@
 // Computes the tooth that is bounded by the branches of an envelope.
 //
-// Internal to generation/. The height is the radius on an external tooth and minus the radius on the
-// tooth of an internal gear, so it increases from root to tip on both. It also increases along every
-// branch. The tooth is the lower envelope of the half angles of the branches, |θ| < min θ(height).
-// If two neighbouring branches do not join smoothly, they intersect, and the intersection is found
-// in a closed bracket.
+// Internal to generation/. The height of a point is its radius on an external tooth, and minus its
+// radius on the tooth of an internal gear, so on both it increases from root to tip. It also
+// increases along every branch. The tooth is the lower envelope of the half angles of the branches,
+// |θ| < min θ(height). If two neighbouring branches do not join smoothly, they intersect, and the
+// intersection is found in a closed bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace gearwright::detail {
 
-/// A height counts as reaching the tip circle if it is below the tip by at most this fraction.
+/// A branch counts as reaching the tip circle if it ends below the tip by at most this fraction of
+/// the tip radius.
 inline constexpr double kAtTip = 1e-9;
 
 struct Branch {
@@ -39,7 +40,7 @@ struct Branch {
   void start_at(double h);
 };
 
-/// Makes the branch of `curve` from t_lo to t_hi, with heights computed from the curve.
+/// Makes the branch of `curve` from t_lo to t_hi and computes its heights from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
 /// The limits of the branches of a tooth. `side` is equal to Branch::side.
@@ -56,9 +57,9 @@ struct ToothEnds {
   ///< tooth; empty for a rack
 };
 
-/// Joins the branches, which are ordered from root to tip, and ends them at the tip. `tooth`
-/// contains root_radius and the requested fillets, and the function sets all other members. Severed
-/// teeth have no outline.
+/// Joins the branches, which are ordered from root to tip, and ends them at the tip. On entry,
+/// `tooth` contains root_radius and the requested fillets. The function sets all other members. If
+/// the tooth is severed, its outline is empty.
 ///
 /// Errors    `tip_diameter` if the blank leaves no tooth above the root; `cut_by` if the branches
 ///           of a pinion cutter do not join; `root_fillet.offset` or `tip_fillet` if no flank is
@@ -71,13 +72,13 @@ Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const T
 // height.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 
-/// Returns the chain up to the tip, for branches in the order of the cutter's edge from root to tip. The
-/// chain is empty if the ends of two neighbouring branches do not meet.
+/// Returns the chain up to the tip. The branches must be in the order of the cutter's edge from
+/// root to tip. The result is empty if the ends of two neighbouring branches do not meet.
 std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_height);
 
-/// Returns the chain up to the tip, for branches in any order. The chain begins at the root with the
-/// first branch and follows the lowest half angle at every height [T6.13]. This function is slower
-/// than assemble() and is used for cutters whose path turns back.
+/// Returns the chain up to the tip, for branches in any order. The chain begins at the root with
+/// the first branch and follows the lowest half angle at every height [T6.13]. This function is
+/// slower than assemble() and is used if the path of a point of the cutter turns back.
 std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double tip_height);
 
 /// Returns true if every branch begins at the end of the preceding branch.

@@ -9,14 +9,15 @@ namespace gearwright::detail {
 
 namespace {
 
-// The type of transition of the outline from `last` to `next`.
+// The transition of the outline from `last` to `next`: at a height, or none because one of the two
+// branches is hidden.
 struct Joint {
   enum Kind { at_height, last_hidden, next_hidden } kind;
   double height = 0.0;
 };
 
-// Returns the height in [lo, hi] at which the half angles of `last` and `next` are equal. At lo, the
-// half angle of `last` is smaller.
+// Returns the height in [lo, hi] at which the half angles of `last` and `next` are equal. At lo,
+// the half angle of `last` is smaller.
 double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   if (last.curve->radius_is_closed_form() && next.curve->radius_is_closed_form()) {
     const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
@@ -24,8 +25,8 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
     GW_ENSURES(root.found());
     return root.x;
   }
-  // The solver uses the parameter of the branch without a closed-form radius, which avoids nested
-  // root finding.
+  // The solver varies the parameter of the branch whose radius has no closed form. This avoids
+  // nested root finding.
   const bool by_last = !last.curve->radius_is_closed_form();
   const Branch& free = by_last ? last : next;
   const Branch& other = by_last ? next : last;
@@ -38,12 +39,12 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
   return free.height(find_root(gap_t, std::min(t_a, t_b), std::max(t_a, t_b)).x);
 }
 
-// Returns the transition from `last` to `next`. The lower envelope of the half angles is continuous.
-// If the height ranges of the two branches only touch, or if one branch ends before it crosses the
-// other, the two branches share this end within rounding. Examples are undercut that begins at this
-// end and a corner of the cutter's edge on the pitch line.
+// Returns the transition from `last` to `next`. The lower envelope of the half angles is
+// continuous. If the height ranges of the two branches only touch, or if one branch ends before it
+// crosses the other, the two branches share this end within rounding. Examples are undercut that
+// begins at this end and a corner of the cutter's edge on the pitch line.
 Joint joint(const Branch& last, const Branch& next) {
-  if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // the branch has no height
+  if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // `next` has no extent
   const double lo = std::max(last.height_lo, next.height_lo);
   double hi = std::min(last.height_hi, next.height_hi);
   const auto gap = [&](double h) { return last.theta_at(h) - next.theta_at(h); };
@@ -67,13 +68,13 @@ Joint joint(const Branch& last, const Branch& next) {
   return {Joint::next_hidden};
 }
 
-// The largest difference, relative to the radius, between two ends that are the same point. It is √ε,
-// because θ varies like the square root of the radius at the start of a branch that is tangent to a
-// circle about the axis (τ = π/2).
+// The largest distance, relative to the radius, between two computed ends that count as the same
+// point. It is √ε, because θ varies like the square root of the radius at the start of a branch
+// that is tangent to a circle about the axis (τ = π/2).
 constexpr double kSamePoint = 1.5e-8;
 
-// Returns the branch of a chain at the height h. If two branches meet at h, the result is the upper
-// branch. If h is outside the chain, the result is null.
+// Returns the branch of a chain at the height h. If two branches meet at h, the function returns
+// the upper branch. If h is outside the chain, it returns null.
 const Branch* at_height(const std::vector<Branch>& chain, double h) {
   if (chain.empty() || h < chain.front().height_lo) return nullptr;
   std::size_t i = 0;
@@ -127,8 +128,9 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
 
 namespace {
 
-// An end of a branch is not moved if its height would change by at most this fraction. Where the
-// radius is stationary, the parameter of a moved end is accurate to half of its digits only.
+// An end of a branch is not moved if its height would change by at most this fraction, because
+// moving it can lose accuracy. Where the radius is stationary, the parameter of a moved end is
+// accurate to only half of its digits.
 constexpr double kSameHeight = 1e-12;
 
 void append(std::vector<Branch>& chain, const std::vector<Branch>& from, double lo, double hi) {
@@ -144,9 +146,9 @@ constexpr double kRounding = 1e-13;  // rad; curves that coincide within this an
 // Rounding error of heights, relative to the height.
 constexpr double kHeightRounding = 1e-14;
 
-// Returns the least difference of the half angles of a and b at any height that equals h within
-// rounding. At the start of a branch that is tangent to a circle about the axis, θ varies like the
-// square root of the height, so a rounding error of h causes a much greater error of θ.
+// Returns the least value of θ_a − θ_b over the heights that equal h within rounding. At the start
+// of a branch that is tangent to a circle about the axis, θ varies like the square root of the
+// height, so a rounding error of h causes a much greater error of θ.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));
@@ -183,7 +185,8 @@ std::optional<double> passes_below(const Branch& a, const Branch& b, double from
   return std::nullopt;
 }
 
-// Returns the lowest branch that continues from the end of a branch, or null if there is none.
+// Returns the lowest branch that continues from the end of the branch `ended` at the height h, or
+// null if there is none.
 const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended, double h,
                        double same) {
   const double near = same * std::abs(h);
@@ -192,7 +195,8 @@ const Branch* going_on(const std::vector<Branch>& branches, const Branch& ended,
   for (const Branch& b : branches) {
     if (b.height_lo > h + near || b.height_hi <= h + near) continue;
     if (std::abs(b.theta_at(h) - theta) > same) continue;
-    // Distance, as a multiple of the tolerance, at which two branches from the same point have separated.
+    // Distance, as a multiple of the tolerance, at which two branches from the same point have
+    // separated.
     constexpr double kAhead = 1e3;
     const double ahead = std::min(b.height_hi, h + kAhead * near);
     if (!lowest || b.theta_at(ahead) < lowest->theta_at(ahead)) lowest = &b;
@@ -208,8 +212,8 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   double from = own->height_lo;
   std::vector<Branch> lower;
   const std::size_t most = 8 * branches.size();  // upper limit for the number of crossings
-  // Two branches that alternately pass below each other would cause an endless loop, so such a
-  // tooth is rejected.
+  // The number of turns is limited, because two branches that alternately pass below each other
+  // would cause an endless loop. If the limit is reached, the result is empty.
   for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {
     const double end = std::min(own->height_hi, tip_height);
     double until = end;

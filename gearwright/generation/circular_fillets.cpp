@@ -21,7 +21,8 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
   if (!(u > -kHalfPi && u < kHalfPi)) return std::nullopt;
   const double radius = r_b * (std::tan(u) - xi);
   if (!(radius > 0.0)) return std::nullopt;
-  // D − r_r = r_b (1/cos u − tan u + ξ). The difference 1/cos u − tan u is computed as tan((π/2 − u)/2).
+  // D − r_r = r_b (1/cos u − tan u + ξ). The difference 1/cos u − tan u is computed as
+  // tan((π/2 − u)/2).
   const double end = r_b * (std::tan((kHalfPi - u) / 2) + xi);
   return FilletArc{radius, r_b / std::cos(u), Angle::radians(kHalfPi - u), end};
 }
@@ -80,7 +81,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   const double xi = std::max(0.0, ruler.roll(l_zero + root.offset));
   const double eta = std::numbers::pi / teeth - flank.base_half_angle();
   const double most = std::min(tip_roll, kHalfPi - eta);
-  // At the least roll angle, the rack cuts both flanks of the tooth space, so the space is not closed.
+  // At the least roll angle, the rack cuts both flanks of the tooth space, so the space is not
+  // closed.
   const double least = std::max(0.0, ruler.roll(l_zero));
   const char* const field = "root_fillet.offset";
   if (!(least < most)) {
@@ -102,8 +104,8 @@ Result<CircularFillet> root_fillet(const FlankRuler& ruler, int teeth, const Roo
   return CircularFillet{xi, *arc};
 }
 
-// Returns ξ_J of the tip fillet that ends at the radius ρ. The search starts at ξ = ψ_b, because the
-// end of the fillet moves outward with increasing ξ from there on. [T6.6]
+// Returns ξ_J of the tip fillet that ends at the radius ρ. The search starts at ξ = ψ_b, because
+// for ξ > ψ_b the end of the fillet moves outward with increasing ξ. [T6.6]
 std::optional<double> roll_of_end(const Involute& flank, double rho) {
   const double r_b = flank.base_radius();
   const double psi_b = flank.base_half_angle();
@@ -121,8 +123,8 @@ std::optional<double> roll_of_end(const Involute& flank, double rho) {
   return root.x;
 }
 
-// Returns the rounding of the tip corners. If the radius is the greatest possible one, either no
-// land is left between the two corners or no flank is left below them.
+// Returns the rounding of the tip corners. With the greatest possible radius, either no land is
+// left between the two corners or no flank is left below them.
 Result<CircularFillet> tip_corner(const FlankRuler& ruler, double radius, double tip_radius,
                                   double least) {
   const Involute& flank = ruler.flank;
@@ -181,7 +183,7 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
                      "must lie between {} mm, the start of the flank, and {} mm, where the flank "
                      "ends or the tooth is pointed");
     }
-    case TipFilletSpec::By::corner: break;  // tip_corner
+    case TipFilletSpec::By::corner: break;  // see tip_corner()
     case TipFilletSpec::By::end_radius: {
       const auto xi = roll_of_end(flank, tip.value);
       if (xi && *xi > least && *xi < most) return *xi;
@@ -206,8 +208,8 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion) {
     if (arc.cuts != ArcName::flank || !line) continue;
     const double x = line->begin_height + motion.shift;
     const double roll = rack_involute_roll(motion, *line, x);
-    // The step in x is one pitch radius. Since ξ is linear in x, a smaller step would only increase the
-    // rounding error.
+    // The step in x is one pitch radius. Since ξ is linear in x, a smaller step would only increase
+    // the rounding error.
     const double one = motion.pitch_radius;
     const double slope = (rack_involute_roll(motion, *line, x + one) - roll) / one;
     const double cos_tau = std::cos(line->tau.rad());

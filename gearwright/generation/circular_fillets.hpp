@@ -2,17 +2,18 @@
 // a drawing. The functions of generate.hpp add them to the tooth in place of the fillets that the
 // rack cuts.
 //
-//   l    length along the straight flank of the rack in the normal section from its lower end, mm;
-//        the height x of the rack and the roll angle ξ are linear in l
-//   F    limit of undercut, ξ = 0            C, J    points where root and tip fillet touch the flank
+//   l    position along the straight flank of the rack in the normal section, mm, measured from the
+//        lower end of the flank; the height x of the rack and the roll angle ξ are linear in l
+//   F    limit of undercut, ξ = 0          C, J    points where root and tip fillet touch the flank
 //   δ = ψ_b − ξ     polar angle at which the normal of the flank at ξ touches the base circle
 //   η = π/z − ψ_b   half angle of the space on the base circle, u = ξ_C + η
-//   γ    polar angle of the centre of a rounded tip corner, half angle of the remaining land
+//   γ    polar angle of the centre of a rounded tip corner, and half angle of the remaining land
 //                                              theory: docs/theory/06-few-teeth.md
 //
-// All arcs are tangent to the flank, so their centres lie on the normal of the flank. The centre of
-// the root fillet also lies on the centre line of the space, and the centre of the tip fillet on the
-// centre line of the tooth. The centre of a rounded tip corner is one radius inside the tip circle.
+// All arcs are tangent to the flank, so the centre of each arc lies on a normal of the flank. The
+// centre of the root fillet also lies on the centre line of the space, and the centre of the tip
+// fillet on the centre line of the tooth. The centre of a rounded tip corner lies one radius of the
+// corner inside the tip circle.
 #pragma once
 
 #include <optional>
@@ -30,7 +31,8 @@ struct RootFilletSpec {
   double offset = 0.0;  ///< mm, l_C = max(l_F, 0) + offset
 };
 
-/// The circular tip fillet that [gearN.tip_fillet] of a spec requests, by one of its dimensions.
+/// The circular tip fillet that [gearN.tip_fillet] of a spec requests. One of its dimensions is
+/// given.
 struct TipFilletSpec {
   enum class By {
     radius,      ///< r_t
@@ -79,8 +81,8 @@ std::optional<FilletArc> root_fillet_at(const Involute& flank, int teeth, double
 /// Domain    ξ_J ≥ 0 (contract)
 std::optional<FilletArc> tip_fillet_at(const Involute& flank, double xi);
 
-/// Returns ξ_J for a given r_t, which is unique because dr_t/dξ = −r_b tan² δ. The result is empty if
-/// r_t is too large for the whole flank. [T6.4]
+/// Returns ξ_J for a given r_t. The result is unique, because dr_t/dξ = −r_b tan² δ. It is empty if
+/// r_t is too large for every point of the flank. [T6.4]
 ///
 /// Domain    r_t > 0 (contract)
 std::optional<double> roll_of_tip_fillet(const Involute& flank, double radius);

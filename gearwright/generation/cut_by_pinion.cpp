@@ -18,12 +18,12 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Two arcs join smoothly if their normals differ by at most this angle, rad. While the normal turns
-// by this angle at a corner, the point that is cut moves by only λ²/w times this angle.
+// Two arcs join smoothly if their normals differ by at most this angle, rad. If the normal turns by
+// an angle at a corner, the point that the corner cuts moves by only λ²/w times this angle.
 constexpr double kSameNormal = 1e-12;
 
-// Returns the angle ν of the outward normal at an end of an arc. The angle lies in the half turn
-// that begins at the polar angle of this end.
+// Returns the angle ν of the outward normal at an end of an arc. ν lies in the half turn that
+// begins at the polar angle of this end.
 double normal_angle(const Arc& arc, double u) {
   const CurvePoint p = arc.at(u);
   const double c = std::cos(p.tangent_angle);
@@ -46,7 +46,7 @@ ArcName cut_by_arc(ArcName cutter) {
 
 Walk walk_of(const Arc& arc) { return arc.end > arc.begin ? Walk::forward : Walk::backward; }
 
-// The branches of one cutter, from the root of the gear to its tip.
+// The branches that one cutter gives, ordered from the root of the gear to its tip.
 class Cutting {
  public:
   Cutting(const GeneratedTooth& cutter, const PinionMotion& motion)
@@ -55,7 +55,7 @@ class Cutting {
   bool misses_flank =
       false;  // true if the centrode lies inside the base circle of the cutter's flank
   std::vector<Branch> branches;
-  bool loops = false;  // true if the normal misses the centrode, so the path turns back
+  bool loops = false;  // true if a normal misses the centrode, so that a path turns back
 
   void run() {
     const auto& arcs = cutter_.outline.arcs;
@@ -78,7 +78,8 @@ class Cutting {
       branches.back().ends_on_center_line = true;
   }
 
-  // Returns the branches ahead of and behind every arc and every convex corner.
+  // Returns all branches that the arcs and the convex corners of the cutter cut ahead of the tooth
+  // and behind it.
   std::vector<Branch> everything() const {
     std::vector<Branch> all = branches;
     const auto& arcs = cutter_.outline.arcs;
@@ -101,7 +102,8 @@ class Cutting {
   }
 
  private:
-  // Adds the branches behind the tooth, in order from the root side to the tip side of the cutter's curve.
+  // Adds the branches that a curve of the cutter cuts behind the tooth, ordered from the root side
+  // to the tip side of this curve.
   void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
               double t_tip) const {
     const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);
@@ -120,7 +122,8 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // Only one side of the cusp is kept: ξ < 0 on an external gear and ξ > 0 on an internal gear.
+    // Only one side of the cusp is kept. On an external gear this is ξ < 0, and on an internal gear
+    // ξ > 0.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);
@@ -129,7 +132,7 @@ class Cutting {
     if (branch.height_lo < branch.height_hi) all.push_back(std::move(branch));
   }
 
-  // Adds the branches of an arc. Returns true if the next branch continues smoothly.
+  // Adds the branches of an arc. Returns true if the next branch continues the last one smoothly.
   bool add_arc(const Arc& arc, bool smooth) {
     return visit_curve<AxisCircle, Involute>(
         *arc.curve,
@@ -182,7 +185,7 @@ class Cutting {
       const bool stands = ahead->cuts(middle);
       if (stands) add(cuts, ahead, ends[i], ends[i + 1], smooth);
       loops = loops || !ahead->reaches(middle);
-      smooth = stands && i + 2 == ends.size();  // no branch continues behind a cusp
+      smooth = stands && i + 2 == ends.size();  // no branch continues smoothly after a cusp
     }
     return smooth;
   }

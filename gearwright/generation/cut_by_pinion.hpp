@@ -1,10 +1,10 @@
-// Computes the gear that a pinion cutter generates with its whole outline. The cutter is a finished
-// tooth.
+// Computes the gear that the whole outline of a pinion cutter generates. The cutter is given by its
+// finished tooth.
 //
-// Every arc of the cutter, and every corner with its range of normals, gives branches, like the
-// edge of a rack. The tip of the cutter cuts the root of the gear, and the root of the cutter cuts
-// the tip of the gear. Trimming, cusps and pointed teeth need no separate treatment. The concave root
-// of the cutter may cut cusps on the tip of the gear.
+// As for the edge of a rack, every arc of the cutter gives branches, and so does every corner with
+// its range of normals. The tip of the cutter cuts the root of the gear, and the root of the cutter
+// cuts the tip of the gear. Trimming, cusps and pointed teeth need no separate treatment. The
+// concave root of the cutter may cut cusps on the tip of the gear.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Returns the tip radius, mm, that the root of the cutter leaves if the blank does not end the
-/// tooth earlier.
+/// Returns the radius, mm, at which the root of the cutter ends the tooth, if the blank does not
+/// end the tooth earlier.
 double left_by_root(const GeneratedTooth& cutter, const PinionMotion& motion);
 
 /// Cuts a tooth with a pinion cutter.

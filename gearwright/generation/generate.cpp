@@ -21,7 +21,7 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
   const double xi_end = std::isinf(line.end_height)
                             ? kInfinity
                             : rack_involute_roll(motion, line, line.end_height + motion.shift);
-  if (!(xi_end > 0.0)) return;  // the whole branch lies behind the cusp
+  if (!(xi_end > 0.0)) return;  // the cusp removes the whole branch
   auto curve = std::make_shared<Involute>(rack_involute(motion, line));
   const double r_b = curve->base_radius();
   const auto radius = [&](double xi) {
@@ -58,11 +58,12 @@ void add_branches(std::vector<Branch>& branches, const RackMotion& motion, const
             curve->neck_angles(std::min(cuts[i], cuts[i + 1]), std::max(cuts[i], cuts[i + 1]));
       branches.push_back(std::move(branch));
     }
-    smooth = false;  // no branch continues behind a cusp
+    smooth = false;  // no branch continues smoothly after a cusp
   }
 }
 
-// Adds the circular root fillet, which replaces the profile cut by the rack below ξ_C. [T6.2]
+// Adds the circular root fillet. It replaces the part of the profile below ξ_C that the rack cuts.
+// [T6.2]
 std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
                                      const CircularFillet& root, GeneratedTooth& tooth) {
   Branch& flank = branches.front();
@@ -85,8 +86,8 @@ std::optional<Error> put_root_fillet(std::vector<Branch>& branches, int teeth,
   return std::nullopt;
 }
 
-// Adds the circular tip fillet or the rounded tip corner, which replaces the profile cut by the rack
-// above ξ_J. [T6.3] [T6.17]
+// Adds the circular tip fillet or the rounded tip corner. It replaces the part of the profile above
+// ξ_J that the rack cuts. [T6.3], [T6.17]
 std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const CircularFillet& tip,
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();

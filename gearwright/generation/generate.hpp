@@ -1,10 +1,11 @@
-// Computes the finished half tooth from the edge of a cutter. The outline consists of the envelopes of
-// all arcs, without the parts that other arcs remove, between root circle and tip.
+// Computes the finished half tooth from the edge of a cutter. Between root circle and tip, the
+// outline consists of the envelopes of all arcs of the edge, without the parts that other arcs
+// remove.
 //
-// Each arc of the edge gives branches along which the radius increases. A cusp ends a branch, and parts
-// with decreasing radius lie inside the cut. The tooth is the region that remains between the
-// branches, |θ| < min θ(ρ). If two neighbouring branches do not join smoothly, they intersect, and
-// the intersection is found in a closed bracket.
+// Each arc of the edge gives branches along which the radius increases. A cusp ends a branch. Parts
+// of an envelope with decreasing radius lie inside the cut. The tooth is the region that remains
+// between the branches, |θ| < min θ(ρ). If two neighbouring branches do not join smoothly, they
+// intersect, and the intersection is found in a closed bracket.
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -18,8 +19,8 @@
 
 namespace gearwright {
 
-/// A half tooth as cut, with flags for special cases. A tooth that cannot exist has flags and no
-/// arcs.
+/// A half tooth as cut, with flags for special cases. If the tooth cannot exist, it has flags and
+/// no arcs.
 struct GeneratedTooth {
   GeneratedTooth() = default;  ///< an empty tooth; cut_by_rack() and cut_by_pinion() make teeth
   Outline outline;             ///< empty if `through_axis` or `severed` is true
@@ -28,7 +29,7 @@ struct GeneratedTooth {
   std::optional<double> form_radius;      ///< mm, start of the flank; empty if no flank is left
   std::optional<double> tip_form_radius;  ///< mm, end of the flank
   std::optional<Angle> neck_half_angle;   ///< smallest half angle of the root fillet, signed
-  std::optional<double> neck_radius;      ///< mm, radius at that half angle
+  std::optional<double> neck_radius;      ///< mm, radius at the neck_half_angle
   bool through_axis = false;  ///< true if the root circle would have a radius of 0 or less
   bool severed = false;       ///< true if the root fillets of both flanks meet (tooth cut off)
   bool pointed = false;       ///< true if the two flanks meet before blank or cutter ends the tooth
@@ -39,8 +40,8 @@ struct GeneratedTooth {
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< circular fillets, if requested
 };
 
-/// Returns the radius, mm, at which the bottom land of the rack ends the tooth; infinite if the rack
-/// has no bottom land.
+/// Returns the radius, mm, at which the bottom land of the rack ends the tooth; infinite if the
+/// rack has no bottom land.
 double left_by_land(const CutterEdge& edge, const RackMotion& motion);
 
 /// Cuts a tooth with a rack and replaces root and tip by circular fillets if requested.

@@ -34,7 +34,7 @@ struct Outline {
   std::vector<Arc> arcs;
 
   double side() const { return side_of(teeth); }  ///< σ
-  const Arc* find(ArcName name) const;            ///< first arc of that name, or null
+  const Arc* find(ArcName name) const;            ///< first arc of that name; null if none
 };
 
 /// Returns n points of an arc, including both ends.   Domain: n ≥ 2 (contract)

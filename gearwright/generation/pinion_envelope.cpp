@@ -15,7 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// Returns the roots of f between a and b. The cells are narrow enough for the curves of a tooth.
+// Returns the roots of f between a and b. For the curves of a tooth, the cells are so narrow that
+// each contains at most one root.
 std::vector<double> sign_changes(const std::function<double(double)>& f, double a, double b) {
   constexpr int kCells = 256;
   std::vector<double> roots;
@@ -72,11 +73,13 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
   c.s = std::max(0.0, p.point.x() * cos_t + p.point.y() * sin_t);  // never negative on an outline
   c.q = p.point.y() * cos_t - p.point.x() * sin_t;
   // At the limit of reach, s equals r_p within rounding, and the square root would lose half of the
-  // digits. With w = 0, the paths ahead and behind end in the same point.
+  // digits. w is therefore set to 0, so that the paths ahead of and behind the tooth end in the
+  // same point.
   const bool at_limit = r_p_ - c.s < 4 * std::numeric_limits<double>::epsilon() * r_p_;
   c.w = at_limit ? 0.0 : meeting_ * std::sqrt(std::max(0.0, (r_p_ - c.s) * (r_p_ + c.s)));
   c.kappa = std::atan2(c.s, c.w);
-  // ν lies in the half turn that begins at the polar angle, which is continuous along the curve.
+  // ν lies in the half turn that begins at the polar angle. The polar angle is continuous along the
+  // curve.
   c.turned = cutter_->polar_angle(t) + std::atan2(c.s, c.q) - c.kappa;
   c.curvature = walk_ * p.curvature;
   return c;
@@ -85,8 +88,8 @@ PinionEnvelope::Contact PinionEnvelope::contact(double t) const {
 Vec2 PinionEnvelope::point(double t) const {
   const Contact c = contact(t);
   const double side = motion_.side();
-  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, it is replaced by the
-  // negative of its conjugate.
+  // r_g + λ e^{iκ} with e^{iκ} = (w + is)/r_p. On an internal gear, the negative of its conjugate
+  // is used instead.
   const double along = side * (r_g_ + c.lambda() * c.w / r_p_);
   const double across = c.lambda() * c.s / r_p_;
   const double turn = kPi / std::abs(motion_.teeth) - std::abs(m_) * c.turned;
@@ -133,9 +136,10 @@ bool PinionEnvelope::cuts(double t) const {
   return c.w + (1.0 + m_) * c.lambda() * (1.0 - c.curvature * c.lambda()) > 0.0;
 }
 
-// The cutter's curve as a circle of radius ρ about a centre at the distance D and the polar angle γ;
-// ρ < 0 if the curve is concave. h = λ + ρ is the distance from the centre to the pitch point. With
-// K = r_p² − D², all terms are rational in h:  D cos(ν − γ) = (K − h²)/(2h),  w = (K + h²)/(2h).
+// The cutter's curve as a circle of radius ρ about a centre at the distance D and the polar angle
+// γ; ρ < 0 if the curve is concave. h = λ + ρ is the distance from the centre to the pitch point.
+// With K = r_p² − D², all terms are rational in h:  D cos(ν − γ) = (K − h²)/(2h),
+// w = (K + h²)/(2h).
 struct PinionEnvelope::Circle {
   double distance, direction, rho;
   double nu_to_t;  // t − ν
@@ -203,8 +207,8 @@ std::vector<double> PinionEnvelope::breaks(double a, double b) const {
   return in_order(std::move(found), a, b);
 }
 
-// Returns the roots h of a polynomial between the ends a and b of a piece. h is monotone along the
-// piece as long as the normal meets the centrode.
+// Returns those roots of a polynomial in h that lie between the values of h at the ends a and b of
+// a piece. h is monotone along the piece if the normal meets the centrode everywhere.
 std::vector<double> PinionEnvelope::centre_ways(std::span<const double> polynomial, double a,
                                                 double b) const {
   const double rho = circle()->rho;

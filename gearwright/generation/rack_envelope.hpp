@@ -2,11 +2,12 @@
 //
 //   r    pitch radius, mm        β    helix angle
 //   e    height of the datum line over the pitch circle, mm
-//   (x, y, τ)   a point of the cutter's edge with its normal angle as in tool/cutter_edge.hpp, but x
-//               includes e
+//   (x, y, τ)   a point of the cutter's edge with its normal angle as in tool/cutter_edge.hpp,
+//   except
+//               that x includes e
 //
-// A point of the edge cuts when its normal passes through the pitch point. With k = x cot τ cos β, the
-// gear has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]
+// A point of the edge cuts when its normal passes through the pitch point. With k = x cot τ cos β,
+// the gear has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]
 //
 //   W = (r + x + ik) e^{iφ},   tangent e^{i(φ − τ_t)},   tan τ_t = tan τ / cos β
 //
@@ -32,11 +33,12 @@ struct RackMotion {
 /// The envelope of a circular piece of the edge; the parameter is the normal angle τ of the normal
 /// section.
 ///
-/// The functions have a body each, because one jet for all of them is slower and less accurate. At
-/// 20 000 random circles against 50 digits, the tangent and the curvature of at(), which follow from
-/// F, have errors of at most 6e-16 rad and 9e-16. Those of polar_jet() have 4e-14 rad and 2e-13,
-/// because its first derivative cancels near a cusp. point(), polar_angle() and log_radius() are as
-/// accurate as polar_jet() and take two thirds of its time (20 ns instead of 30 ns).
+/// Each function has its own body, because computing one jet for all of them would be slower and
+/// less accurate. at() computes the tangent and the curvature from F. Compared with 50 digits on
+/// 20 000 random circles, their errors are at most 6e-16 rad and 9e-16. A tangent and a curvature
+/// from polar_jet() have errors of 4e-14 rad and 2e-13, because the first derivative suffers from
+/// cancellation near a cusp. point(), polar_angle() and log_radius() are as accurate as polar_jet()
+/// and take two thirds of its time (20 ns instead of 30 ns).
 ///
 /// Laws  (1) d|W|²/dτ = 2 F cos τ / sin³τ with the quartic F of [T3.9], so the radius is monotone
 ///           between zeros of F, and a zero of F is a cusp
@@ -49,8 +51,8 @@ class RackTrochoid final : public Curve {
   double polar_angle(double tau) const override;
   /// The point W and its first two derivatives by τ, in polar form. [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// Returns ln |W| and its derivative by τ. A search for a radius needs only this part of
-  /// polar_jet.
+  /// Returns ln |W| and its derivative by τ. This is the only part of polar_jet() that a search for
+  /// a radius needs.
   struct LogRadius {
     double u, slope;
   };
@@ -60,11 +62,12 @@ class RackTrochoid final : public Curve {
 
   /// The coefficients of F as a polynomial in sin τ, lowest power first. [T3.9]
   std::vector<double> cusp_polynomial() const;
-  /// Returns the normal angles of necks, at which the half angle of the tooth is stationary. [T3.10]
+  /// Returns the normal angles of the necks. At a neck, the half angle of the tooth is stationary.
+  /// [T3.10]
   std::vector<double> neck_angles(double tau_lo, double tau_hi) const;
 
  private:
-  // A point of the cutter when it cuts, and the rotation φ of the gear.
+  // A point of the cutter in the position in which it cuts, and the rotation φ of the gear.
   struct Cut {
     double x, k, phi;
   };
@@ -74,9 +77,10 @@ class RackTrochoid final : public Curve {
   EdgeCircle circle_;  // the height of its centre includes e
 };
 
-// Computes W = (r + x + ik) e^{iφ} and its derivatives by τ; inline, because the inner loop of contact/
-// calls it. In the code, x is the height of the circle's centre, so the cutter's point is at the
-// height x + q sin τ. With these two terms, nothing is divided by more than sin² τ.
+// Computes W = (r + x + ik) e^{iφ} and its derivatives by τ. The function is inline, because the
+// inner loop of contact/ calls it. In the code, x is the height of the circle's centre, so the
+// point of the cutter has the height x + q sin τ. Because these two terms are kept apart, nothing
+// is divided by more than sin² τ.
 inline PolarJet RackTrochoid::polar_jet(double tau) const {
   const double r = motion_.pitch_radius, cos_beta = motion_.cos_beta;
   const double x = circle_.center.x(), q = circle_.q;
@@ -100,7 +104,8 @@ inline PolarJet RackTrochoid::polar_jet(double tau) const {
 /// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
-/// Returns the roll angle ξ that is cut by the point of the line at the height x, where x includes e.
+/// Returns the roll angle ξ of the involute point that the line cuts with its point at the height
+/// x. x includes e.
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
 
 }  // namespace gearwright

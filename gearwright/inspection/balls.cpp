@@ -29,7 +29,8 @@ struct Base {
   double eta;    // η_b; negative if there is no space on the base cylinder
 };
 
-// The base cylinder of a gear whose teeth have this transverse thickness on it, mm. [T10.5]
+// The base cylinder of a gear, for teeth with this transverse thickness on the base cylinder, mm.
+// [T10.5]
 Base base_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), gear.side(),
@@ -53,8 +54,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
                      format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
 }
 
-// The ball that touches both flanks, regardless of the root and the tips; none if no position of the ball
-// touches both flanks.
+// The ball in the position in which it touches both flanks. Root and tips are not considered. None
+// if no position of the ball touches both flanks.
 std::optional<BallSeat> seat_of(const Gear& gear, const UsableFlank& flank, double ball) {
   const Base b = base_of(gear);
   const double inv = center_involute(b, ball);
@@ -134,16 +135,17 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
 
 namespace {
 
-// The least distance of two helices on one cylinder, relative to its diameter: √(cos² (ε/2) + T
-// sin² ε/4), where ε solves ε − T sin ε = δ. In a transverse plane, the points of the helices
-// deviate by δ from opposite positions. [T10.9]
+// The least distance between two helices on one cylinder, relative to the diameter of the cylinder:
+// √(cos² (ε/2) + T sin² ε/4), where ε solves ε − T sin ε = δ. In every transverse plane, the points
+// of the two helices deviate by the angle δ from opposite positions. [T10.9]
 double least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {
     const auto f = [&](double e) {
       return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
     };
-    // The root lies beyond the minimum of e − T sin e, where the function increases.
+    // The root lies above the e at which e − T sin e has its minimum, where this expression
+    // increases.
     const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
     const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
     const auto root = newton_in_bracket<double>(f, lo, pi, start, true);

@@ -7,12 +7,13 @@
 //   d_M    diameter of the contacts, mm
 //   η_b    half angle of the space on the base cylinder, rad [T10.5]
 //   β_K    helix angle at d_K, rad             δ     π/|z| if |z| is odd, otherwise 0
-//   ε      deviation of two free pins from opposite positions, at their least distance, rad
-//   M_d    dimension over two balls, mm        M_r   dimension from the axis over one ball, mm
+//   ε      angle by which two free pins at their least distance deviate from opposite positions,
+//   rad
+//   M_d    dimension over two balls, mm        M_r   dimension from the gear axis over one ball, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// The centre of the ball lies in the middle of the space, on a surface parallel to the flank at a
-// distance of one ball radius.
+// The centre of the ball lies in the middle of the space. It also lies on the surface that is
+// parallel to the flank at a distance of one ball radius.
 #pragma once
 
 #include <optional>
@@ -37,7 +38,7 @@ struct BallSeat {
   bool usable() const { return place == ContactPlace::usable; }
 };
 
-/// The dimension over two pins, or between them in an internal gear.
+/// The dimensions over pins; for an internal gear, the dimensions between pins.
 struct PinReading {
   std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt
   std::optional<double> three;       ///< mm, between parallel anvils over two pins, or over three
@@ -49,15 +50,16 @@ struct PinReading {
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
 /// Errors    `ball_diameter` if the ball is too small for the space, rests on the tips or does not
-///           project beyond the tips, with the diameters that fit
+///           project beyond the tips. The message gives the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
-/// The dimension over two opposite balls in one transverse plane, or between the balls in an internal
-/// gear. [T10.8]
+/// The dimension over two opposite balls in one transverse plane; for an internal gear, the
+/// dimension between the balls. [T10.8]
 ///
 /// Domain    |z| ≥ 2 (contract)
 double over_two_balls(const Gear& gear, const BallSeat& seat);
-/// The dimensions over pins; none for an internal helical gear, in which a straight pin does not fit.
+/// The dimensions over pins; none for an internal helical gear, in which a straight pin does not
+/// fit.
 ///
 /// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; parallel anvils: d_K ± D_M [T10.10];
 ///           three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
@@ -70,7 +72,8 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat);
 /// Domain    contact_diameter ≥ d_b (contract)
 /// None      if the flanks of a space meet before this diameter
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter);
-/// The transverse base tooth thickness, mm, that follows from the dimension M_d over balls. [T10.12]
+/// The transverse base tooth thickness, mm, computed from the dimension M_d over two balls.
+/// [T10.12]
 ///
 /// None      if the balls would lie inside the base cylinder
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,

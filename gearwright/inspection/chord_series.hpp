@@ -1,5 +1,5 @@
-// Approximations of the shortest chord: its power series, and the virtual spur gear with nearly the same
-// chord. Elsewhere the program uses the exact chord of chordal_thickness.hpp.
+// Approximations of the shortest chord: its power series, and a virtual spur gear whose chord is
+// nearly the same. Elsewhere the program uses the exact chord of chordal_thickness.hpp.
 //
 //   θ_t, ψ, r   half angle s_t/d, helix angle and radius at the diameter of the chord
 //   s_n         normal tooth thickness at this diameter, 2 r θ_t cos ψ, mm
@@ -9,8 +9,8 @@
 //
 // The variable of the series is θ_t² sin² ψ cos⁴ ψ, which is greatest at ψ = 35° [T5.11]. With
 // three corrections, the relative error of the chord at 35° is 1e-9 for θ_t = 0.2 and 3e-7 for 0.4.
-// For the threads of a worm, whose helix angle is great, the error is small. The functions are
-// templates over the scalar.
+// The error is small for the threads of a worm, because their helix angle is great. The functions
+// are templates over the scalar.
 #pragma once
 
 #include <cmath>
@@ -66,7 +66,7 @@ ApproximateChord<T> chord_by_series(const T& theta_t, const T& psi, const T& rad
   return sum;
 }
 
-/// A virtual spur gear that represents a helical gear: half angle and radius of its tooth.
+/// A virtual spur gear that represents a helical gear. The members describe one tooth.
 template <class T>
 struct VirtualSpur {
   T half_angle;
@@ -87,8 +87,8 @@ VirtualSpur<T> virtual_spur(const T& theta_t, const T& psi, const T& radius) {
   return {theta_t * c * c * c, radius / (c * c)};
 }
 
-/// The virtual spur gear with z/(cos ψ cos² β_b) teeth, which strength calculations use. It is not
-/// suitable for chords. [T5.14]
+/// The virtual spur gear with z/(cos ψ cos² β_b) teeth. Strength calculations use this gear, but
+/// its chord is not a suitable approximation. [T5.14]
 template <class T>
 VirtualSpur<T> virtual_spur_on_base_helix(const T& theta_t, const T& psi, const T& base_helix,
                                           const T& radius) {

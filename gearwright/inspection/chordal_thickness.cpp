@@ -92,7 +92,7 @@ std::optional<ConstantChord> constant_chord(const Gear& gear) {
   const double across =
       half * cos_a * cos_a;                // from the middle of the tooth, in the normal section
   const double up = half * sin_a * cos_a;  // from the reference cylinder towards the tip
-  // The component of `across` in the transverse section is cos β times its length. [T10.14]
+  // In the transverse section, `across` has a component of cos β times its length. [T10.14]
   const double radius = std::hypot(gear.reference_diameter / 2 + side * up,
                                    across * std::cos(gear.spec.helix_angle.rad()));
   const double addendum = side * (2 * gear.actual_tip_radius() - gear.reference_diameter) / 2;

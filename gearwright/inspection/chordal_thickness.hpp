@@ -3,13 +3,13 @@
 //   d, r     diameter and radius at which the jaws touch, mm      r_a  tip radius, mm
 //   θ_t      half angle of the tooth at d, s_t/d, rad             ψ    helix angle at d, rad
 //   θ        half angle between the two points of contact, rad    T    tan² ψ
-//   ζ        half of the axial distance of these points, relative to r
+//   ζ        half of the axial distance between these points, relative to r
 //   k, Δh    chord, and rise of the arc over the chord, mm        * marks the shortest chord
 //                                                   theory: docs/theory/05-approximations.md
 //
-// A calliper across a helical tooth can be inclined, and its reading is the shortest chord. This chord
-// is computed exactly, by the same code for spur gears and worms. The functions are templates over the
-// scalar.
+// A calliper across a helical tooth can be inclined. The reading is then the shortest chord, which
+// is computed exactly. The same code applies to spur gears and worms. The functions are templates
+// over the scalar.
 #pragma once
 
 #include <cmath>
@@ -43,17 +43,17 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad. For greater values, θ* is a normal floating-point number for every T up to 1e33,
-/// which is tan² of the double next to π/2. Even a tooth thickness that is only rounding error,
-/// 1e-17, is much larger.
+/// Least θ_t, rad. For every θ_t of at least this value, θ* is a normal floating-point number for
+/// every T up to 1e33, which is tan² of the double next to π/2. The θ_t of every real tooth is much
+/// greater, and so is a θ_t of about 1e-17 that is only a rounding error.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.
 ///
 /// For θ_t ≤ π/2 there is only one root in [0, θ_t], and it gives the least of all chords. A tooth
-/// that covers more than half the circumference may have several roots. The result is then the
-/// local minimum of the chord that is nearest to the axial direction. If θ* > π/2, the chord lies
-/// beyond the axis.
+/// that covers more than half the circumference may have several roots. The result is then the root
+/// at which the chord has the local minimum nearest to the axial direction. If θ* > π/2, the chord
+/// lies beyond the axis.
 ///
 /// Formula   [T5.4], from [T5.1]…[T5.3]; bracket between the turning points [T5.5], start [T5.8]
 /// Domain    kMinHalfAngle ≤ θ_t < π (contract), any |ψ| < π/2 as T = tan² ψ
@@ -76,7 +76,7 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
   T hi = theta_t;
   if (tan_psi_squared > T(1)) hi = acos(T(-1) / tan_psi_squared) / T(2);
   if (theta_t > half_pi && (!(tan_psi_squared > T(1)) || f(hi).value < T(0))) {
-    lo = theta_t;  // the only root lies beyond the axis, where the sine is negative
+    lo = theta_t;  // the only root lies beyond the axis, where sin 2θ is negative
     hi = pi;
   }
   T start = theta_t / (T(1) + tan_psi_squared);
@@ -90,8 +90,8 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
 /// The shortest chord over a tooth.
 ///
 /// Formula   k* = 2 r sin θ* √(1 + T cos² θ*), Δh* = 2 r sin² (θ*/2),
-///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. For ψ = 0, exactly 2 r sin θ_t as for a spur
-///           gear
+///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. For ψ = 0, exactly 2 r sin θ_t as for a
+///           spur gear
 /// Units     mm, rad
 /// Domain    kMinHalfAngle ≤ θ_t < π, |ψ| < π/2, r > 0 (contract)
 /// Accuracy  ledger rows `chord.*`
@@ -122,23 +122,24 @@ ChordalThickness<T> shortest_chord(const ToothArc<T>& tooth) {
 /// Formula   θ_t = s_yt/d_y, tan ψ = (d_y/d_b) tan β_b; [T2.11], [T2.12]
 /// Domain    d_y ≥ d_b (contract); θ_t ≤ 0 beyond the diameter at which the flanks meet
 ToothArc<double> tooth_arc(const Gear& gear, double diameter);
-/// The shortest chord over a tooth of the gear, including the thickness allowance. The gear may be
-/// internal. The usable flank extends from d_Ff to d_Fa, or for an internal gear from d_Fa to the
-/// root, and never inside the base circle.
+/// The shortest chord over a tooth of a gear, which may be internal. The tooth thickness includes
+/// the thickness allowance. The usable flank extends from d_Ff to d_Fa, or for an internal gear
+/// from d_Fa to the root. It never extends inside the base circle.
 ///
 /// Errors    `chord_diameter` if the diameter is not on the usable flank, if the flanks meet before
 ///           this diameter, if no calliper can span the tooth, or if the gear has no flank
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter);
 
-// The constant chord: the chord between the points at which a rack touches both sides of a tooth at the
-// same time.
+// The constant chord, which is the chord between the points at which a rack touches both sides of a
+// tooth at the same time.
 //
 //   s_n   normal tooth thickness at the reference cylinder, mm     s_c   constant chord, mm
 //   h_c   height of the tip over the chord, mm                     α_n   pressure angle of the rack
 //                                              theory: docs/theory/10-inspection.md
 //
-// The common normals of rack and tooth intersect on the reference cylinder, in the middle of the tooth.
-// The chord therefore depends on the rack and s_n only, not on the number of teeth or the helix angle.
+// The common normals of rack and tooth intersect on the reference cylinder, in the middle of the
+// tooth. The chord therefore depends on the rack and s_n only, not on the number of teeth or the
+// helix angle.
 
 struct ConstantChord {
   double chord;             ///< s_c  mm

@@ -1,4 +1,5 @@
-// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of tolerances.
+// Positions on a flank for measuring machines: roll lengths, and the evaluation ranges of
+// tolerances.
 //
 //   L_y, ξ_y   roll length, mm, and roll angle, rad, of the involute at d_y
 //   L_α, L_β   evaluation ranges of profile and helix, mm
@@ -16,14 +17,14 @@ namespace gearwright {
 // The usable flank between d_Ff and d_Fa, on which a measuring tool can touch.
 //
 //   d_Ff, d_Fa   form diameters, mm       d_y   diameter of a contact, mm
-//   d_V          diameter of the V circle, |d ± 2 x m_n|, mm, at which tools of the usual size touch
+//   d_V          diameter of the V circle, mm, at which tools of the usual size touch
 //                                              theory: docs/theory/10-inspection.md
 //
 // The flank of an internal gear extends outward from d_Fa, because the tip lies inside.
 
 /// The position of a contact.
 enum class ContactPlace {
-  usable,           ///< on the involute between d_Ff and d_Fa
+  usable,           ///< on the involute, between d_Ff and d_Fa
   below_flank,      ///< at the root fillet, which is not an involute; the reading has no meaning
   on_tip_rounding,  ///< between d_Fa and the tip, on a chamfer or a rounding
   beyond_tip        ///< beyond the tip of the tooth
@@ -45,10 +46,10 @@ struct UsableFlank {
 std::optional<UsableFlank> usable_flank(const Gear& gear);
 /// The diameter d_V of the V circle.
 ///
-/// Formula   d_V = |d| ± 2 x m_n, with minus for an internal gear; [T10.1]
+/// Formula   d_V = d ± 2 x m_n, with d > 0 and with minus for an internal gear; [T10.1]
 double v_circle_diameter(const Gear& gear);
-/// The contact diameter of tools of the usual size: d_V, or the middle of the usable flank if d_V is
-/// outside the flank.
+/// The contact diameter of tools of the usual size. It is d_V, or the middle of the usable flank if
+/// d_V lies outside this flank.
 double usual_contact_diameter(const Gear& gear, const UsableFlank& flank);
 
 struct InvolutePair;  // pair/involute_pair.hpp
@@ -68,20 +69,22 @@ struct EvaluationRanges {
   RollPlace root_form, reference, tip_form;  ///< at d_Ff, d, d_Fa
   std::array<double, 2> profile;             ///< mm, roll lengths of both ends
   std::array<double, 2> helix;          ///< mm, heights of both ends from the middle of the face
-  std::optional<ActiveFlank> active{};  ///< if the gear is mounted and touches its mating gear
+  std::optional<ActiveFlank> active{};  ///< present if the gear is mounted and touches its mating
+                                        ///< gear
 };
 /// The roll length and the roll angle of the involute at the diameter d_y.
 ///
 /// Formula   [T10.22]
 /// Domain    d_y ≥ d_b (contract)
 RollPlace roll_place(const Gear& gear, double diameter);
-/// The evaluation ranges of ISO 1328-1. The profile is the usable profile without 5 % at the tip. The
-/// helix is the face without 5 % at each end, or without one module if that is less. [T10.23]
+/// The evaluation ranges of ISO 1328-1. The range of the profile is the usable profile without 5 %
+/// of its length at the tip. The range of the helix is the face without 5 % of its width at each
+/// end, or without one module at each end if that is less. [T10.23]
 ///
 /// None      if there is no usable flank
 std::optional<EvaluationRanges> evaluation_ranges(const Gear& gear);
-/// The ends of contact on the flank of gear `which` (1 or 2). The path of contact is clipped to both
-/// usable flanks and, on crossed axes, to the faces.
+/// The ends of contact on the flank of gear `which` (1 or 2). The path of contact is clipped to
+/// both usable flanks and, on crossed axes, to the faces.
 ///
 /// Formula   L_N1 = ρ_1, L_N2 = ρ_2 at the two ends; [T10.28]
 /// None      if the gears do not touch

@@ -24,8 +24,8 @@ constexpr std::array kFaces{4., 10., 20., 40., 80., 160., 250., 400., 650., 1000
 constexpr std::array kRadialDiameters{5., 20., 50., 125., 280., 560., 1000.};
 constexpr std::array kRadialModules{0.2, 0.5, 0.8, 1.0, 1.5, 2.5, 4.0, 6.0, 10.0};
 
-// Geometric mean of the range that contains the value, or of the outermost range if the value lies beyond
-// the ends.
+// Geometric mean of the range that contains the value, or of the outermost range if the value lies
+// beyond the ends.
 double mean_of_range(std::span<const double> borders, double value) {
   std::size_t i = 1;
   while (i + 1 < borders.size() && value > borders[i]) ++i;
@@ -49,8 +49,8 @@ double overlap_factor(double contact_ratio) {
   return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
 }
 
-// Adds the tolerances of sector pitch and single flank composite, by the formulas of 1995. [T10.31],
-// [T10.32]
+// Adds the tolerances of sector pitch and single flank composite, by the formulas of 1995.
+// [T10.31], [T10.32]
 void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubject& gear) {
   const double root_d = std::sqrt(mean_of_range(kDiameters, gear.reference_diameter));
   const double m = mean_of_range(kModules, gear.normal_module);
@@ -92,7 +92,7 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
           {}};
 }
 
-// The tolerances by the formulas of 1995 for mean values of ranges. [T10.18]
+// The tolerances by the formulas of 1995, which use the geometric means of ranges. [T10.18]
 FlankToleranceValues of_1995(int quality, const ToleranceSubject& gear) {
   const double d = mean_of_range(kDiameters, gear.reference_diameter);
   const double m = mean_of_range(kModules, gear.normal_module);

@@ -4,10 +4,12 @@
 //   d, m_n, b   reference diameter, normal module and face width, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// Tolerances are in µm. The formulas give class 5, and the factor from class to class is √2. The edition
-// of 2013 uses the dimensions of the gear, and the edition of 1995 uses geometric means of ranges of
-// dimensions. Radial composite tolerances follow ISO 1328-2:1997. Sector pitch and single flank composite
-// tolerances exist in the edition of 1995 only. Tolerances of axes follow ISO/TR 10064-3.
+// Tolerances are in µm. The formulas give the tolerances of class 5. From one class to the next,
+// the tolerances increase by the factor √2. The formulas of the edition of 2013 use the dimensions
+// of the gear. The formulas of the edition of 1995 use the geometric means of the ranges in which
+// these dimensions lie. Radial composite tolerances follow ISO 1328-2:1997. Only the edition of
+// 1995 has tolerances of the sector pitch and single flank composite tolerances. Tolerances of axes
+// follow ISO/TR 10064-3.
 #pragma once
 
 #include <optional>
@@ -55,21 +57,21 @@ inline constexpr const char* kClassesOfEditions =
     "is not a grade of this edition; ISO 1328-1:2013 has the grades 1 to 11, and ISO 1328-1:1995 "
     "has 0 to 12";
 
-/// True if the gear is within the range of the formulas of the edition.
+/// True if the formulas of the edition apply to a gear of these dimensions.
 bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
 /// All tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,
 ///           F_i′ and f_i′ by ISO 1328-1:1995, [T10.31], [T10.32]
 /// Units     mm in, µm out
-/// Domain    has_class (contract). Radial composite tolerances are absent if the diameter is not from 5
-///           to 1000 mm or the module not from 0.2 to 10 mm
+/// Domain    has_class (contract). Radial composite tolerances are absent if the diameter is
+///           outside 5 to 1000 mm, or the module outside 0.2 to 10 mm
 FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
                                       const ToleranceSubject& gear);
 
-/// Sets f_Σβ and f_Σδ over the bearing span L, µm, as recommended by ISO/TR 10064-3:1996.
+/// Sets f_Σβ and f_Σδ for the bearing span L, µm, as ISO/TR 10064-3:1996 recommends.
 ///
-/// Formula   f_Σβ = (L/2b) F_β, f_Σδ = 2 f_Σβ, where F_β is the greater one of both gears [T10.33]
+/// Formula   f_Σβ = (L/2b) F_β, f_Σδ = 2 f_Σβ, with the greater F_β of the two gears; [T10.33]
 void set_axis_tolerances(FlankToleranceValues& t, double greater_helix_total, double face_width,
                          double bearing_span);
 /// Rounds a tolerance: above 10 µm to 1 µm, from 5 to 10 µm to 0.5 µm, and below 5 µm to 0.1 µm.

@@ -21,15 +21,15 @@ using std::numbers::pi;
 constexpr double kNothing = 1e-4;  // least likelihood of a candidate in the list
 constexpr double kSigmas = 1.96;   // standard deviations for 95 %
 constexpr double kMostHelix = 45;  // degrees; worms have greater helix angles
-// A hypothesis: a rack with its fit and its evidence.
+// A hypothesis, which is a rack with its fit and its evidence.
 struct Found {
   StandardRack rack;
   RackFit fit;
   double log_worth;
 };
 
-// Logarithms of the prior probability of the helix angle 0, of any angle, and of a whole number of
-// degrees.
+// Logarithms of the prior probabilities that the helix angle is 0, any angle, or a given whole
+// number of degrees.
 struct HelixPrior {
   double spur = std::log(0.45), any = std::log(0.10), whole = std::log(0.45 / 63);
   double of_degrees(int n) const { return whole + (n % 5 == 0 ? std::log(3.0) : 0.0); }
@@ -62,8 +62,8 @@ class Searching {
   static constexpr double kSameAngle = 1e-6;
   static constexpr double kLogOwnModule = -3.5;
 
-  // The base pitch from the spans over the least and the greatest number of teeth, and its standard
-  // deviation; none if there is only one number of teeth.
+  // The base pitch and its standard deviation, from the spans over the least and over the greatest
+  // number of teeth; none if all spans are over the same number of teeth.
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
@@ -81,7 +81,8 @@ class Searching {
     return pitch && (*pitch)[0] > 0.0 ? std::optional((*pitch)[0] / pi) : std::nullopt;
   }
 
-  // True if a gear of this rack can have the approximate size and the base pitch of the readings.
+  // True if a gear of this rack can agree with the base pitch and, approximately, with the size
+  // that the readings give.
   bool possible(double m, double alpha) const {
     if (const auto pitch = base_pitch())
       return std::abs(pi * m * std::cos(alpha) - (*pitch)[0]) < 6 * (*pitch)[1];
@@ -140,7 +141,7 @@ class Searching {
     take(rack, fit_rack(start, of_both, readings_), prior.any, found);
   }
 
-  // True if a measured lead or helix angle excludes the helix angle of this gear.
+  // True if the measured lead or helix angle rules out the helix angle of this gear.
   bool off_the_lead(const GearNumbers& gear) const {
     return std::any_of(readings_.begin(), readings_.end(), [&](const Observation& o) {
       if (o.kind != Reading::lead && o.kind != Reading::helix_angle) return false;
@@ -169,8 +170,8 @@ double most_misfit(const std::vector<Observation>& readings, const RackFit& fit)
   return freedom > 0.0 ? 12.0 + 3.2 * freedom : 1.0;
 }
 
-// True if b is the same gear as a, except that a module or helix angle is fitted in one of the two and
-// standard in the other.
+// True if b is the same gear as a, except that a module or helix angle is fitted in one of the two
+// and standard in the other.
 bool is_double(const Found& a, const Found& b) {
   const bool looser = (b.fit.sigma_helix > 0.0) != (a.fit.sigma_helix > 0.0) ||
                       (b.fit.sigma_module > 0.0) != (a.fit.sigma_module > 0.0);
@@ -219,8 +220,8 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
   return list;
 }
 
-// Finds a reading that contradicts the others. Without it, all other readings agree with a standard
-// gear.
+// Finds a reading that contradicts all others: the other readings agree with a standard gear if
+// this reading is left out.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

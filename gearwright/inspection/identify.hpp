@@ -6,13 +6,13 @@
 //   x_E    generating profile shift, including the allowance       p_bn  normal base pitch
 //                                              theory: docs/theory/10-inspection.md
 //
-// A gear of z teeth is described by module, pressure angle, helix angle and x_E. Module and
-// pressure angle are standard values. The helix angle is 0, a whole number of degrees, or free. x_E
-// and a free helix angle are fitted. The evidence of a hypothesis combines the quality of the fit,
-// the fraction of the prior range that agrees with the readings, and the prior probability of such
-// gears. Readings of tip and root are only rough, because tips may be worn and roots may be cut by
-// several racks. They select the basic rack of the drawing, and the tip distinguishes a profile shift
-// from a thickness allowance.
+// A gear of z teeth is described by module, pressure angle, helix angle and x_E. In a hypothesis,
+// module and pressure angle are standard values, and the helix angle is 0, a whole number of
+// degrees, or free. x_E and a free helix angle are fitted. The evidence of a hypothesis combines
+// the quality of the fit, the fraction of the prior range that agrees with the readings, and the
+// prior probability of such gears. Readings of tip and root are only rough, because tips may be
+// worn and roots may be cut by several racks. These readings select the basic rack of the drawing.
+// The reading of the tip also distinguishes a profile shift from a thickness allowance.
 #pragma once
 
 #include <array>
@@ -60,14 +60,15 @@ struct IdentifyProblem {
   std::optional<double> profile_shift{};        ///< x
   std::optional<double> thickness_allowance{};  ///< E_sn  mm
   std::optional<StraightRack> rack{};           ///< the basic rack
-  /// The factor of readings that were written in the wrong unit: 25.4 for inch instead of mm, and
-  /// 1/25.4 for mm instead of inch.
+  /// The factor that corrects a reading in the wrong unit: 25.4 if the user gives inches instead of
+  /// mm, and 1/25.4 if the user gives mm instead of inches.
   double other_unit = 25.4;
 };
 /// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
-/// The quantities that are read on an unknown gear, the exact ones first. `all` means all lengths.
+/// The quantities that are read on an unknown gear, the exact ones first. `all` stands for the
+/// readings of all lengths.
 enum class Reading {
   span,
   over_balls,
@@ -88,7 +89,7 @@ struct Contradiction {
   double expected;  ///< the value predicted by the other readings
 };
 
-/// How the measured tip compares with the tip that the rack and the profile shift give.
+/// Comparison of the measured tip with the tip that follows from the rack and the profile shift.
 enum class TipReading { none, as_drawn, worn, shortened, longer };
 
 /// The values with which a drawing describes an identified gear. The teeth have the generating
@@ -97,8 +98,8 @@ struct DrawnGear {
   std::string rack;             ///< name of the basic rack; empty if the problem gives the rack
   double profile_shift;         ///< x
   double thickness_allowance;   ///< E_sn  mm
-  double tip_diameter;          ///< d_a  mm, as measured if the tip is longer or much shorter than
-                                ///< the rack gives
+  double tip_diameter;          ///< d_a  mm; the measured one if the tip is longer or much shorter
+                                ///< than the rack gives
   double nominal_tip_diameter;  ///< mm, as the rack and the profile shift give
   double root_diameter;         ///< d_f  mm
   TipReading tip;
@@ -125,7 +126,7 @@ struct IdentifiedGear : DrawnGear {
   bool plausible() const { return generating_shift >= -1.5 && generating_shift <= 1.5; }
 };
 
-/// The measurement that distinguishes best between the first candidate and one other, the rival.
+/// The measurement that best distinguishes the first candidate from one other candidate, the rival.
 struct NextMeasurement {
   Reading reading;               ///< a span, a dimension over balls or the helix angle
   double tool;                   ///< k or D_M
@@ -134,17 +135,19 @@ struct NextMeasurement {
 };
 /// A gear that agrees with all readings if one input is corrected.
 struct Alternative {
-  Reading mistake;  ///< the number of teeth, or the readings in the other unit
+  Reading mistake;  ///< `teeth`, or the readings that are in the other unit
   IdentifiedGear gear;
 };
 struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< the likeliest first
   std::optional<Contradiction> contradiction;  ///< if present, this reading was not used
   std::optional<NextMeasurement> next;         ///< none if there is only one candidate, or if no
-                                               ///< measurement distinguishes them
+                                               ///< measurement distinguishes the candidates
   std::string reason;                          ///< the reason if there is no candidate
-  std::optional<Alternative> alternative{};    ///< if the readings do not agree with the first
-                                               ///< candidate, or if it is not standard or plausible
+  std::optional<Alternative> alternative{};    ///< present if the readings do not agree with the
+                                               ///< first candidate, or if this candidate is not
+                                               ///< standard or not plausible, and if such a gear is
+                                               ///< found
 };
 /// Greatest number of candidates in a result.
 inline constexpr int kMostCandidates = 8;

@@ -1,6 +1,6 @@
-// Computes what an identification of a gear shows about its inputs: a tip or a root that contradicts
-// the flanks, an implausible gear, and a mistake in the number of teeth or in the unit of a reading
-// that explains these findings.
+// Computes what the identification of a gear shows about its inputs: a tip or a root that
+// contradicts the flanks, an implausible gear, and a mistake that explains these findings. The
+// mistake may be in the number of teeth or in the unit of a reading.
 //                                              theory: docs/theory/10-inspection.md
 #include <array>
 #include <cmath>
@@ -14,13 +14,13 @@ namespace gearwright {
 
 namespace {
 
-// Groups of readings that a user may have written in one unit.
+// Groups of readings. A user may have written all readings of a group in the same wrong unit.
 constexpr std::array kGroups{Reading::all,           Reading::span,
                              Reading::over_balls,    Reading::tip_diameter,
                              Reading::root_diameter, Reading::center_distance};
 
-// True if the problem has readings of this group and readings of another group, or if the group is
-// all lengths.
+// True if the group is `all`, or if the problem has readings of this group and also of another
+// group.
 bool has_group(const IdentifyProblem& p, Reading group) {
   if (group == Reading::all) return true;
   const std::array present{!p.spans.empty(), !p.balls.empty(), p.tip.value.has_value(),
@@ -58,7 +58,8 @@ IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
   return p;
 }
 
-// The identification, without the tip or the root if it contradicts the flanks of the likeliest gear.
+// The identification. If the tip or the root contradicts the flanks of the likeliest gear, that
+// reading is left out.
 Identification without_contradiction(const IdentifyProblem& problem) {
   Identification answer = detail::identify_readings(problem, detail::LeaveOut::one);
   if (answer.contradiction || !answer.reason.empty() || answer.candidates.empty()) return answer;
@@ -84,16 +85,18 @@ bool sound(const Identification& found) {
          found.candidates.front().plausible();
 }
 
-// Greatest allowance, in modules, of a gear that explains the readings by a mistake.
+// Greatest magnitude of the thickness allowance, in modules, of a gear that is proposed as an
+// alternative.
 constexpr double kUsualAllowanceOfMistake = 0.1;
 
-// True if tip and thickness of the gear agree so well that a mistake explains the readings.
+// True if tip and thickness of the gear are so usual that the gear is credible as an alternative.
 bool agrees_well(const IdentifiedGear& g) {
   return g.thickness_allowance >= -kUsualAllowanceOfMistake * g.normal_module &&
          g.tip != TipReading::longer && g.tip != TipReading::shortened;
 }
 
-// A gear that agrees with all readings if one mistake is corrected, none if there is no such gear.
+// A gear that agrees with all readings after one mistake is corrected; none if there is no such
+// gear.
 std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
   const auto found = [](const IdentifyProblem& p) -> std::optional<IdentifiedGear> {
     const Identification answer = detail::identify_readings(p, detail::LeaveOut::none);
@@ -107,7 +110,8 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
     if (const auto gear = found(scaled(problem, group, problem.other_unit)))
       return Alternative{group, *gear};
   }
-  // Without a tip or a root, nearly the same gear has another number of teeth.
+  // If neither tip nor root was measured, a gear with another number of teeth has nearly the same
+  // readings, so the number of teeth cannot be checked.
   if (!problem.tip.value && !problem.root.value) return std::nullopt;
   for (const int off : {1, 2}) {
     std::optional<Alternative> best;

@@ -1,13 +1,13 @@
-// Computes the values with which a drawing describes an identified gear: the basic rack, the profile
-// shift, the thickness allowance and the tip diameter.
+// Computes the values with which a drawing describes an identified gear: the basic rack, the
+// profile shift, the thickness allowance and the tip diameter.
 //
 //   x_E   generating profile shift, from the thickness of the teeth     x    profile shift
 //   E_sn  thickness allowance, 2 m_n tan α_n (x_E − x)                  d_a  tip diameter
 //   x_a   profile shift that follows from the tip, (d_a − d)/(2 m_n) − h_aP* [T10.34]
 //                                              theory: docs/theory/10-inspection.md
 //
-// Spans and balls determine only x_E. The tip follows x, and the root follows x_E, because a tooth is
-// thinned by feeding the cutter deeper.
+// Spans and balls determine only x_E. The tip diameter depends on x. The root diameter depends on
+// x_E, because a tooth is thinned by feeding the cutter deeper.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,18 +23,20 @@ namespace gearwright::detail {
 namespace {
 
 // Lengths in modules.
-constexpr double kMostUsualAllowance = 0.1;  // with wide limits for small modules in DIN 3967
-constexpr double kMostAllowance = 0.2;       // beyond this value, a thickness is implausible
+constexpr double kMostUsualAllowance = 0.1;  // upper limit of a usual allowance; smaller if
+                                             // kUsualSeries gives less
+constexpr double kMostAllowance = 0.2;       // a greater allowance is implausible
 constexpr double kNearTip = 0.02;            // usual tolerance of a tip radius
 constexpr double kMinusTip = 0.05;           // greatest undersize that indicates x = 0
 constexpr double kMostWear = 0.1;            // greatest wear of a tip radius
-constexpr double kShortestTip = 0.25;        // below the tip that the rack gives; a shorter tip
-                                             // contradicts the flanks
-// Greatest usual series of DIN 3967 for gears without a requirement on their backlash.
+constexpr double kShortestTip = 0.25;        // greatest plausible deviation from the tip that the
+                                             // rack gives; a greater one contradicts the flanks
+// The usual series of DIN 3967 with the greatest allowance, for gears without a requirement on
+// backlash.
 constexpr std::string_view kUsualSeries = "c27";
 
-// Standard deviations by which racks are compared, in modules, and the cost of a reading that no rack
-// explains.
+// Standard deviations, in modules, with which racks are compared, and the costs of a tip and of a
+// root that no rack explains.
 constexpr double kWearScatter = 0.05;
 constexpr double kUsualAllowance = 0.06;
 constexpr double kAllowanceScatter = 0.04;
@@ -108,7 +110,7 @@ class Drawing {
     gear.rack = choice.name;
     gear.profile_shift = shift(choice.rack);
     const double allowance = 2 * m_ * tan_ * (x_E_ - gear.profile_shift);
-    // A thicker tooth is as drawn if it is within the uncertainty.
+    // If the tooth is thicker than x gives, but only within the uncertainty, the allowance is 0.
     const bool within = allowance > 0.0 && !known_ && x_E_ - gear.profile_shift <= u_;
     gear.thickness_allowance = within ? 0.0 : allowance;
     gear.nominal_tip_diameter = d_ + side_ * 2 * m_ * (choice.rack.addendum + gear.profile_shift);
@@ -161,7 +163,7 @@ class Drawing {
            std::hypot(kRootScatterOfRack, std::hypot(reading, u_) / kSigmasOf95);
   }
 
-  // True if the profile shift x leaves an allowance from −`most` modules to 0.
+  // True if the allowance that belongs to the profile shift x lies between −`most` modules and 0.
   bool leaves(double x, double most) const {
     return x_E_ - x <= u_ && 2 * tan_ * (x_E_ - x) >= -most;
   }
@@ -191,7 +193,7 @@ class Drawing {
 
   const IdentifyProblem& p_;
   double m_, tan_, side_, d_, x_E_, u_;
-  bool by_thickness_;            // true if a reading determines x_E
+  bool by_thickness_;            // true if there are spans or balls, which determine x_E
   std::optional<double> known_;  // x, if it is known
   double usual_, near_;
 };

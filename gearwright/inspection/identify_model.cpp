@@ -134,13 +134,13 @@ namespace {
 
 using std::numbers::pi;
 
-// The prior distributions: x_E scatters about 0, helix angles are uniform up to 45°, and modules cover two
-// decades.
+// The prior distributions: x_E scatters about 0, helix angles are uniform up to 45°, and modules
+// cover two decades.
 constexpr double kShiftScatter = 0.5;
 constexpr double kHelixRange = pi / 4;
-// Inverse variance of the prior of the helix angle, 1/rad²: √(2π) σ of this prior is kHelixRange.
-// All readings except a lead change with β² only, so near β = 0 they hardly restrict the helix
-// angle.
+// Inverse variance of the prior of the helix angle, 1/rad². The standard deviation σ of this prior
+// follows from √(2π) σ = kHelixRange. All readings except a lead and a helix angle change with β²
+// only, so near β = 0 they hardly restrict the helix angle.
 constexpr double kHelixInformation = 2 * pi / (kHelixRange * kHelixRange);
 constexpr double kLogModuleRange = 5.0;
 constexpr int kMostSteps = 12;
@@ -149,7 +149,7 @@ double& unknown(GearNumbers& g, int which) {
   return which == 0 ? g.shift : which == 1 ? g.beta : g.module;
 }
 
-// Step of the difference quotients, which is small compared with the resolution of readings.
+// Step of the difference quotients. It is small compared with the resolution of the readings.
 double step_of(const GearNumbers& g, int which) { return which == 2 ? 1e-6 * g.module : 1e-6; }
 
 // Computes the residuals. The last residual belongs to the prior of the shift. Returns false if a
@@ -183,7 +183,7 @@ std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknow
   GearNumbers g = start;
   std::vector<double> r, moved;
   if (!residuals(g, readings, r)) return std::nullopt;
-  // Values that are not fitted have rows of the unit matrix.
+  // The rows of values that are not fitted remain rows of the unit matrix.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity();
   std::array<std::vector<double>, 3> slope;  // slopes of the predicted readings, in units of σ
   for (int step = 0; step < kMostSteps; ++step) {

@@ -1,7 +1,7 @@
-// The predicted readings of a gear for the tools with which an unknown gear was measured.
+// Predicts the readings that a gear would give with the tools that were used on an unknown gear.
 //
-// Internal to inspection/. identify() calls these functions about ten thousand times, so they use closed
-// forms and do not make the gear.
+// Internal to inspection/. identify() calls these functions about ten thousand times, so they use
+// closed forms and do not make the gear.
 #pragma once
 
 #include <optional>
@@ -37,16 +37,16 @@ std::vector<Observation> observations(const IdentifyProblem& problem);
 /// Formula   [T10.2], [T10.6], [T10.8]; lead π z m_n/sin β
 std::optional<double> reading_of(const GearNumbers& gear, const Observation& o);
 
-/// (reading − predicted reading)/σ [T10.24]. For a rough reading, σ includes the scatter in modules that
-/// is due to wear and different racks.
+/// (reading − predicted reading)/σ [T10.24]. For a rough reading, σ includes a scatter that is
+/// proportional to the module and is caused by wear and by different racks.
 std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 
 constexpr double kLength =
     0.02;  ///< mm, usual uncertainty of a measured tip, root or centre distance
 
 // Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
-// module if they are free. Its evidence is the probability of the readings if the hypothesis is
-// true, times the prior probability of the fitted values.
+// module if they are free. The evidence of the hypothesis is the probability of the readings if the
+// hypothesis is true, times the prior probability of the fitted values.
 
 struct Unknowns {
   bool shift = true, helix = false, module = false;
@@ -59,8 +59,8 @@ struct RackFit {
   int free;                                       ///< number of fitted values
   double log_evidence;
 };
-/// Fits the unknowns by the Gauss–Newton method from `start`, and computes the evidence [T10.25]. None if
-/// a tool does not touch the flanks, or if the readings do not determine the unknowns.
+/// Fits the unknowns by the Gauss–Newton method from `start`, and computes the evidence [T10.25].
+/// None if a tool does not touch the flanks, or if the readings do not determine the unknowns.
 std::optional<RackFit> fit_rack(const GearNumbers& start, const Unknowns& unknowns,
                                 const std::vector<Observation>& readings);
 
@@ -76,19 +76,20 @@ struct StandardRack {
 
 /// Modules of ISO 54 and diametral pitches, each with the usual pressure angles.
 const std::vector<StandardRack>& standard_racks();
-/// The values of the drawing of a fitted gear [T10.34]. `shift_uncertainty` is the uncertainty of x_E.
+/// The values with which a drawing describes a fitted gear [T10.34]. `shift_uncertainty` is the
+/// uncertainty of x_E.
 DrawnGear drawn_gear(const IdentifyProblem& problem, const GearNumbers& gear, ModuleSeries series,
                      double shift_uncertainty);
 
-/// The readings that are left out if no gear agrees with all of them.
+/// How many readings may be left out if no gear agrees with all of them.
 enum class LeaveOut { none, one };
 
-/// The candidates for a problem whose readings determine the size of the gear. All readings of tip and
-/// root are used, and there is no alternative.
+/// The candidates for a problem whose readings determine the size of the gear. All readings of tip
+/// and root are used, and the result has no alternative.
 Identification identify_readings(const IdentifyProblem& problem, LeaveOut leave_out);
 
-/// The measurement that distinguishes best between the likeliest gear and another one. None if only one
-/// gear is left, or if no measurement distinguishes between the gears.
+/// The measurement that best distinguishes the likeliest gear from another one. None if there is
+/// only one gear, or if no measurement distinguishes the gears.
 std::optional<NextMeasurement> next_measurement(const IdentifyProblem& problem,
                                                 const std::vector<IdentifiedGear>& candidates);
 

@@ -32,8 +32,8 @@ NominalPoint nominal_point(const Gear& gear, const RemovalField& removal, FlankS
   const double rho = r_b * std::sqrt(1 + roll * roll);
   NominalPoint p{plain, n, 2 * rho, height};
   if (removal.none()) return p;
-  // The point is displaced by −c n, and the normal of the displaced surface follows from two tangents.
-  // [T10.27]
+  // The point is displaced by −c n, and the normal of the displaced surface follows from two
+  // tangents. [T10.27]
   const Removal c = removal.at(std::log(rho), height);
   const double c_roll = c.c_u * roll / (1 + roll * roll);
   const Vec3 along_roll = r_b * roll * u - c_roll * n - c.c * sigma * cos_b * u;
@@ -69,8 +69,8 @@ struct FilletPlace {
   Vec2 point, normal;
 };
 
-// Returns n places at equal distances along the root fillet. Its length is computed from the chords
-// of a fine subdivision.
+// Returns n places at equal distances along the root fillet. The length of the fillet is computed
+// from the chords of a fine subdivision.
 std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   constexpr int kFine = 400;
   struct Station {
@@ -92,8 +92,8 @@ std::vector<FilletPlace> along_fillet(const Outline& outline, int n) {
   }
   std::vector<FilletPlace> places;
   if (length == 0.0) return places;
-  // On the side y > 0 of an external tooth, the material lies to the right of the direction from root to
-  // tip.
+  // On the side y > 0 of an external tooth, the material lies to the right of the direction from
+  // root to tip.
   const double out = outline.side();
   std::size_t at = 0;
   for (int i = 0; i < n; ++i) {

@@ -1,12 +1,12 @@
 // Nominal points of a flank for a measuring machine, with their normals.
 //
-//   ξ, z   roll angle, rad, and height from the middle of the face, mm      n   unit normal, outward
-//   φ      polar angle of the base tangent point, rad                       c   material removed, mm
+//   ξ, z   roll angle, rad, and height from the middle of the face, mm    n   unit normal, outward
+//   φ      polar angle of the base tangent point, rad                     c   material removed, mm
 //                                              theory: docs/theory/10-inspection.md
 //
-// Points are given in the gear frame: z is the axis, and tooth 0 is centred on the x axis in the middle
-// of the face. Points of a modified flank are displaced by c along −n, and the slopes of c incline the
-// normals.
+// Points are given in the gear frame: z is the axis, and tooth 0 is centred on the x axis in the
+// middle of the face. Points of a modified flank are displaced by c along −n. Their normals are
+// inclined in accordance with the slopes of c.
 #pragma once
 
 #include <vector>
@@ -48,11 +48,12 @@ std::vector<NominalPoint> nominal_points(const Gear& gear, const RemovalField& r
                                          FlankSide side, const EvaluationRanges& ranges,
                                          const PointGrid& grid);
 
-/// Points of the root fillet next to a flank of tooth 0, from the root land to d_Ff, in rows of ascending
-/// height over the evaluation range of the helix. Modifications do not change the fillet.
+/// Points of the root fillet next to a flank of tooth 0, from the root land to d_Ff. Rows are in
+/// order of ascending height and cover the evaluation range of the helix. Modifications do not
+/// change the fillet.
 ///
-/// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its normal e,
-///           n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]
+/// Formula   P = R(2π z/p_z) p + z k with a point p of the fillet in the section z = 0 and its
+///           normal e, n ∝ e − (2π/p_z)(e · k × p) k; [T10.29]
 /// Accuracy  points lie on the generated outline and are equally spaced along the fillet, with an
 ///           error of at most 1e-3 of the spacing
 /// None      if the outline has no fillet, or the gear has no outline

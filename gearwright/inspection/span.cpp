@@ -18,7 +18,7 @@ double contact_diameter(const ReferenceGeometry<double>& g, double length) {
   return std::hypot(g.base_diameter, length * std::cos(g.base_helix_angle));
 }
 
-// The length of the span whose contacts are at this diameter. [T10.3]
+// The length of the span whose contacts have this diameter. [T10.3]
 double length_to(const ReferenceGeometry<double>& g, double diameter) {
   return leaf::curvature_at(diameter, g.base_diameter) / std::cos(g.base_helix_angle);
 }
@@ -42,8 +42,8 @@ struct Teeth {
   int least, most;
 };
 
-// The range of k for which the contacts lie on the usable flank and, if requested, within the face; empty
-// if most < least.
+// The range of k for which the contacts lie on the usable flank and, if requested, within the face;
+// empty if most < least.
 Teeth touching_teeth(const Gear& gear, const UsableFlank& flank, bool within_face) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double lo = teeth_of(gear, length_to(g, flank.least()));
@@ -99,7 +99,8 @@ Result<Span> span_over(const Gear& gear, int k) {
   if (!(span.length > 0.0))
     return no("the flanks over this number of teeth do not face the anvils; " +
               range_text(gear, *flank));
-  // For the numbers of teeth next to the range, a span is returned, so that a warning can give its length.
+  // For a number of teeth just outside the range, the function returns a span, so that a warning
+  // can give its length.
   const Teeth on_flank = touching_teeth(gear, *flank, false);
   const bool near = k >= on_flank.least - 1 && k <= on_flank.most + 1;
   if (span.place == ContactPlace::beyond_tip && !near) {
@@ -123,7 +124,8 @@ std::vector<Span> usable_spans(const Gear& gear, int most) {
   if (!flank) return {};
   const Teeth k = touching_teeth(gear, *flank, true);
   if (k.most < k.least) return {};
-  // d_M increases with k, so the usual k is one of the two numbers next to the real k of the V circle.
+  // d_M increases with k, so the usual k is one of the two whole numbers next to the real k at
+  // which d_M is the diameter of the V circle.
   const ReferenceGeometry<double>& g = gear.reference();
   const double d_v = std::max(v_circle_diameter(gear), g.base_diameter);
   const double real = teeth_of(gear, length_to(g, d_v));

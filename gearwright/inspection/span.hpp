@@ -1,5 +1,5 @@
-// Span measurement: the distance between two parallel anvils over k teeth, or over k spaces of an internal
-// gear.
+// Span measurement: the distance between two parallel anvils over k teeth, or over k spaces of an
+// internal gear.
 //
 //   k      teeth (internal: spaces) between the anvils    W_k   the reading, mm
 //   p_bt   transverse base pitch, mm                      β_b   base helix angle, rad
@@ -7,9 +7,9 @@
 //                                              theory: docs/theory/10-inspection.md
 //
 // The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
-// length along the base tangent. Both contacts can be moved along the flanks. Here the symmetrical
-// position is used. If any position of the contacts is on the usable flanks, the symmetrical
-// position is too.
+// length along this tangent. Both contacts can be moved along the flanks together. The results are
+// for the symmetrical position. If the contacts lie on the usable flanks in any position, they also
+// do so in the symmetrical position.
 #pragma once
 
 #include <vector>
@@ -36,15 +36,19 @@ struct Span {
 /// Formula   W_k = cos β_b ((k − 1) p_bt + s_bt); k p_bt − s_bt for an internal spur gear; [T10.2]
 /// Units     mm
 double span_length(const Gear& gear, int k);
-/// Change of the normal tooth thickness at the reference cylinder per change of W_k, ±1/cos α_n.
+/// Change of the normal tooth thickness at the reference cylinder, divided by the change of W_k;
+/// ±1/cos α_n.
 double thickness_per_span(const Gear& gear);
 
 /// The span over k teeth and its contacts. [T10.2], [T10.3]
 ///
-/// Errors    `span_teeth`, with the k that can be measured, if neither k nor a neighbouring number has
-///           contacts; also for an internal helical gear, in whose spaces plane anvils do not fit
+/// Errors    `span_teeth` if the gear has no usable involute flank, if it is an internal helical
+///           gear (plane anvils do not fit into its spaces), if k is not from 1 to |z|, if the
+///           flanks do not face the anvils, or if the contacts lie beyond the tip and no
+///           neighbouring k has contacts on the usable flank. The message gives the k that can be
+///           measured
 Result<Span> span_over(const Gear& gear, int k);
-/// Up to `most` usable spans that are nearest to usual_span().
+/// The usable spans whose k is nearest to the k of usual_span(), at most `most` of them.
 std::vector<Span> usable_spans(const Gear& gear, int most);
 /// The usable span whose contacts are nearest to the V circle; none if no k is usable.
 std::optional<Span> usual_span(const Gear& gear);

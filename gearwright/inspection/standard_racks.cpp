@@ -21,7 +21,7 @@ constexpr std::array kSeries2{0.35, 0.45, 0.55, 0.7,  0.75, 0.9,  1.125, 1.375,
 constexpr std::array kPitches{1.0,  1.25, 1.5,  1.75, 2.0,  2.25, 2.5,  3.0,  3.5,  4.0,  5.0,
                               6.0,  7.0,  8.0,  9.0,  10.0, 11.0, 12.0, 13.0, 14.0, 16.0, 18.0,
                               20.0, 22.0, 24.0, 26.0, 28.0, 30.0, 32.0, 36.0, 40.0, 48.0, 64.0};
-// Pressure angles in degrees, and the share of gears with these angles.
+// Pressure angles in degrees, each with its share of all gears.
 using Share = std::pair<double, double>;
 constexpr std::array kMetricAngles{Share{20, 0.86},   Share{14.5, 0.02}, Share{15, 0.04},
                                    Share{17.5, 0.02}, Share{22.5, 0.02}, Share{25, 0.03},

@@ -13,7 +13,8 @@ namespace gearwright {
 
 namespace {
 
-// DIN 3967, table 1: names of the series, upper limits of the reference diameter, mm, and −E_sns, µm.
+// DIN 3967, table 1: names of the series, upper limits of the reference diameter, mm, and −E_sns,
+// µm.
 constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
                                                    "d", "e",  "f", "g",  "h"};
 constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
@@ -76,13 +77,14 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 
 constexpr int kMaxGrade = 12;
 
-// Fundamental deviations below the nominal size, µm, of ISO 286-1, table 3. For P, the deviations
-// of grades above IT7 are listed for the first sizes. For N, the deviation of grades above IT8
-// differs from 0 only up to 3 mm.
+// Magnitudes of the fundamental deviations of ISO 286-1, table 3, that lie below the nominal size,
+// µm. For P, the values of grades above IT7 are listed for the first sizes. For N, the value of
+// grades above IT8 is not 0 only up to 3 mm.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
-// The index of the first border that is not less than the value; the number of borders if all are less.
+// The index of the first border that is not less than the value; the number of borders if all are
+// less.
 template <std::size_t n>
 std::size_t row_of(const std::array<double, n>& borders, double value) {
   return static_cast<std::size_t>(std::lower_bound(borders.begin(), borders.end(), value) -
@@ -96,13 +98,13 @@ std::optional<int> whole(std::string_view text) {
   return value;
 }
 
-// The standard tolerance of a grade for a nominal size, mm; none beyond the table.
 // The number of a grade of ISO 286; 0 if the text is not a grade.
 int grade_of(std::string_view text) {
   const int grade = whole(text).value_or(0);
   return grade <= kMaxGrade ? std::max(grade, 0) : 0;
 }
 
+// The standard tolerance of a grade for a nominal size, mm; none beyond the table.
 std::optional<double> tolerance_grade(int grade, double size) {
   const std::size_t row = row_of(kSizes, size);
   if (row == kSizes.size()) return std::nullopt;

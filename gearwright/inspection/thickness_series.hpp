@@ -1,5 +1,5 @@
-// Allowances and tolerances that are given by name: for the tooth thickness by DIN 3967, and for
-// centre distances, tips, bores and keyways by ISO 286 and DIN 6885.
+// Allowances and tolerances that are given by the name of a series or of a grade: for the tooth
+// thickness by DIN 3967, and for centre distances, tips, bores and keyways by ISO 286 and DIN 6885.
 //
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           from −IT7/2 to IT7/2
@@ -21,7 +21,7 @@ namespace gearwright {
 /// Errors    `series` if there is no such series, or if the reference diameter exceeds 10 000 mm
 Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                                                    double reference_diameter);
-/// The ± deviation of JS, half of the tolerance of its grade, mm. [T10.21]
+/// The ± deviation of a JS tolerance, which is half of the tolerance of its grade, mm. [T10.21]
 ///
 /// Errors    `distance_tolerance` if it is not JS1 to JS12; `center_distance` above 3150 mm
 Result<double> js_deviation(std::string_view tolerance, double center_distance);
@@ -29,20 +29,21 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance);
 /// Deviations of a hole or a keyway from its nominal size, lower and upper, mm.
 ///
 /// Source    ISO 286-1, tables 1 and 3; ISO 286-2
-/// Errors    `fit` if it is not H1 to H12, JS1 to JS12, N9 or P9; `size` above 3150 mm, or above 120 mm
-///           for N9 and P9
+/// Errors    `fit` if it is not H1 to H12, JS1 to JS12, N9 or P9; `size` if it exceeds 3150 mm, or
+///           120 mm for N9 and P9
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size);
 
-/// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft, whose
-/// deviations have the opposite sign of the deviations of a hole. The tip of an internal gear is a hole.
+/// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft,
+/// whose deviations have the opposite sign of the deviations of a hole. The tip of an internal gear
+/// is a hole.
 ///
-/// Errors    `tolerance.tip_fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not H1 to
-///           H12 or JS1 to JS12; `tip_diameter` above 3150 mm
+/// Errors    `tolerance.tip_fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not
+///           H1 to H12 or JS1 to JS12; `tip_diameter` above 3150 mm
 Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
                                              bool internal);
 
-/// Upper deviation of the depth of a keyway in a hub, mm, for a width of the keyway in mm. The lower
-/// deviation is 0.
+/// Upper deviation of the depth of a keyway in a hub, mm. `width` is the width of the keyway, mm.
+/// The lower deviation is 0.
 ///
 /// Source    DIN 6885-1
 double keyway_depth_deviation(double width);

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// w: distance along the centre line between the points of the two racks that have the same normal
-// angle. [T7.15]
+// w: distance along the centre line between two points, one of each rack, at which the normal angle
+// is θ. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
@@ -21,17 +21,17 @@ double height_gap(const ArcMeshInput& in, double theta) {
 // Height of a point of the arc above the pitch plane, away from the convex gear.
 double height(const WorkingArc& arc, double theta) { return arc.radius * std::sin(theta) - arc.b; }
 
-// The part of the axial position of a cut point that does not depend on the rotation φ of its gear.
-// The other part is r φ tan λ. [T7.13]
+// The axial position of a point on a gear, without the part r φ tan λ, which depends on the
+// rotation φ at which the point was cut. [T7.13]
 double axial(const WorkingArc& arc, double theta, double lambda) {
   const double s = std::sin(lambda), c = std::cos(lambda);
   return arc.radius * std::cos(theta) * c - arc.a / c + arc.b / std::tan(theta) * s * s / c;
 }
 
-// Radius of curvature of the transverse profile, > 0 if its centre lies opposite to n.
+// Radius of curvature of the transverse profile, > 0 if n points away from the centre of curvature.
 double transverse_radius(const Mat2& k, double theta, double lambda) {
-  // The tangent u_z t − t_z u of the transverse section. Its length equals the component of n in
-  // this section.
+  // The tangent u_z t − t_z u of the transverse section. The length of this vector equals the
+  // length of the component of n in this section.
   const Vec2 d(std::sin(lambda), std::sin(theta) * std::cos(lambda));
   const double n_t = d.norm();
   return -n_t * n_t * n_t / d.dot(k * d);
@@ -67,7 +67,7 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   const double change = in.center_distance - c0;
   const double difference = in.concave.radius - in.convex.radius;
   GW_EXPECTS(difference > 0.0);
-  // The sine of the first-order angle. [T7.17]; if the change is 0, [T7.9].
+  // The sine of the first-order angle, by [T7.17]. If the change is 0, this formula is [T7.9].
   const double s = (in.concave.b - in.convex.b - change) / difference;
   if (!(s > 0.0 && s < 1.0)) return std::nullopt;
   const double first = std::asin(s);
@@ -122,8 +122,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle normal_angle) {
   at.radius_convex = std::hypot(A, B);
   const double x_c = height(in.concave, theta);
   at.radius_concave = std::hypot(r_c - x_c, x_c * cot * s);
-  // Both points must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead` with φ_v = μ. The
-  // concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
+  // The points of both gears must have the same z, so r_c φ_c tan λ = r_v φ_v tan λ + `ahead` with
+  // φ_v = μ. The concave gear is ahead by φ_c + μ. [T7.18], [T8.23]
   const double ahead = axial(in.convex, theta, lambda) - axial(in.concave, theta, lambda);
   at.rotation_offset = Angle::radians((r_v * mu + ahead * c / s) / r_c + mu);
 

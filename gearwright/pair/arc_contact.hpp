@@ -4,15 +4,14 @@
 //   ρ, a, b   radius of a rack's arc and position of its centre, as in tool/arc_rack.hpp, mm
 //   λ      lead angle, 90° − |β|       r   pitch radius, mm
 //   θ      normal angle of both racks at the contact
-//   μ      rotation of the convex gear from the position at which the point was cut to the contact
-//   t, u   tangent plane: along the rack's profile, along its tooth
+//   μ      rotation of the convex gear between the cutting of the point and its contact
+//   t, u   axes in the tangent plane: t along the profile of the rack, u along its tooth
 //                                              theory: docs/theory/07-circular-arc.md, 7.5, 7.6
 //
 // Frame: z runs along the axis of the convex gear, and x points towards the other axis. The convex
-// gear is right handed and drives clockwise. At rotation 0, its tooth 0 and a space of the mating
-// gear lie on the x axis.
-// The normal n of the surfaces points out of the convex flank. The curvature K is defined by dn =
-// −K dr.
+// gear is right handed and drives clockwise. At rotation 0, tooth 0 of this gear and a space of the
+// mating gear lie on the x axis. The normal n of the surfaces points out of the convex flank. The
+// curvature K is defined by dn = −K dr.
 #pragma once
 
 #include <array>
@@ -51,18 +50,19 @@ struct ArcContact {
   Mat2 curvature_convex;      ///< K of the convex flank in (t, u), 1/mm
   Mat2 curvature_concave;     ///< K of the concave flank in (t, u), 1/mm
   std::array<double, 2> gap;  ///< eigenvalues of K_c − K_v, 1/mm, k1 ≤ k2; interference if ≤ 0
-  Angle angle;                ///< between the direction of k1 and the projection of the axis
+  Angle angle;                ///< angle in the tangent plane, between the direction of k1 and the
+                              ///< projection of the axis
   double
       transverse_radius_convex;  ///< radius of curvature of the convex transverse profile, mm; > 0
-                                 ///< if its centre lies on the side of the convex gear
-  double transverse_radius_concave;  ///< radius of curvature of the concave profile, mm; > 0 if its
-                                     ///< centre lies on the side of the convex gear
+                                 ///< if the centre of curvature lies on the side of the convex gear
+  double transverse_radius_concave;  ///< radius of curvature of the concave profile, mm; > 0 if the
+                                     ///< centre of curvature lies on the side of the convex gear
   double line_contact_difference;  ///< ρ_2 − ρ_1 of the transverse profiles in line contact, mm
 };
 
-/// The curvature K, at the normal angle θ, of the surface cut by a circular arc of a rack (signed
-/// ρ, b). `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its mating
-/// gear.
+/// The curvature K of a surface that a circular arc of a rack cuts, at the normal angle θ. ρ and b
+/// are signed. `turn` is +1 for the convex gear, which is gear 1 of the frame, and −1 for its
+/// mating gear.
 ///
 /// Units     mm, rad
 /// Formula   [T7.14]
@@ -83,7 +83,7 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 // effect of a changed setting on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
-//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance of the points of the two racks, mm
+//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance between the points of the two racks, mm
 //                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
 
 /// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.
@@ -93,8 +93,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 /// Domain    0 < θ < π/2 (contract)
 double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
 
-/// Increase of the normal thickness of the convex tooth caused by Δb_F, at the height of the point
-/// with the angle θ, mm; < 0 if the tooth becomes thinner.
+/// The change of the normal thickness of the convex tooth that Δb_F causes, mm; < 0 if the tooth
+/// becomes thinner. It applies at the height of the point with the normal angle θ.
 ///
 /// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
 double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);

@@ -71,14 +71,14 @@ bool of_one_lead(const std::array<Gear, 2>& gears) {
 // Transforms the contact from the frame of arc_contact.hpp to the housing.
 void place(ArcContact& at, const Gear& convex, bool by_gear_2, double a) {
   if (by_gear_2) {
-    // The frame of arc_contact.hpp lies on axis 2, and its x axis points towards axis 1. There, a
-    // tooth of the convex gear is on the centre line at rotation 0. In the housing, a space of
-    // gear 2 is on the centre line, so the contacts lie half an axial pitch away. Of the two
-    // neighbouring contacts, the one nearer to the middle of the face is chosen.
+    // The frame of arc_contact.hpp has its origin on axis 2, and its x axis points towards axis 1.
+    // In that frame, a tooth of the convex gear is on the centre line at rotation 0. In the
+    // housing, a space of gear 2 is on the centre line, so the contacts lie half an axial pitch
+    // away. Of the two neighbouring contacts, the one nearer to the middle of the face is chosen.
     const double half = at.advance * kPi / convex.spec.teeth;
     at.point.z() += at.point.z() > 0.0 ? -half : half;
     at.point = {a - at.point.x(), -at.point.y(), at.point.z()};
-    // The normal is rotated, and its sign is changed, so that it points out of gear 1.
+    // The normal is rotated with the frame and then reversed, so that it points out of gear 1.
     at.normal = {at.normal.x(), at.normal.y(), -at.normal.z()};
   }
   const double hand = convex.spec.helix_angle.rad() > 0.0 ? 1.0 : -1.0;
@@ -108,7 +108,7 @@ bool has_angle(const Gear& gear, double side, Angle theta) {
   return false;
 }
 
-// The name of the member that contains the radius of the gear's concave flank.
+// The name of the spec member that gives the radius of the concave flank.
 const char* radius_field(const Gear& concave) {
   const Rack& rack = concave.spec.rack;
   return std::holds_alternative<ArcRack>(rack)         ? "rack.arc_radius"
@@ -116,7 +116,7 @@ const char* radius_field(const Gear& concave) {
                                                        : "rack.arcs";
 }
 
-// Finds all contacts; if there is none, returns the reason.
+// Finds all contacts. If there is no contact, the function returns the reason.
 std::optional<Error> find_contacts(ArcPair& pair) {
   std::optional<Error> reason;
   for (const bool by_gear_2 : {false, true}) {
@@ -160,8 +160,8 @@ std::optional<Error> find_contacts(ArcPair& pair) {
                "racks F and P, or use the same double-arc rack for both gears"};
 }
 
-// The longest distance along z without a contact point. The contact points repeat with the axial
-// pitch.
+// The longest distance along z that contains no contact point. The positions of the contact points
+// repeat with the axial pitch.
 double longest_gap(const ArcPair& pair) {
   const CylindricalSpec& s = pair.gears[0].spec;
   const double p_x = kPi * s.normal_module / std::sin(std::abs(s.helix_angle.rad()));
@@ -178,8 +178,8 @@ double longest_gap(const ArcPair& pair) {
 void find_backlash(ArcPair& pair) {
   if (pair.contacts.empty()) return;
   const ArcPairContact& first = pair.first_contact();
-  const Angle play = -2 * first.at.rotation_offset;  // play of the concave gear, if the flanks of
-                                                     // both sides are equal
+  const Angle play = -2 * first.at.rotation_offset;  // play of the concave gear; the flanks of both
+                                                     // sides are equal
   const double z_1 = pair.gears[0].spec.teeth, z_2 = pair.gears[1].spec.teeth;
   const Angle of_gear_2 = first.convex_gear == 1 ? play : z_1 * play / z_2;
   pair.backlash_rotation = std::array{z_2 * of_gear_2 / z_1, of_gear_2};

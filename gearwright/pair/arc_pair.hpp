@@ -1,8 +1,9 @@
 // A pair of gears with circular-arc teeth, mounted on parallel axes.
 //
-// A convex flank touches a concave flank in a point that moves along the teeth, parallel to the axes.
-// There is no transverse path of contact, and contact is continuous by the overlap alone. Teeth cut
-// by the racks F and P have one such point on each side, and double-arc teeth have two.
+// A convex flank touches a concave flank in a point that moves along the teeth, parallel to the
+// axes. There is no transverse path of contact, so contact is continuous only if the overlap of the
+// teeth along the face is sufficient. Each side of a tooth has one such point if racks F and P have
+// cut the teeth, and two if the teeth have double arcs.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
 #pragma once
 
@@ -37,19 +38,19 @@ struct ArcPair : MountedGears {
   double contact_ratio_true() const { return contact_ratio(); }
   double normal_backlash() const { return backlash_normal; }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
-  /// The contact with the least angular backlash, which touches first.   Domain: there are contacts
+  /// The contact with the least angular backlash. It touches first.   Domain: there are contacts
   const ArcPairContact& first_contact() const;
 };
 
-/// The working arcs of a gear, in mm, with its thickness allowance.
+/// The working arcs of the rack that cuts the gear, mm. They include the thickness allowance.
 std::vector<WorkingArc> convex_arcs(const Gear& gear);
 std::vector<WorkingArc> concave_arcs(const Gear& gear);
 
-/// Permitted differences of modules and helix angles. Leads that are changed to compensate for
-/// errors of the housing cause smaller differences.
+/// Permitted differences between the two gears in module and helix angle. They allow for leads that
+/// are corrected to compensate for errors of the housing.
 constexpr double kNearModule = 0.005;              ///< relative difference of the modules
 constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
-constexpr double kSameAsWritten = 1e-9;            ///< smaller differences count as equal
+constexpr double kSameAsWritten = 1e-9;            ///< values that differ by less are equal
 constexpr Angle kSamePressureAngle =
     Angle::degrees(0.05);  ///< greatest difference between the given ψ_c and the computed ψ_c
 
@@ -58,7 +59,7 @@ constexpr Angle kSamePressureAngle =
 /// Errors    `gearN.rack` if a gear is an involute gear, or if no convex arc meets a concave arc;
 ///           `gear2.normal_module`, `gear2.helix_angle`, `gear1.helix_angle` (spur);
 ///           `gear2.rack.arc_radius`, `pair.center_distance` if no two arcs can touch, with the
-///           values at which they can. Contacts off the usable flanks and similar faults are
+///           values at which two arcs touch. Contacts off the usable flanks and similar faults are
 ///           warnings
 Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> distance);
 

@@ -1,9 +1,9 @@
-// The clearances of two mounted gears in closed form: between tips and roots, and between the
-// flanks that are used and the ends of the usable flanks. Also the tip diameter at which contact
-// stays on the mating gear's usable flank.
+// Closed forms for two mounted gears: the clearance between the tip of each gear and the root of
+// the other gear, the radius down to which the mating tip touches each flank, and the tip diameter
+// with which contact stays on the usable flank of the mating gear.
 //
 //   r_a, r_f   tip and root radius        d_Nf/2   radius down to which the mating tip touches
-//                                         theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]
+//                                     theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]
 #pragma once
 
 #include <array>
@@ -13,25 +13,25 @@
 
 namespace gearwright {
 
-/// A gear meshes without clearance with the gear that has cut it. Rounding errors of such a pair are
-/// not interference. The limit is relative to the base pitch.
+/// An overlap of at most this fraction of the base pitch is a rounding error, not interference. It
+/// occurs in a pair of a gear and the gear that has cut it, because the clearance is 0 there.
 constexpr double kNoCollision = 1e-11;
 
-/// c on the centre line, mm: tip 1 to root 2, tip 2 to root 1. `side` is the side σ of gear 2.
-/// Formula [T2.23]
+/// The clearances c on the centre line, mm, from tip 1 to root 2 and from tip 2 to root 1. `side`
+/// is σ of gear 2. [T2.23]
 std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
                                      const std::array<double, 2>& root_radius,
                                      double center_distance, double side);
 
-/// d_Nf/2 of each gear, mm; none if the mating tip reaches past the base tangent point.   Formula
-/// [T2.25]
+/// d_Nf/2 of each gear, mm; none if the mating tip reaches past the base tangent point. [T2.25]
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
                                                         const Mesh<double>& mesh);
 
-/// The greatest tip diameter (internal gear: the least) of gear `tip` (1 or 2). With this diameter,
-/// contact ends on the mating gear at a radius `margin` mm above the start of its usable flank. If
-/// this start is not known, the mating gear's base circle is used. None if the tip need not be
-/// turned down, or if the mating gear is an internal gear without a known start of its flank.
+/// The tip diameter of gear `tip` (1 or 2) with which contact on the mating gear ends at a radius
+/// `margin` mm greater than the start of the mating gear's usable flank. If this start is not
+/// known, the base circle of the mating gear is used. None if the present tip of gear `tip` does
+/// not reach past this point, or if the mating gear is an internal gear without a known start of
+/// its flank.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

@@ -1,15 +1,15 @@
-// Closed forms for columns of numbers, computed with the processor's vector instructions. The Python
-// binding calls them for arrays.
+// Closed forms for columns of numbers, computed with the processor's vector instructions. The
+// Python binding calls these functions for arrays.
 //
-//   y    inv α of the required α     s_β  sin β of gear 1     e    thickness allowance, mm
+//   y    given value of inv α        s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
 // One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction
-// set. At run time the best available instruction set is used, as in design/candidate.hpp. Rows
-// outside a domain are NaN.
+// set. At run time the best available instruction set is used, as in design/candidate.hpp. The
+// result of a row outside the domain is NaN.
 //
-//   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit, on
-//             any machine
+//   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit,
+//             on any machine
 //         (2) the backlashes of both instances agree to 1e-12 modules
 #pragma once
 
@@ -34,7 +34,7 @@ struct BacklashConstants {
   double tan_alpha = 0.0;      ///< tan α_n, > 0
 };
 
-/// Columns for a backlash; z2 < 0 for an internal gear.
+/// The columns from which backlashes are computed; z2 < 0 for an internal gear.
 struct BacklashColumns {
   enum In { z1, z2, x1, x2, sin_beta, allowance_1, allowance_2, center_distance, kIn };
   std::array<const double*, kIn> in{};
@@ -43,7 +43,7 @@ struct BacklashColumns {
 /// Computes the normal backlash j_n at a centre distance, mm; < 0 if the teeth overlap.
 ///
 /// Formula   j_n cos α_wn = m_n cos α_n (z1 + z2)(inv α_wt − inv α_0); [T2.24], [T2.16]
-/// Domain    whole z1 ≥ 1 and z2 below 1e6, a > |r_b1 + r_b2|
+/// Domain    whole numbers z1 ≥ 1 and z2, both of magnitude below 1e6; a > |r_b1 + r_b2|
 /// Accuracy  ledger row `normal_backlashes`
 void normal_backlashes(const BacklashConstants& constants, const BacklashColumns& columns,
                        double* backlash, std::size_t n);

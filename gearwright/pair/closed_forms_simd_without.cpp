@@ -1,5 +1,5 @@
-// Without Google Highway the formulas use plain doubles, which are the reference for tests of the
-// vector code.
+// If the program is built without Google Highway, the formulas are computed with plain doubles.
+// These functions are also the reference with which the tests compare the vector code.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

@@ -1,8 +1,8 @@
-// Collisions of two finished outlines. Either the bodies overlap, or parts other than the flanks
-// touch while the gears can still turn.
+// Collisions of two finished outlines. In a collision, either the bodies overlap, or parts other
+// than the flanks touch while the gears can still turn.
 //
-// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp,
-// which are based on circles and corners, only explain them.
+// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp are
+// based on circles and corners. They only explain the collisions.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ struct Collision {
   std::string message;                ///< one sentence
 };
 
-// The table of the causes of a collision, with the name of each in results and a sentence for
+// The table of collision causes. It gives the name of each cause in results, and a sentence for the
 // documents.
 
 struct CauseMeaning {

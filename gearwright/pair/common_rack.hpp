@@ -2,7 +2,7 @@
 //
 //   z, r_b, s_bt, β_b   of each gear alone (gear/basic.hpp)     S = sin β_b
 //   α_n  pressure angle of the rack, the free parameter     u_i = cos α_n cos β_i
-//   β_i, α_ti, r_i, t_ni   helix angle, transverse pressure angle, radius and normal tooth thickness
+//   β_i, α_ti, r_i, t_ni   helix angle, transverse pressure angle, radius, normal tooth thickness
 //        of gear i on the pitch cylinder that rolls with the rack
 //   τ_i  +1, −1 if internal       σ   +1 external pair, −1 internal
 //   X    distance of the two pitch planes, mm, X = σ (a − r_2 − σ r_1)
@@ -33,7 +33,7 @@ std::array<T, 2> adding_helix_angles(const BasePair<T>& gears) {
   return {gears[0].helix_angle, side_of(gears) * gears[1].helix_angle};
 }
 
-/// r_b2 + σ r_b1, mm: the least centre distance of parallel axes. [T4.12]
+/// r_b2 + σ r_b1, mm: the lower limit of the centre distance on parallel axes. [T4.12]
 template <class T>
 T base_radius_sum(const BasePair<T>& gears) {
   return gears[1].radius + side_of(gears) * gears[0].radius;
@@ -88,7 +88,7 @@ struct CommonRack {
   T shaft_angle;            ///< Σ = β_1 + σ β_2  rad
   std::array<RackSide<T>, 2> sides;
 
-  /// X at which the four flanks touch: Q/(2 sin α_n), mm. [T4.8]
+  /// The X without backlash, at which all four flanks touch: Q/(2 sin α_n), mm. [T4.8]
   T tight_plane_distance() const { return excess / (T(2) * angles.sin_alpha); }
 };
 
@@ -100,7 +100,7 @@ T base_excess(const BasePair<T>& gears) {
          gears[1].tooth_thickness * cos(gears[1].helix_angle) - normal_base_pitch(gears[0]);
 }
 
-/// The rack with both gears that roll with it.
+/// The rack with the given angles, and the data of both gears that roll with it.
 ///
 /// Formula   r = r_b cos β_b/u, tan α_t = sin α_n/u, tan β = S/u, [T4.5];
 ///           t_n = (s_bt − τ d_b inv α_t) cos β_b/cos α_n, [T4.6];  Q = K − Σ τ d_b cos β_b inv

@@ -1,13 +1,14 @@
-// The total length of the contact lines of a pair on parallel axes, and how it varies with rotation.
+// The total length of the contact lines of a pair on parallel axes, and how it varies with
+// rotation.
 //
 //   ε_α, ε_β   transverse contact ratio, overlap ratio
 //   τ          rotation, in pitches
-//   λ(τ)       total length of all contact lines divided by b/cos β_b; its mean is ε_α
+//   λ(τ)       total length of all contact lines divided by b/cos β_b; the mean of λ is ε_α
 //                                              theory: docs/theory/09-design-search.md, 9.8
 //
 // If every mm of contact line has the same stiffness, the deflection of the teeth under a constant
-// load is proportional to 1/λ. Its variation is then the transmission error of perfect teeth under
-// load. It is 0 if ε_α or ε_β is a whole number.
+// load is proportional to 1/λ. The variation of this deflection is the transmission error of
+// perfect teeth under load. λ does not vary if ε_α or ε_β is a whole number.
 #pragma once
 
 #include <optional>
@@ -32,8 +33,8 @@ struct ContactLineRange {
 /// Domain    ε_α, ε_β ≥ 0 (contract)
 ContactLineRange contact_line_range(double transverse_ratio, double overlap_ratio);
 
-/// The variation of the deflection, peak to peak, divided by the deflection under λ = ε_α. None if
-/// λ vanishes at some rotation, because the teeth then lose contact.
+/// The variation of the deflection, peak to peak, divided by the deflection at λ = ε_α. None if λ
+/// vanishes at some rotation, because the teeth then lose contact.
 ///
 /// Formula   ε_α (1/λ_min − 1/λ_max); [T9.16]
 /// Domain    ε_α, ε_β ≥ 0 (contract)

@@ -103,7 +103,7 @@ class TipMotion {
   double start_;
 };
 
-// Returns the ψ at which `beyond` changes its sign, on the side where it is negative. `beyond` is
+// Returns a ψ next to the sign change of `beyond`, at which `beyond` is still negative. `beyond` is
 // negative at `deepest` and not negative at `away`.
 template <class F>
 double crossing(const F& beyond, double deepest, double away, double z) {
@@ -116,8 +116,8 @@ double crossing(const F& beyond, double deepest, double away, double z) {
   return in;
 }
 
-/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the
-/// cylinder; the function is empty if there is no such point.
+/// The gap as a function of (u, v) in [−1, 1]². The functions below map (u, v) to points of the tip
+/// cylinder. They return an empty GapOver if there is no such point.
 using GapOver = std::function<TipGap(double, double)>;
 
 /// External pairs: u maps to ψ, measured from the direction of the axis of B, and v maps to the
@@ -139,20 +139,20 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the
-/// section at z that lies beyond the radius `limit` of B, on the side of the teeth of B.
+/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the tip
+/// circle at z that lies on the root side of the radius `limit` of B.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
-  // Radial distance of a point from the radius `limit` of B; negative on the side of the teeth of
-  // B.
+  // Radial distance of a point from the radius `limit` of B; negative on the root side of this
+  // radius.
   const auto beyond = [=, &motion](double psi, double z) {
     const Vec3 q = motion.in_b(mesh + psi, z);
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // The ψ of the point that lies deepest in the teeth of B, and the least and greatest ψ of the
-  // points in these teeth; none if the teeth are not reached.
+  // The ψ of the point that lies farthest on the root side of `limit`, and the least and the
+  // greatest ψ of the points on this side; none if no point lies there.
   struct Window {
     double deepest, lo, hi;
   };

@@ -1,5 +1,6 @@
-// Required face widths, axial force and effect of a change of the centre distance, for a pair on
-// parallel axes. For double-helical gears, contact ratios and face widths refer to one half.
+// For a pair on parallel axes: the required face widths, the axial force, and the effect of a
+// change of the centre distance. For double-helical gears, contact ratios and face widths refer to
+// one half.
 //
 //   ε_α   transverse contact ratio of the clipped path     ε_β   overlap ratio, b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -13,7 +14,7 @@
 namespace gearwright {
 
 /// The face width at which the total contact ratio reaches `total`, mm; 0 if ε_α alone suffices.
-/// None without contact, and none for a spur pair whose ε_α is not sufficient.
+/// None if there is no contact, or if ε_α of a spur pair is not sufficient.
 ///
 /// Formula   b = (total − ε_α) p_bt/|tan β_b|, [T6.14]
 std::optional<double> face_width_for_total(const ParallelPair& pair, double total);
@@ -26,8 +27,8 @@ std::optional<double> face_width_needed(const ParallelPair& pair);
 /// The face width at which ε_β = 1, mm; none for a spur pair.
 std::optional<double> face_width_for_overlap(const ParallelPair& pair);
 
-/// Contact ratios of approach and recess, before and after the pitch point, on the clipped path. Gear
-/// 1 drives.
+/// The parts of the transverse contact ratio before the pitch point (approach) and after it
+/// (recess), on the clipped path. Gear 1 drives.
 std::array<double, 2> approach_and_recess(const ParallelPair& pair);
 
 /// Axial force on each gear along +z of the housing, per unit of tangential force on the working

@@ -10,7 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// A vector in the common tangent plane of the flanks that changes linearly with s = ρ_1 − ρ_0.
+// A vector in the common tangent plane of the flanks. It is a linear function of s = ρ_1 − ρ_0,
+// where ρ_0 is the origin of s.
 struct Linear {
   Vec2 at, slope;
   Linear from(double s) const { return {at + s * slope, slope}; }
@@ -91,8 +92,9 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // Cuts closer together than this, relative to the pitch, count as one. If the contact ratio is an
-  // integer, one tooth pair enters contact where another pair leaves contact.
+  // Cuts closer together than this, relative to the pitch, count as one. Such cuts occur if the
+  // contact ratio is an integer, because one tooth pair then enters contact where another pair
+  // leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

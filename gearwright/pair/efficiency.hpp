@@ -4,8 +4,8 @@
 //   v_n = r_b1 cos β_b1   speed along the common normal, per radian of gear 1
 //                                              theory: docs/theory/04-conjugate-action.md, 4.8
 //
-// The normal force is constant, and the tooth pairs in contact share it equally. Losses of bearings,
-// oil and seals are not included.
+// The normal force is constant, and the tooth pairs in contact share it equally. Losses of
+// bearings, oil and seals are not included.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ struct Efficiency {
   std::optional<double> gear2_drives;
 };
 
-/// M_i: mean over the path of the component of w_i in the direction of sliding, divided by v_n. The
-/// efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
+/// M_i: component of w_i in the direction of sliding, averaged over the path and divided by v_n.
+/// The efficiencies are η_12 = (1 + μ M_2)/(1 + μ M_1) and η_21 = (1 − μ M_1)/(1 − μ M_2). [T4.27]
 struct SlidingShares {
-  double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed over v_n
+  double first, second;  ///< M_1, M_2; M_1 − M_2 is the mean sliding speed divided by v_n
 };
 
 /// The clipped path of contact. The speeds of the contact change linearly with ρ_1.
@@ -37,7 +37,7 @@ struct SlidingPath {
 ///
 /// Domain    begin < end, and the sliding speed is not the same at both ends (contract)
 SlidingShares sliding_shares(const SlidingPath& path);
-/// The same, for a pair of gears.
+/// M_1 and M_2 of a pair of gears.
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);
 
 /// The efficiencies η_12 and η_21 for the coefficient of friction μ.   Domain: μ ≥ 0 (contract)

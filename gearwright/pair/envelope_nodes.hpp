@@ -1,17 +1,18 @@
-// Monotone pieces of the envelope of an arc of gear A that rolls with gear B. Along a piece, the
-// distance of the envelope from the axis of B only increases or only decreases. Internal to pair/,
-// for outline_gap. [T2.31]
+// Divides the envelope that an arc of gear A generates, when A rolls with gear B, into monotone
+// pieces. Along a piece, the distance of the envelope from the axis of B only increases or only
+// decreases. Internal to pair/, for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    distance of a point of the envelope from the axis of B
 //   |s|    arm of the arc's normal about the axis of A     r_w   pitch radius of A
 //
-// If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. At
-// |s| = r_w both branches of the envelope meet, and |D| varies with the square root of the distance.
+// If |s| > r_w, the normal never passes through the pitch point, and there is no envelope. Where
+// |s| = r_w, both branches of the envelope meet, and |D| varies with the square root of the
+// distance from this point.
 //
 //   Laws  (1) |D| is monotone between two nodes, unless the second node begins a piece
 //         (2) every piece ends at an end of the arc or of the envelope
-//         Both laws require that |s| and |D| have at most one extreme within an eighth of the arc
+//         Both laws require that |s| and |D| have at most one extremum within an eighth of the arc
 #pragma once
 
 #include <algorithm>
@@ -60,7 +61,7 @@ struct EnvelopeNode {
 
 class EnvelopeNodes {
  public:
-  /// `at` returns the EnvelopePlace of a parameter
+  /// `at` returns the EnvelopePlace at a parameter.
   template <class At>
   explicit EnvelopeNodes(const At& at) {
     EnvelopePlace before = at(0.0);
@@ -110,7 +111,7 @@ class EnvelopeNodes {
     joined_ = is_2;
   }
 
-  // Adds the nodes of a part along which there is an envelope throughout.
+  // Adds the nodes of a part of the arc that has an envelope throughout.
   template <class At>
   void run(const At& at, double u_1, const EnvelopePlace& one, double u_2,
            const EnvelopePlace& two) {

@@ -1,15 +1,18 @@
-// The path of a tip corner through the mating gear's root, and its least distance from the fillet.
+// The path of a tip corner through the root of the mating gear, and the least distance between this
+// path and the fillet.
 //
 //   ρ_c, θ_c   radius and half angle of the corner on its own tooth     u = z_gear/z_mate
-//   η          half the backlash as a rotation of the mating gear, after which the flanks touch
+//   η          half the backlash as a rotation of the mating gear; this rotation closes the gap
+//              between the flanks
 //   w          orbit parameter, 0 at the deepest position, where the corner crosses the centre line
 //
-// In the frame of the gear, the mating gear's axis orbits about the gear's axis. The corner is at
-// [T2.26]
+// In the frame of the gear with the fillet, the axis of the mating gear orbits about the axis of
+// this gear. By [T2.26], the corner of the mating gear is at
 //   P(w) = e^{iφ} (a − ρ_c e^{iw}),  w = uφ − (θ_c + η)      external pair
 //   P(w) = e^{iφ} (ρ_c e^{iw} − a),  w = (θ_c + η) − uφ      pinion in its internal gear
 //   P(w) = e^{iφ} (ρ_c e^{iw} + a),  w = (θ_c + η) − uφ      internal gear about its pinion
-// The centre line of the space is the x axis, and the fillet belongs to the tooth centred at π/z.
+// The x axis is the centre line of the space, and the fillet belongs to the tooth that is centred
+// at the polar angle π/z.
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -32,7 +35,8 @@ struct Corner {
   double half_angle;
 };
 
-// The corners at the tip of a tooth. If a tip fillet follows the flank, both of its ends are corners.
+// The corners at the tip of a tooth. If a tip fillet follows the flank, both ends of the tip fillet
+// are corners.
 std::vector<Corner> tip_corners(const Gear& mate) {
   if (!mate.tooth) {
     const double r = mate.tip_diameter / 2;
@@ -47,7 +51,7 @@ std::vector<Corner> tip_corners(const Gear& mate) {
     if (arc.name == ArcName::root_land || arc.name == ArcName::tip_land) continue;
     const Corner end{arc.end_point.norm(), std::atan2(arc.end_point.y(), arc.end_point.x())};
     if (arc.name == ArcName::root_fillet) {
-      corners = {end};  // a root fillet or a flank that follows replaces it
+      corners = {end};  // replaced by a root fillet or a flank that follows
     } else if (arc.name == ArcName::flank) {
       corners = {end};
     } else {
@@ -62,7 +66,8 @@ struct Orbit {
   double side, mate_side;  // σ of the gear with the fillet, and of the gear with the corner
   double half_space;       // π/z
 
-  // The corner in the frame of the tooth beside the space, mirrored to the side y > 0 of that tooth.
+  // The corner in the frame of the tooth beside the space, mirrored to the side y > 0 of that
+  // tooth.
   Vec2 place(const Corner& c, double w) const {
     const double kappa = c.half_angle + play;
     const double phi = (kappa + side * mate_side * w) / u;
@@ -86,9 +91,9 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   const Vec2 along(std::cos(foot.tangent_angle), std::sin(foot.tangent_angle));
   const double beside = along.dot(away);
   const double above = along.x() * away.y() - along.y() * away.x();
-  // At a foot, the vector to p is perpendicular to the arc. Its length is therefore exact, although
-  // only half of the digits of u are accurate. The space lies to the left of the arc, or to the
-  // right on a tooth of an internal gear.
+  // At the foot of p, the vector to p is perpendicular to the arc. The distance is therefore exact,
+  // although only half of the digits of u are accurate. The space lies to the left of the arc, or
+  // to the right on a tooth of an internal gear.
   if (std::abs(beside) <= kFoot * (arc.end_point - arc.begin_point).norm())
     return arc.begin_point.norm() < arc.end_point.norm() ? above : -above;
   const double least = std::min(at_node, distance(u));
@@ -105,9 +110,9 @@ double signed_distance(const Arc& arc, const Vec2& p) {
   return angle >= theta ? least : -least;
 }
 
-constexpr double kFarAway = 1e9;  // mm, value if the corner does not reach the depth of the fillet
+constexpr double kFarAway = 1e9;  // mm; means that a corner does not reach the fillet
 
-// The least of f on [0, 1].
+// The least value of f on [0, 1]; none if every sampled value is kFarAway.
 std::optional<double> min_on(const std::function<double(double)>& f) {
   const auto [lo, hi, least] = least_node(f, 8);
   if (least == kFarAway) return std::nullopt;
@@ -138,8 +143,8 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
       const double c = side * deep / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
-      // Only the half of the path towards this fillet is examined. In an internal gear, the pinion's
-      // corner can reach the fillet on both halves, so the whole path is examined.
+      // Only the half of the path on the side of this fillet is examined. In an internal gear, the
+      // corner of the pinion can reach the fillet on both halves, so the whole path is examined.
       const double from = side < 0.0 ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);

@@ -26,8 +26,8 @@ ProfilePlace place_of(const CurvePoint& p) {
           p.curvature};
 }
 
-// Distance along the circle of curvature to the radius ρ. If the circle does not reach ρ, it is the
-// Newton step for ρ² along the tangent.
+// The distance from p to the radius ρ, along the circle of curvature. If this circle does not reach
+// ρ, the result is the Newton step for ρ² along the tangent.
 double way_to(const ProfilePlace& p, double curvature, double rho) {
   const double c0 = (p.rho - rho) * (p.rho + rho);
   const double root = p.s * p.s - (1.0 + curvature * p.q) * c0;
@@ -82,8 +82,8 @@ ProfileArc::Found ProfileArc::find(double rho) const {
       std::sqrt(std::max(0.0, below.rho * below.rho + above.rho * above.rho -
                                   2 * below.rho * above.rho * std::cos(below.theta - above.theta)));
   double pace = chord / (hi - lo);
-  constexpr double kShort = 2e-6;  // longest last step, relative to the radius of curvature and to
-                                   // the radius
+  constexpr double kShort = 2e-6;  // greatest length of the last step, relative to the radius of
+                                   // curvature and to ρ
   constexpr int kMost = 60;        // greatest number of steps; bisection alone would need fewer
   for (int i = 0;; ++i) {
     const CurvePoint at_u = arc->at(u);
@@ -99,7 +99,7 @@ ProfileArc::Found ProfileArc::find(double rho) const {
     const double next = u + way / pace;
     const double kept = next > lo && next < hi ? next : 0.5 * (lo + hi);
     // If the arc runs along a circle about the axis, the distance to a neighbouring radius is
-    // inaccurate. For radii that differ in the last digit only, it may be NaN.
+    // inaccurate. If two radii differ only in the last digit, this distance may be NaN.
     if (i == kMost || kept == u) return {u, moved(p, at_u.curvature, 0.0, rho)};
     const Vec2 there = arc->curve->point(arc->begin + kept * (arc->end - arc->begin));
     const double run = (there - at_u.point).norm() / std::abs(kept - u);
@@ -126,8 +126,9 @@ GapProfile::GapProfile(const Outline& outline)
   // A smaller angle between two arcs is a rounding error, or the corner is so blunt that contact of
   // the arcs is equivalent to contact of the corner.
   constexpr double kSmooth = 1e-7;  // rad
-  // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where the
-  // sign of the turn is undetermined. A cusp is included, because an additional corner does no harm.
+  // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where
+  // the sign of the turn is undetermined. A cusp is included, because an additional corner does no
+  // harm.
   constexpr double kCusp = 2.5;  // rad
   const double inward = ring_ ? 1.0 : -1.0;
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {

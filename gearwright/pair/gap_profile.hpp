@@ -1,10 +1,10 @@
-// The outline of half a tooth as a function of the radius, and its corners, for contact with another
-// gear. Internal to pair/, for the outlines of outline_gap.
+// The outline of half a tooth as a function of the radius, and its corners, for contact with
+// another gear. Internal to pair/, for the outlines of outline_gap.
 //
 //   ρ, θ   radius and polar angle of a point W of the half tooth, θ from the tooth's centre line
 //   τ, k   direction of the outline's tangent and its curvature, from root to tip
-//   s, q   components of W along the tangent and the left-hand normal, W e^{−iτ} = s + iq, mm; |s| is
-//          the arm of the normal of the outline about the axis, and −q/s is the slope dθ/d ln ρ
+//   s, q   components of W along the tangent and the left-hand normal, W e^{−iτ} = s + iq, mm; |s|
+//          is the arm of the normal of the outline about the axis, and −q/s is the slope dθ/d ln ρ
 #pragma once
 
 #include <vector>
@@ -22,11 +22,11 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< the arc that begins at the corner; if it is a land, the arc that ends at the
-                 ///< corner
+  ArcName name;  ///< the arc that begins at the corner, or the arc that ends there if the former is
+                 ///< a land
 };
 
-/// An arc that is not a land. The distance from the gear's axis changes along it.
+/// An arc that is not a land. Along the arc, the distance from the axis of the gear changes.
 struct ProfileArc {
   const Arc* arc;
   double rho_root, rho_tip;  ///< radii of its two ends
@@ -39,8 +39,8 @@ struct ProfileArc {
   /// The point of the arc at a radius. If the radius lies beyond an end of the arc, this end is
   /// used.
   ///
-  /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle of
-  ///           curvature and is shorter than 2e-6 of the radius of this circle
+  /// Accuracy  as accurate as the points of the curve, because the last step runs along the circle
+  ///           of curvature and is shorter than 2e-6 of the radius of this circle
   ProfilePlace at_radius(double rho) const;
   double u_at_radius(double rho) const;
 

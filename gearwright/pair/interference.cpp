@@ -19,8 +19,8 @@ double noise(const InvolutePair& p) {
   return kNoCollision * p.gears[0].reference().base_pitch_normal;
 }
 
-// Reports a tip that reaches beyond the mating flank. If undercut has removed that flank, contact is
-// lost there; otherwise this is interference.
+// Reports that a tip reaches beyond the flank of the mating gear. If undercut has removed this part
+// of the flank, contact is lost there. Otherwise the tip interferes.
 void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
                     const std::string& where) {
   const int mate = 3 - gear;
@@ -39,9 +39,9 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
            -amount, where, gear)});
 }
 
-// Returns the amount by which the tip cylinder of a gear is closer to the mating roots than on the
-// centre line, for a crossed internal pair. It is closest at an end of the region in which both
-// faces overlap. [T4.37]
+// For a crossed internal pair, returns the amount by which the clearance between a tip and the
+// mating roots is less than on the centre line. The clearance is least at an end of the region in
+// which both faces overlap. [T4.37]
 double nearer_at_ends(const InvolutePair& p, int tip) {
   if (!p.crossed_inside()) return 0.0;
   const bool ring = tip == 2;
@@ -52,9 +52,10 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
   const double apart = ring ? -p.center_distance : p.center_distance;
   const double cosine = std::cos(p.shaft_angle.rad());
   const double sine = std::abs(std::sin(p.shaft_angle.rad()));
-  // Distance of the tip cylinder from the mating axis at the angle ψ from the mesh. It is negated
-  // for the tip of the pinion, which reaches outwards, so that the least value is always the
-  // closest. The sign of y does not matter, because the pair is symmetric about the centre line.
+  // Distance of the tip cylinder from the mating axis at the angle ψ from the mesh. For the tip of
+  // the pinion, which reaches outwards, the distance is negated, so that the least value always
+  // belongs to the closest point. The sign of y does not matter, because the pair is symmetric
+  // about the centre line.
   const auto distance = [&](double psi) {
     const double y = r * std::sin(psi);
     const double lo = std::max(-half, (-half_mate + y * sine) / cosine);
@@ -71,8 +72,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// Computes, for each gear, the diameter down to which the mating gear's tip touches it, and the
-// radial distance from the start of the usable flank to this diameter. [T2.25]
+// Computes for each gear the diameter down to which the tip of the mating gear touches this gear,
+// and the radial distance from the start of the usable flank to this diameter. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   const auto contact_root = contact_root_radii(p.input, p.mesh);
@@ -132,7 +133,7 @@ void find_internal_margins(ParallelPair& p) {
   const Gear& g2 = p.gears[1];
   const double a = p.center_distance;
   const double r_a1 = g1.actual_tip_radius();
-  // The actual end of the flank of the internal gear, without a tip rounding.
+  // The radius at which the flank of the internal gear ends; a tip rounding is not included.
   const double r_a2 = g2.tooth ? g2.tip_form_radius() : g2.actual_tip_radius();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);

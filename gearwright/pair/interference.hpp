@@ -9,8 +9,8 @@ namespace gearwright::detail {
 /// Computes contact root diameters and form clearances. Findings: `base_tangent`, `form_circle` or
 /// `contact_lost_to_undercut`.
 void find_form_clearance(InvolutePair& pair);
-/// Computes the clearances between tips and roots. Findings: `no_tip_clearance` or `root`. If axes
-/// with an internal gear cross, the clearances are least at an end of a face. [T2.23], [T4.37]
+/// Computes the clearances between tips and roots. Findings: `no_tip_clearance` or `root`. In an
+/// internal pair on crossed axes, the clearances are least at an end of a face. [T2.23], [T4.37]
 void find_tip_clearance(InvolutePair& pair);
 /// Computes the margins of an internal pair against involute, trochoid and trimming interference.
 /// [T2.27], [T2.28]
@@ -25,8 +25,8 @@ void find_fillet_clearance(ParallelPair& pair);
 /// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear:
 ///           with its fillets [T4.33] and, if one gear is an internal gear, also with its flanks
 void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// Calls find_collisions() for an involute pair. It keeps in `interference` only the findings that
-/// explain an overlap, so it must be called last.
+/// Calls find_collisions() for an involute pair. This function must be called last, because it
+/// removes from `interference` all findings that do not explain an overlap.
 void find_overlap(InvolutePair& pair, double saddle);
 
 }  // namespace gearwright::detail

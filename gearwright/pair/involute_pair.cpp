@@ -110,8 +110,8 @@ void warn_about_collisions(InvolutePair& p) {
 // backlash-free pair exceeds this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// Checks that the pinion lies inside the internal gear, and that the flanks of the pinion are more
-// curved than the flanks of the internal gear, L > 0. [T4.34]
+// Checks that the pinion lies inside the internal gear, and that L > 0, which means that the flanks
+// of the pinion are more curved than the flanks of the internal gear. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;

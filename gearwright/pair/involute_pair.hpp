@@ -27,20 +27,20 @@ struct Interference {
   std::string message;                 ///< one sentence
 };
 
-/// A position of the axes of a crossed pair without backlash.
+/// A position of the axes at which a crossed pair has no backlash.
 struct CrossedPlace {
   double center_distance;       ///< mm
   Angle shaft_angle;            ///< Σ
   Angle normal_pressure_angle;  ///< α_wn
 };
 
-/// The positions from lo to hi, in ascending order of α_wn.
+/// A range of positions without backlash. α_wn increases from `lo` to `hi`.
 struct CrossedPlaces {
   CrossedPlace lo, hi;
   bool limit;  ///< true if a helix angle reaches 90° at hi, where no gear exists
 };
 
-/// The members that involute pairs on any axes have.
+/// The members that all involute pairs have, on parallel and on crossed axes.
 struct InvolutePair : MountedGears {
   InvolutePair() = default;  ///< empty; prevents aggregate initialisation
   MeshInput<double> input;
@@ -50,7 +50,7 @@ struct InvolutePair : MountedGears {
   double extended_center_distance;    ///< mm
   std::array<std::optional<double>, 2> form_clearance;  ///< c_F   mm: (d_Nf − d_Ff)/2 of each gear
   std::array<std::optional<double>, 2>
-      contact_root_diameter;  ///< d_Nf  mm; none beyond the base tangent
+      contact_root_diameter;  ///< d_Nf  mm; none if contact passes the base tangent point
   SpecificSliding<double> sliding_A, sliding_E;
   double tip_shortening;  ///< k m_n  mm, ≤ 0, restores the clearance of the basic racks
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
@@ -67,16 +67,16 @@ struct InvolutePair : MountedGears {
   std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm
     return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
   }
-  /// The point of the line of action of the leading flanks at which flank 1 has the radius of
-  /// curvature ρ_1. On parallel axes, it is the point in the section z = 0. [T1.6], [T4.20]
+  /// The point on the line of action of the leading flanks that belongs to the given ρ_1. On
+  /// parallel axes, the point lies in the section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
   /// The corresponding point for the trailing flanks. A half turn about the centre line moves the
-  /// leading line of action to the trailing one. [T1.7]
+  /// line of action of the leading flanks to the line of action of the trailing flanks. [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
 };
 
-/// Margins of an internal pair against three kinds of interference. A margin is empty if there is
-/// no such limit.
+/// Margins of an internal pair against three kinds of interference. A margin is empty if this kind
+/// of interference sets no limit.
 struct InternalMargins {
   std::optional<double> involute;  ///< ρ_1A − ρ_F1  mm
   std::optional<Angle> trochoid;
@@ -94,12 +94,12 @@ struct ParallelPair : InvolutePair {
 struct CrossedPair : InvolutePair {
   CrossedPair() = default;
   FaceWidths<double> face_widths{};
-  std::optional<CrossedPlace> min_distance;          ///< least centre distance, for the teeth as
-                                                     ///< cut
+  std::optional<CrossedPlace> min_distance;          ///< position with the least centre distance,
+                                                     ///< for the teeth as cut
   std::optional<CrossedPlaces> contact_ratio_range;  ///< positions with AE ≥ p_bn; only for
                                                      ///< external pairs
-  /// Lead crowning of each gear that is required if only this gear is crowned, mm; none for
-  /// external pairs. See pair/saddle_gap.hpp
+  /// For each gear, the lead crowning, mm, that is necessary if only this gear is crowned; none for
+  /// external pairs, or if crowning this gear alone is not sufficient. See pair/saddle_gap.hpp
   std::array<std::optional<double>, 2> needed_crowning{};
 };
 
@@ -117,7 +117,7 @@ std::optional<CrossedPlaces> contact_ratio_range(const MeshInput<double>& input)
 ///
 /// Domain    both are involute gears (contract)
 /// Errors    as check_partners and complete_place; `gearN.profile_shift` if a gear does not exist,
-///           because the cutter severs its teeth or passes through its axis
+///           because the cutter cuts off its teeth or passes through its axis
 Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const PairSpec& spec);
 
 /// Mounts two involute gears. Faults of the mesh are results, not errors.
@@ -131,12 +131,12 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
                                   std::optional<double> friction = {});
 
 /// Least distance between the path of the mating gear's tip corner and the root fillet of gear
-/// `which` (1, 2), mm. If it is < 0, the corner cuts into the fillet by this depth. The flanks on
-/// the side of this fillet are in contact.
+/// `which` (1, 2), mm. If it is < 0, its magnitude is the depth to which the corner cuts into the
+/// fillet. The path is computed with the flanks in contact on the side of this fillet.
 ///
 /// Formula   [T2.26]; the path is exact, the foot point solved to rounding
-/// Domain    none for an internal gear without a cutter, and for a corner that does not reach the
-///           depth of the fillet
+/// None      if the gear is an internal gear without a cutter, or if no corner reaches the depth of
+///           the fillet
 std::optional<double> fillet_clearance(const ParallelPair& pair, int which);
 
 }  // namespace gearwright

@@ -1,12 +1,13 @@
-// The least value of a smooth function between two parameters, if it is less than the least value
-// known so far. Internal to pair/, for one family of touches of outline_gap.
+// Searches for the least value of a smooth function between two parameters. Parts in which the
+// value cannot be less than the least value known so far are skipped. Internal to pair/, for one
+// family of touches of outline_gap.
 //
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
-// g is evaluated at even steps. Between two neighbours, g is assumed to lie below their chord by at
-// most half of the second difference, which is four times the depth of a parabola. A cell that
-// could contain a value below the least known value is halved, or divided at H = 0 if H changes its
-// sign.
+// g is evaluated at even steps. Between two neighbouring samples, g is assumed to lie below their
+// chord by at most half of the second difference, which is four times the depth of a parabola. A
+// cell that could contain a value below the least known value is halved or, if H changes its sign
+// there, divided at H = 0.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +47,7 @@ class LeastGap {
   static constexpr int kDeepest = 40;           // halvings, after which only rounding error remains
   static constexpr double kResolution = 1e-12;  // rad; smaller improvements are not needed
   static constexpr double kNoises = 8;          // greatest rounding error, in units of the noise
-  static constexpr int kMost = 400;  // greatest number of evaluations; a smooth gap needs thirty
+  static constexpr int kMost = 400;  // greatest number of evaluations; a smooth gap needs about 30
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   bool worth(double least) const {
@@ -93,9 +94,9 @@ class LeastGap {
     return weight > 0.0 ? 2 * std::abs(over) / weight : 0.0;
   }
 
-  // Solves H = 0 by the Illinois method of false position, with halving if convergence is slow. g is
-  // stationary at the solution, so half of the digits of t are sufficient. If H jumps, the search
-  // ends at the jump.
+  // Solves H = 0 by the Illinois method of false position, with halving if convergence is slow. g
+  // is stationary at the solution, so half of the digits of t are sufficient. If H jumps, the
+  // search ends at the jump.
   Asked solved(double t_1, const GapSample& one, double t_2, const GapSample& two) {
     constexpr double kEnough = 1e-8;  // relative to the whole cell
     constexpr int kSteps = 60;

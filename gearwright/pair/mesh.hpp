@@ -4,13 +4,15 @@
 //   ρ_1  curvature radius of flank 1 in its transverse section, the parameter of the line of action
 //   N    distance of the base tangent points in terms of ρ_1
 //   c_i = cos β_bi     ρ_2 = (N − σ ρ_1) c_2/c_1 (parallel axes: c_2 = c_1)
-//   X    distance of the pitch planes      z_L   offset of the line along the rack's teeth, mm
-//   s_i  axial position of the contact on gear i, mm, 0 on the common perpendicular
+//   X    distance of the pitch planes
+//   z_L  offset of the line of action along the teeth of the rack, mm
+//   s_i  axial position of the contact on gear i, mm, measured from the common perpendicular of the
+//        axes, which meets the middle of the face
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
-// parallel axes, α_n follows from a, and X = 0. The functions are templates over the scalar: double in
-// production, 50 digits in the accuracy ledger.
+// parallel axes, α_n follows from a, and X = 0. The functions are templates over the scalar: double
+// in production, 50 digits in the accuracy ledger.
 #pragma once
 
 #include <array>
@@ -90,8 +92,8 @@ std::array<T, 2> axial_place(const Mesh<T>& mesh, const T& rho1) {
 
 namespace detail {
 
-// Clips the path to the usable flanks. The flank of each gear begins at its form point. On an internal
-// gear, the form point has the greatest radius of the flank. [T2.19]
+// Clips the path to the usable flanks. The flank of each gear begins at its form point. On an
+// internal gear, the form point has the greatest radius of the flank. [T2.19]
 template <class T>
 void clip_to_flanks(const MeshInput<T>& in, Mesh<T>& m) {
   const auto start = [&](int i) {
@@ -136,9 +138,9 @@ template <class T>
 Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
   using std::cos;
   Backlash<T> j;
-  // 2 X sin α_n − Q, computed from the difference to the backlash-free centre distance. Near β_w =
-  // 90°, the pitch radii in X grow without bound and cancel, but a remains finite. [T4.17]; on
-  // parallel axes [T2.24]
+  // 2 X sin α_n − Q, computed from the amount by which a exceeds the backlash-free centre distance.
+  // Near β_w = 90°, the pitch radii in X grow without bound and cancel, but a remains finite.
+  // [T4.17]; on parallel axes [T2.24]
   const T more = m.sigma * (in.center_distance - conjugate_center_distance(in.gears, m.rack));
   j.normal_base = T(2) * more * m.rack.angles.sin_alpha;
   j.normal = j.normal_base / m.rack.angles.cos_alpha;
@@ -151,7 +153,7 @@ Backlash<T> backlash_of(const MeshInput<T>& in, const Mesh<T>& m) {
 
 }  // namespace detail
 
-/// The angles of the rack between the gears as mounted.
+/// The angles of the common rack of the mounted gears.
 template <class T>
 RackAngles<T> working_angles(const MeshInput<T>& in) {
   return in.shaft_angle ? angles_at_shaft_angle(in.gears, *in.shaft_angle)
@@ -219,8 +221,8 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Face widths required by the line of action on crossed axes, mm: for one flank, and for both flanks
-/// about the middle of the face.
+/// Face widths that contain the line of action on crossed axes, mm: for one flank, and for both
+/// flanks if the middle of the face is on the common perpendicular.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]
 template <class T>
@@ -246,8 +248,8 @@ FaceWidths<T> face_widths(const Mesh<T>& mesh) {
 /// Speed of the contact over each flank, across the teeth and along them, in mm per radian of gear
 /// 1. On parallel axes, it is the speed in the transverse section.
 ///
-/// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), + on gear 1,
-///           −σ on gear 2; [T4.24]
+/// Formula   crossed: ω_i (cos β_i (r_i sin α_n + λ_i), ± sin β_i (r_i + λ_i sin α_n)), with + on
+///           gear 1 and −σ on gear 2; [T4.24]
 ///           parallel: ω_i ρ_i, [T2.22]
 template <class T>
 struct FlankSpeeds {
@@ -278,10 +280,10 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
   return w;
 }
 
-/// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm of the contact's
-/// movement over the flank. On parallel axes it is < 0 on the flank that slides backward relative
-/// to the contact, and it is empty at and beyond a base tangent point. On crossed axes it is the
-/// ratio of the magnitudes, ζ ≥ 0.
+/// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm that the contact moves
+/// over the flank. On parallel axes, ζ is < 0 on the flank that slides backward relative to the
+/// contact, and ζ is empty at a base tangent point and beyond it. On crossed axes, ζ is the ratio
+/// of the magnitudes, so ζ ≥ 0.
 ///
 /// Formula   parallel: ζ_1 = 1 − w_2/w_1, ζ_2 = 1 − w_1/w_2, [T2.22];
 ///           crossed: ζ_i = |w_1 − w_2|/|w_i|, [T4.25]

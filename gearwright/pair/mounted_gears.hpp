@@ -1,8 +1,9 @@
 // Two mounted gears: the data that pairs of all kinds of teeth have in common. The file also
 // defines the size below which a backlash counts as none.
 //
-// Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of gear
-// 2 lie on the centre line, at the mesh. The housing frame is described in kinematics/pose.hpp.
+// Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of
+// gear 2 lie on the centre line, at the mesh. The housing frame is described in
+// kinematics/pose.hpp.
 #pragma once
 
 #include <array>
@@ -15,9 +16,10 @@
 
 namespace gearwright {
 
-/// A normal backlash between −kNoBacklash and kNoBacklash is called "no backlash" and is printed as
-/// 0.0000 mm, for pairs and racks. Rounding the backlash-free centre distance to four decimals
-/// changes j_n by less: at most 2 · 0.5e-4 tan α_wn, which is 3.6e-5 mm for 20°. mm
+/// mm. If the normal backlash of a pair or of a pinion and rack lies between −kNoBacklash and
+/// kNoBacklash, it is called "no backlash" and printed as 0.0000 mm. Rounding the backlash-free
+/// centre distance to four decimals changes j_n by at most 2 · 0.5e-4 tan α_wn mm. For 20° this is
+/// 3.6e-5 mm, which is less than the limit.
 constexpr double kNoBacklash = 0.5e-4;
 
 struct MountedGears {
@@ -35,18 +37,19 @@ struct MountedGears {
   /// Contacts outside the flanks without overlap. During these contacts, the transmission ratio is
   /// not constant.
   std::vector<Collision> beyond_flank{};
-  /// The play of gear 2 without collision, which does not exceed the play of the flanks; < 0 if the
-  /// bodies overlap in every position. None if not computed, or if a tip lies in a root
+  /// The angle through which gear 2 can turn without a collision. It does not exceed the play of
+  /// the flanks, and is < 0 if the bodies overlap in every position. None if not computed, or if a
+  /// tip lies in a root
   std::optional<Angle> free_play{};
   std::vector<Warning> warnings;
 
   bool crossed() const { return shaft_angle.rad() != 0.0; }
-  /// True for an internal pair on crossed axes. The flanks of such a pair overlap beside the line of
-  /// action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
+  /// True for an internal pair on crossed axes. The flanks of such a pair overlap beside the line
+  /// of action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears, it
-  /// includes both halves and the wider gap of the two gears.
+  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears,
+  /// it includes both halves and the wider gap of the two gears.
   double whole_face(double face) const;
   /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0

@@ -1,10 +1,12 @@
-// Searches families of touches of two outlines for the least gap. Each family has one parameter.
-// [T2.29]…[T2.33]
+// Searches the families of touches between two outlines for the least gap. Each family has one
+// parameter. [T2.29]…[T2.33]
 //
 //   A, B   the two gears; A moves in the frame of B, and either may be gear 1
 //   D      position of the moving point W of A relative to the axis of B, in the frame of the mesh
 //   ψ      angle of this point in the space of B, from the middle of the space
-//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; multiplied by z_1/z_2 if B is gear 1
+//   g = π/z_B − θ_B(|D|) − |ψ|   gap as a turn of B; if B is gear 1, it is converted to a turn of
+//                                gear 2 by the factor z_1/z_2
+//   k        −1 if A is an internal gear, otherwise 1      ε = −σ,  κ = σ |z_A/z_B|
 //
 // The mesh lies at +x of the axis of A. A tooth of A is in the middle of a space of B at φ = 0, and
 // B turns by −κφ. So D = k a + ε e^{iφ} W and ψ = arg D + κφ, reduced to one pitch.
@@ -80,8 +82,8 @@ struct Motion {
     double lost;   ///< greatest possible rounding error of the value
   };
   // If the outline of B runs along a circle about its axis, an error in the last digit of the
-  // radius can change the angle by more than the gap. Such a touch is recorded with the greatest
-  // value that it can have.
+  // radius can change the angle by more than the gap. For such a touch, the greatest gap that is
+  // possible within this error is recorded.
   Gap gap_of(const ProfilePlace& b, double psi) const {
     constexpr double kRounding = std::numeric_limits<double>::epsilon();
     const double reduced = std::remainder(psi, 2 * half_pitch);
@@ -128,9 +130,9 @@ struct Motion {
   }
 };
 
-/// The gap between an arc of A and an arc of B. Each point of the arc of A is examined at the
-/// positions in which its normal passes through the pitch point. There are two such positions, one
-/// for each branch. [T2.31]
+/// The gap between an arc of A and an arc of B. Each point of the arc of A is examined in the
+/// positions of A in which the normal at this point passes through the pitch point. There are two
+/// such positions, one for each branch. [T2.31]
 class ArcFamily {
  public:
   ArcFamily(const Motion& motion, const ProfileArc& arc, double branch)
@@ -145,9 +147,10 @@ class ArcFamily {
   EnvelopePlace envelope(double u) const {
     const ProfilePlace p = arc_.at(u);
     const Position at = position(p);
-    // In terms of arc length, s′ = 1 + k q and τ′ = k. The slope of the envelope is multiplied by
-    // |sin(τ + φ)|, which is 0 where both branches meet, and by `scale`, because k is infinite
-    // where an involute begins. Along an involute s′ is 0 within rounding.
+    // With respect to arc length, s′ = 1 + k q and τ′ = k, where k is the curvature here. The slope
+    // of the envelope is infinite where both branches meet, so it is multiplied by |sin(τ + φ)|,
+    // which is 0 there. It is also multiplied by `scale`, because k is infinite where an involute
+    // begins. Along an involute, s′ is 0 within rounding.
     const double scale = 1.0 / (1.0 + std::abs(p.curvature) * m_.pitch_radius);
     const double bend =
         scale > 0.0 ? p.curvature * scale : std::copysign(1.0 / m_.pitch_radius, p.curvature);
@@ -195,7 +198,7 @@ class ArcFamily {
   int entry_ = 0;
 };
 
-/// The gap between a corner of A and an arc of B. The parameter t gives the parameter of the arc, u
+/// The gap between a corner of A and an arc of B, as a function of t. The parameter of the arc is u
 /// = u_0 + (1 − u_0) t². [T2.32]
 class CornerFamily {
  public:
@@ -213,7 +216,7 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // The u < 0 at which the straight line through excess() at both ends of the arc is 0.
+      // Where the straight line through the values of excess() at both ends of the arc is 0.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }
@@ -244,8 +247,8 @@ class CornerFamily {
   }
 
  private:
-  // 1 − cos w at the passage of the corner through the radius ρ. w is the angle of the corner from
-  // the centre line.
+  // 1 − cos w when the corner passes through the radius ρ of B. w is the angle between the corner
+  // and the centre line.
   double excess(double rho) const {
     return side_ * (rho - deepest_) * (rho + deepest_) / (2 * m_.a * corner_.rho);
   }
@@ -280,7 +283,8 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
     const double lo = std::min(b.rho_root, b.rho_tip);
     const double hi = std::max(b.rho_root, b.rho_tip);
     const auto meets = [&](double rho) { return rho >= lo && rho <= hi; };
-    // The next arc of B continues where this one ends, so a small deviation does not matter.
+    // The next arc of B continues where this one ends, so a small error of the crossing has no
+    // effect.
     constexpr double kNear = 1e-7;  // accuracy of u
     const auto crossing = [&](const EnvelopeNode& one, const EnvelopeNode& two, double limit) {
       return zero_between([&](double u) { return family.envelope(u).radius - limit; }, one.u,
@@ -304,7 +308,8 @@ void collide_with_arc(const Motion& motion, const ProfileArc& arc, double branch
         if (last) end_at(last->u);
         if (meets(two.radius)) begin_at(two.u);
       } else if (const EnvelopeNode& one = *last; !meets(one.radius) || !meets(two.radius)) {
-        // The point enters the arc's range of radii at one end, or passes through the whole range.
+        // The envelope enters the range of radii of b at one end, or passes through the whole
+        // range.
         if (!meets(one.radius) && (meets(two.radius) || (one.radius < lo) == (two.radius > hi)))
           begin_at(crossing(one, two, one.radius < lo ? lo : hi));
         if (!meets(two.radius) && inside) end_at(crossing(one, two, two.radius < lo ? lo : hi));

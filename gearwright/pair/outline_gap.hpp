@@ -1,6 +1,6 @@
 // The play of two finished outlines on parallel axes. At every rotation of the pair, gear 2 is
-// turned from the middle of its play until a point of one tooth touches the other gear. All
-// projecting parts of a tooth are found, whether or not they have a name.
+// turned from the middle of its play until a point of one tooth touches the other gear. In this
+// way, every part that projects too far is found, even a part that has no name.
 //
 //   φ      rotation of the pair            a    centre distance, mm
 //   g      gap, as the turn of gear 2 that closes it, rad; < 0 if the outlines overlap
@@ -29,22 +29,23 @@ struct OutlineTouch {
   double rotation_1 = 0.0;  ///< rotation of gear 1 at the touch, clockwise, within half a pitch
   double turn_2 = 0.0;      ///< ±g, the counter-clockwise turn of gear 2 that closes the gap
   Vec2 point{0.0, 0.0};     ///< position in the housing frame, mm
-  double height = 0.0;  ///< position along axis 1, mm; 0 on parallel axes, where all sections agree
+  double height = 0.0;      ///< position along axis 1, mm; 0 on parallel axes
   std::array<OutlinePlace, 2> places{};
 
-  /// Distance along the common normal, mm, to first order, with gear 2 turned by `play` from the
-  /// middle of its play towards the touch. If it is < 0, its magnitude is the depth of the overlap.
+  /// The distance between the two places along the common normal, mm, to first order, after gear 2
+  /// has turned by `play` from the middle of its play towards the touch. If the distance is < 0,
+  /// its magnitude is the depth of the overlap.
   double distance(double play = 0.0) const { return (gap - play) * arm; }
 };
 
 struct OutlineGap {
   static constexpr int kNames = 5;
   using Row = std::array<std::optional<OutlineTouch>, kNames>;
-  std::array<Row, kNames> touches;  ///< least gap by the names of the two arcs, [gear 1][gear 2]
+  std::array<Row, kNames> touches;  ///< least gap for each pair of arc names, [gear 1][gear 2]
 
   const std::optional<OutlineTouch>& of(ArcName arc_1, ArcName arc_2) const;
-  /// The touch with the least gap, which is half the true play; none if the gears do not reach each
-  /// other.
+  /// The touch with the least gap; none if the gears do not reach each other. This gap is half the
+  /// true play.
   std::optional<OutlineTouch> least() const;
   /// The touch with the least gap, without the touches of a flank with a flank.
   std::optional<OutlineTouch> least_beyond_flanks() const;
@@ -56,12 +57,14 @@ struct OutlineGap {
 /// Formula   [T2.29]…[T2.33]
 /// Units     mm, rad
 /// Domain    outlines with arcs; gear 1 is external, and an internal gear is gear 2 with more teeth
-///           (contract). A tip below the mating root circle gives no gap; its tip clearance is < 0
-/// Accuracy  every gap is the gap between two points of the outlines, to rounding, so no gap is too
-///           small. If the least gap of a pair of arcs is less than `limit`, it is too great by at
-///           most 1e-12 rad. This is valid if the gap does not fall below the chord between
-///           neighbouring samples (nine per family) by more than half of the second difference.
-///           Above `limit`, it is the least evaluated value
+///           (contract). A tip below the mating root circle gives no gap; the tip clearance is < 0
+///           in this case
+/// Accuracy  every gap is computed for two points of the outlines, so except for rounding it is
+///           never less than the true least gap. If the least gap of two arcs is less than `limit`,
+///           the result exceeds it by at most 1e-12 rad, provided that between neighbouring samples
+///           (nine per family) the gap does not fall below the chord by more than half of the
+///           second difference. If the least gap exceeds `limit`, the result is the least evaluated
+///           value
 OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double center_distance,
                        double limit = std::numeric_limits<double>::infinity());
 

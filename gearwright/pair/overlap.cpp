@@ -1,8 +1,8 @@
-// Overlap and collisions beyond the flanks, from the gap of the two finished outlines.
+// Finds overlaps and contacts beyond the flanks from the gaps between the two finished outlines.
 //
 //   g_f    gap of the flanks: half their play, as a turn of gear 2     g  gap of two other arcs
-//   early  (g_f − g) h, mm along the common normal: distance by which these arcs are nearer than the
-//          flanks. If it is > 0, they touch before the flanks do
+//   early  (g_f − g) h, mm along the common normal: distance by which these arcs are nearer than
+//          the flanks. If `early` is > 0, these arcs touch before the flanks do
 //
 // If g < 0, the arcs overlap by −g h even in the middle of the play. [T2.34]
 #include <fmt/format.h>
@@ -97,7 +97,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   if (const int gear = gear_with(touch, ArcName::tip_fillet);
       gear > 0 && p.gears[static_cast<std::size_t>(gear - 1)].tip_bulge)
     return {CollisionCause::tip_bulge, gear};
-  // The tip corner of a pinion can cut into an internal gear's tooth as it enters or leaves the space.
+  // The tip corner of a pinion can cut into a tooth of an internal gear while the corner enters or
+  // leaves the tooth space.
   if (touch.places[0].corner)
     return p.gears[1].internal() ? Cause{CollisionCause::trochoid, 2}
                                  : Cause{CollisionCause::tip_corner, 2};
@@ -105,8 +106,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// A sentence that explains the collision by a tip that projects beyond its involute; empty for
-// other causes.
+// The sentence of a message about a tip that projects beyond its involute; empty if this is not the
+// cause of the collision.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];
@@ -135,9 +136,9 @@ Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early)
                       part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
 }
 
-// The collision of a tip that reaches below the mating gear's root circle. The tip is deepest on
-// the centre line or, in a crossed internal pair, at an end of a face. In the latter case, the
-// position is not given.
+// The collision of a tip that reaches below the root circle of the mating gear. The tip is deepest
+// on the centre line. In a crossed internal pair, it is deepest at an end of a face, and the result
+// has no position.
 Collision in_root(const MountedGears& p, int tip) {
   const auto i = static_cast<std::size_t>(tip - 1);
   const double depth = -p.tip_clearance[i];
@@ -184,9 +185,9 @@ bool is_of_a_circle(const Interference& named) {
   return named.code == WarningCode::form_circle || named.code == WarningCode::base_tangent;
 }
 
-// Relates overlaps to the findings of interference.hpp. Every overlap gets a finding. A finding
-// without overlap becomes a contact beyond the flank if it is based on a circle, and is dropped
-// otherwise.
+// Matches the overlaps with the findings of interference.hpp. For an overlap that no finding
+// explains, a finding is added. A finding that explains no overlap becomes a contact beyond the
+// flank if it is based on a circle, and is dropped otherwise.
 void explain(InvolutePair& p) {
   std::vector<Interference> named = std::exchange(p.interference, {});
   const auto explained = [&](const Collision& s, const std::vector<Interference>& by) {
@@ -219,8 +220,8 @@ void explain(InvolutePair& p) {
   deepest_first(collisions);
 }
 
-// The touches that may have a smaller gap than the flanks. On parallel axes, the touches of the flanks
-// are included.
+// The touches that may have a smaller gap than the flanks. On parallel axes, the result also
+// contains the touches of a flank with a flank.
 std::vector<OutlineTouch> touches_of(const MountedGears& p, double half_play) {
   if (p.crossed()) return crossed_gaps(p);
   std::vector<OutlineTouch> touches;
@@ -251,8 +252,8 @@ void find_collisions(MountedGears& p, double half_play, double normal_play, doub
     p.overlap->push_back(too_thick(normal_play, std::nullopt));
   for (const OutlineTouch& touch : touches_of(p, half_play)) {
     const double early = (half_play - touch.gap) * touch.arm;
-    // On crossed internal pairs, a tip may overlap the flank by the depth of the saddle. Crowning
-    // removes this overlap, so it is no collision.
+    // In a crossed internal pair, a tip may overlap the mating flank by the depth of the saddle.
+    // This overlap is not a collision, because the crowning of the flanks removes it.
     const bool of_fillet = gear_with(touch, ArcName::root_fillet) > 0;
     if (early <= (of_fillet ? close : close + saddle)) {
       if (flanks_compared && flank_on_flank(touch) && too_thick_teeth)
@@ -276,7 +277,8 @@ void find_overlap(InvolutePair& p, double saddle) {
   find_collisions(p, p.mesh.backlash.rotation[1] / 2, p.mesh.backlash.normal_base, saddle);
   // If a tip lies in a root, the outlines are not compared, and all findings remain.
   if (p.free_play) explain(p);
-  // Flanks that overlap beside the line of action have less play, which is not computed.
+  // If the flanks overlap beside the line of action, the free play is less than computed here, so
+  // it is left empty.
   if (saddle > 0.0) p.free_play.reset();
 }
 

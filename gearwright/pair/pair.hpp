@@ -1,5 +1,5 @@
-// A pair of cylindrical gears mounted in a housing: involute gears on parallel axes, on crossed axes,
-// or gears with circular-arc teeth on parallel axes.
+// A pair of cylindrical gears mounted in a housing: involute gears on parallel axes, on crossed
+// axes, or gears with circular-arc teeth on parallel axes.
 //
 //   const auto pair = mount(pinion, wheel, {.center_distance = 61.4});
 //   if (pair) use(pair->center_distance(), pair->involute()->mesh.backlash.normal);
@@ -27,7 +27,8 @@ class Pair {
   Pair(CrossedPair pair);
   Pair(ArcPair pair);
 
-  /// The pair as one of the kinds, or as their common base InvolutePair; null if it is another kind.
+  /// The pair as one of the kinds, or as their common base InvolutePair; null if the pair is of
+  /// another kind.
   template <class Kind>
   const Kind* as() const {
     return visit([](const auto& pair) -> const Kind* {
@@ -67,11 +68,11 @@ class Pair {
 /// Mounts any two gears.
 ///
 /// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
-///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if gears
-///           with circular arcs have crossed axes
+///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if crossed
+///           axes are requested for gears with circular arcs
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec = {});
 
-/// Mounts two gears and returns the pair as this kind.   Domain: the pair is of that kind (contract)
+/// Mounts two gears and returns the pair as a `Kind`.   Domain: the pair is of this kind (contract)
 template <class Kind>
 Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   const Result<Pair> pair = mount(std::move(gear_1), std::move(gear_2), spec);
@@ -80,7 +81,7 @@ Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   return *pair->template as<Kind>();
 }
 
-// The backlash of any pair, of involutes or circular arcs, in its four forms.
+// The backlash of a pair of involute or circular-arc gears, in four forms.
 
 struct PairBacklash {
   double normal_base;                        ///< j_bn  mm, along the common normal

@@ -18,8 +18,8 @@ double deg(double rad) { return Angle::radians(rad).deg(); }
 // or mm causes less deviation than this, and a different helix angle causes more.
 constexpr double kSamePitch = 1e-9;
 
-// Above this angle, the pitch cylinder has hundreds of times the radius of the base cylinder, and no
-// tooth reaches it.
+// Above this angle, the pitch cylinder has hundreds of times the radius of the base cylinder, and
+// no tooth reaches it.
 constexpr double kMaxWorkingHelix = 89.9;  // degrees
 
 constexpr double kAtEnd = 1e-9;  // rad, rounding error of an angle at the end of its range
@@ -42,7 +42,7 @@ constexpr Hands kInternal{
     "right hand > 0",
     "shifts"};
 
-// `rule` contains kReach, whose two placeholders are the ends of the range.
+// `rule` contains kReach. The ends of the range replace its two placeholders.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -84,7 +84,7 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
       miss < kAtEnd
           ? "is the end of the possible range, at which a working helix angle would be 90°"
           : fmt::format("is outside the possible range by {:.6g}°", deg(miss));
-  // With this helix angle, the reference helix angles add up to the shaft angle.
+  // If gear 2 has this helix angle, the sum of the reference helix angles is the shaft angle.
   const double helix = side_of(gears) * (deg(sigma) - gear_1.helix_angle.deg());
   const std::string remedy =
       std::abs(helix) < kMaxWorkingHelix
@@ -142,8 +142,8 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
   }
   const bool crossing = shaft_angle && shaft_angle->rad() != 0.0;
   if (z2 < 0 && !crossing && !axes_are_parallel(gears)) {
-    // The flanks of a crossed internal pair have clearance only with crowned leads. Its axes
-    // therefore cross only if the user gives a shaft angle.
+    // The flanks of a crossed internal pair have clearance only with crowned leads. The axes of an
+    // internal pair therefore cross only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
         fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes the "

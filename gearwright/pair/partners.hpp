@@ -1,7 +1,7 @@
 // Conditions under which two gears can mesh, and the possible positions of their axes.
 //
-// Two gears mesh if their normal base pitches agree. If their base helix angles are equal and opposite
-// (equal for an internal gear), the axes are parallel. Otherwise the axes cross.
+// Two gears mesh if their normal base pitches agree. If their base helix angles are equal and
+// opposite (equal for an internal gear), the axes are parallel. Otherwise the axes cross.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,30 @@
 
 namespace gearwright {
 
-/// The dimensions of each gear alone, with the teeth as cut.
+/// The base dimensions of both gears, for the teeth as cut.
 BasePair<double> base_pair(const Gear& gear_1, const Gear& gear_2);
 
-/// The dimensions of each gear alone, without thickness allowances. Allowances cause backlash and do
-/// not change the backlash-free position of the nominal teeth.
+/// The base dimensions of both gears, without thickness allowances. Allowances cause backlash and
+/// do not change the backlash-free position of the nominal teeth.
 BasePair<double> nominal_base_pair(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2);
 
 /// True if |β_b1 + σ β_b2| ≤ 1e-9 rad. The axes are then parallel for every rack between the gears.
 bool axes_are_parallel(const BasePair<double>& gears);
 
 /// The reason why two gears cannot mesh at any centre distance; empty if they can. `shaft_angle` is
-/// absent if it is not given.
+/// empty if the user gives no shaft angle.
 ///
-/// Errors    `gear2.normal_module` if the base pitches differ, `gear2.helix_angle` if the axes of an
-///           internal pair would cross but no shaft angle is given, `gear1.teeth`, `gear2.teeth` of
-///           an impossible internal pair, `pair.shaft_angle` out of reach; each with the deviation
-///           and a value that fits
+/// Errors    `gear2.normal_module` if the base pitches differ; `gear2.helix_angle` if the axes of
+///           an internal pair would cross although no shaft angle is given; `gear1.teeth` or
+///           `gear2.teeth` if an internal pair is impossible; `pair.shaft_angle` if it is out of
+///           reach. Each message gives the deviation and a value that fits
 std::optional<Error> check_partners(const CylindricalSpec& gear_1, const CylindricalSpec& gear_2,
                                     const std::optional<Angle>& shaft_angle);
 
 /// The requested position of a pair.
 struct PairSpec {
-  std::optional<double> center_distance = {};  ///< a  mm; by default the backlash-free one, or a_d
-                                               ///< for circular-arc teeth
+  std::optional<double> center_distance = {};  ///< a  mm; by default the backlash-free distance, or
+                                               ///< a_d for circular-arc teeth
   std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; by default 0 if a distance is
   ///< given, otherwise the result of complete_place
   std::optional<double> friction = {};   ///< μ, for the efficiency
@@ -47,9 +47,9 @@ struct PairPlace {
   std::optional<Angle> shaft_angle = {};  ///< Σ  of crossed axes; none for parallel axes
 };
 
-/// Completes the position of a pair. By default, Σ is 0 if the base helix angles permit parallel axes,
-/// otherwise the shaft angle of the least centre distance. The default for a is the distance at which
-/// the `nominal` teeth (without allowances) have no backlash.
+/// Completes the position of a pair. By default, Σ is 0 if the base helix angles permit parallel
+/// axes. Otherwise it is the shaft angle at the least centre distance. The default for a is the
+/// distance at which the `nominal` teeth (without allowances) have no backlash.
 ///
 /// Domain    check_partners returns no error for the gears of `nominal` (contract)
 /// Errors    `pair.shaft_angle`, `profile_shift` if the teeth have no such position

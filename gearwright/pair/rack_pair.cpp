@@ -16,14 +16,17 @@ namespace gearwright {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // modules: a shorter length is a rounding error
-// Permitted deviation of the start of a fillet from the depth of the mating tip, modules. The fillet
-// radii of ISO 53 are rounded to two digits (0.38 for 0.37993).
+// The tip of the rack may reach this far, in modules, below the start of the pinion's usable flank
+// without a warning, because the fillet radii of ISO 53 are rounded to two digits (0.38 for
+// 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
-// A rack without a number of teeth has at least this number in pictures and files.
+// If the number of teeth of a rack is not given, the rack has at least this many in pictures and
+// files.
 constexpr int kFewestTeeth = 15;
-// The default thickness of a rack below its roots, modules. ISO 6336-3 reduces the bending strength
-// for a rim below 1.2 tooth depths, which are 2.7 modules for the basic rack of ISO 53.
+// The default thickness of the body below the roots of a rack, modules. ISO 6336-3 reduces the
+// bending strength if the rim is thinner than 1.2 tooth depths, which are 2.7 modules for the basic
+// rack of ISO 53.
 constexpr double kRimModules = 3.0;
 
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
@@ -70,8 +73,8 @@ void clip(RackPair& p) {
   p.true_recess = std::min(p.recess, below / std::sin(alpha_t(p.pinion)));
 }
 
-// The contact moves along the flank of the pinion with ρ_1 per radian, and along the flank of the
-// rack with the constant speed r sin α_t. [T2.46]
+// Over the flank of the pinion, the contact moves with the speed ρ_1 per radian of rotation. Over
+// the flank of the rack, it moves with the constant speed r sin α_t per radian. [T2.46]
 SlidingPath sliding_path(const RackPair& p) {
   const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
   const double begin = reach - p.true_approach, end = reach + p.true_recess;
@@ -162,8 +165,9 @@ Pose<Housing, Gear1> RackPair::pose_1() const {
 }
 
 Pose<Housing, Gear2> RackPair::pose_2() const {
-  // A half turn about z makes the rack face axis 1. If the number of teeth is odd, the middle of the
-  // rack is a tooth, so the rack is displaced by half a pitch.
+  // A half turn about z makes the teeth of the rack point towards axis 1. If the number of teeth is
+  // odd, a tooth is in the middle of the rack, so the rack is displaced by half a pitch to put a
+  // space there.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << -1.0, -1.0, 1.0;
   const bool odd = rack.teeth % 2 == 1;

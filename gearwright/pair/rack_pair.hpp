@@ -5,7 +5,7 @@
 //   r, r_b    reference and base radius of the pinion   mm      α_n, α_t   pressure angles
 //   g         position along the line of action from the pitch point, > 0 in recess   mm
 //   g_a, g_f  lengths of approach and recess   mm       p_t, p_bt   transverse pitches   mm
-//   ζ         specific sliding                      theory: docs/theory/02-involute-and-pair.md, 2.10
+//   ζ         specific sliding                    theory: docs/theory/02-involute-and-pair.md, 2.10
 //
 // The pitch point is on the reference circle at every H, so the working pressure angle is α_t. The
 // pinion drives.
@@ -22,9 +22,9 @@
 
 namespace gearwright {
 
-/// A rack as a part. Its teeth have the profile of the basic rack of its pinion.
+/// A rack as a part. The teeth have the profile of the basic rack of the pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; by default not limited, see RackGeometry::teeth
+  std::optional<int> teeth{};          ///< n; see RackGeometry::teeth if it is absent
   std::optional<double> face_width{};  ///< b    mm; by default the face width of the pinion
   std::optional<double> height{};      ///< mm, from the back of the rack to the datum line;
                                        ///< by default 3 modules more than the dedendum
@@ -34,10 +34,10 @@ struct RackBar {
 /// The geometry of a rack, from its pinion and its RackBar.
 struct RackGeometry {
   RackBar bar;
-  int teeth;             ///< in its body; by default an odd number for one turn of the pinion
-  double height;         ///< mm, from the back of the rack to the datum line
-  double normal_module;  ///< m_n  mm
-  Angle helix_angle;     ///< β    with the hand opposite to the pinion
+  int teeth;                    ///< n; by default odd, at least 15, and at least z of the pinion
+  double height;                ///< mm, from the back of the rack to the datum line
+  double normal_module;         ///< m_n  mm
+  Angle helix_angle;            ///< β    with the hand opposite to the pinion
   Angle normal_pressure_angle;  ///< α_n
   double face_width;            ///< b    mm
   double normal_pitch;          ///< p_n  mm
@@ -66,15 +66,17 @@ struct RackPair {
   std::array<double, 2>
       tip_clearance;  ///< c    mm: pinion tip to rack root, rack tip to pinion root
   std::optional<double>
-      contact_root_diameter;  ///< d_Nf of the pinion  mm; none past the base tangent point
+      contact_root_diameter;  ///< d_Nf of the pinion  mm; none if the rack tip reaches past the
+                              ///< base tangent point
   std::optional<double> form_clearance;  ///< (d_Nf − d_Ff)/2  mm
   std::optional<double> speed_rpm;       ///< n_1  1/min
   std::optional<Efficiency> efficiency;  ///< present if a coefficient of friction is given
   std::vector<Warning> warnings;
 
   double mounting_distance() const { return center_distance + rack.height; }  ///< mm
-  /// Poses of pinion and rack (frame: rack_outline()) in the housing at rotation 0. Tooth 0 of
-  /// the pinion points into the space of the rack that is nearest to the middle of its length.
+  /// Poses of pinion and rack in the housing at rotation 0; the comment at rack_outline() defines
+  /// the frame of the rack. Tooth 0 of the pinion points into the tooth space of the rack that is
+  /// nearest to the middle of the rack.
   Pose<Housing, Gear1> pose_1() const;
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
@@ -82,8 +84,8 @@ struct RackPair {
   double normal_backlash() const;           ///< j_n  mm
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack
-  /// ζ of pinion and rack for a contact at g. The value of the pinion is empty at the base tangent point
-  /// and beyond.
+  /// ζ of pinion and rack for a contact at g. ζ of the pinion is empty at the base tangent point
+  /// and beyond it.
   std::array<std::optional<double>, 2> specific_sliding(double g) const;
 };
 
@@ -91,14 +93,15 @@ struct RackPair {
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
-/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, `gear1` if the pinion
-///           has no tooth
+/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, `gear1` if the
+///           pinion has no tooth
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> center_distance = {},
                             std::optional<double> speed_rpm = {},
                             std::optional<double> friction = {});
 
-// The teeth of a rack in its transverse section, as an outline of the same kind as the outline of a gear.
+// The outline of the teeth of a rack in the transverse section, in the same form as the outline of
+// a gear.
 //
 //   x     height above the datum line, mm       y   along the travel, mm
 //   s_n   thickness at the datum line, in the normal section, mm
@@ -106,20 +109,21 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
 //   n     y cos β, the coordinate y of the normal section, mm
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.45]
 //
-// Frame of a rack: the origin is on the datum line, in the middle of length and face. x points from
-// the back towards the teeth, and z along the face. In the section z = 0, tooth k of N is centred at
-// y = (k − (N − 1)/2) p_t, and in the section z it is displaced by z tan β.
+// Frame of a rack: the origin is on the datum line, in the middle of the length and of the face. x
+// points from the back towards the teeth, and z points along the face. In the section z = 0, tooth
+// k of N is centred at y = (k − (N − 1)/2) p_t. In the section at the height z, it is displaced by
+// z tan β.
 //
 //   Laws  (1) the first point is the middle of the space, y = p_t/2, and the last point is the
 //             middle of the tooth, y = 0
 //         (2) the normal section, (x, y cos β), is the section of the spur rack with the same m_n
-//         (3) the flank is straight, and its envelope is the flank of the pinion
+//         (3) the flank is straight, and the flank of the pinion is the envelope of this flank
 
-/// Half a tooth from root to tip, with the x axis as its centre line. The member `teeth` of the
-/// outline is the number of teeth of the rack, or 1 if no number is given.
+/// Half a tooth from root to tip. The x axis is the centre line of the tooth. The member `teeth` of
+/// the outline is the number of teeth of the rack, or 1 if no number is given.
 ///
-/// Formula   [T2.45]: land at x = −h_f, circle of radius ρ_f (in the transverse section an ellipse),
-///           line n = s_n/2 − x tan α_n, land at x = h_a
+/// Formula   [T2.45]: land at x = −h_f, circle of radius ρ_f (in the transverse section an
+///           ellipse), line n = s_n/2 − x tan α_n, land at x = h_a
 /// Units     mm
 /// Accuracy  closed form
 /// Errors    `gear2.thickness_allowance` if it makes the teeth pointed or closes the spaces

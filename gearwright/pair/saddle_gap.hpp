@@ -16,8 +16,9 @@
 
 namespace gearwright {
 
-/// Least lead crowning, mm, with which the flanks clear each other beside every point of their path,
-/// if only this gear is crowned. None if the crowning of one gear alone is not sufficient.
+/// For each gear, the least lead crowning, mm, with which the flanks clear each other beside every
+/// point of the path if only this gear is crowned. None if crowning this gear alone is not
+/// sufficient.
 ///
 /// Formula   [T4.36], at the end of the path at which the result is greater
 /// Domain    a crossed internal pair with L > 0 (contract)

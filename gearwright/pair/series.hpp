@@ -2,15 +2,15 @@
 // the sum of the shifts, and virtual spur gears in place of helical gears. Elsewhere the program
 // solves the involute equation (pair/working_angles.hpp).
 //
-//   α        pressure angle of the rack that describes both gears, normal section, rad
+//   α        pressure angle, in the normal section, of the rack that describes both gears, rad
 //   β_i, x_i helix angle on the reference cylinder, and shift including the allowance
 //   σ        +1 external pair, −1 internal pair
 //   z_i′     virtual number of teeth z_i/cos³ β_i, negative if internal  w_i  z_i′/(z_1′ + z_2′)
 //   L        2 (x_1 + x_2)/((z_1′ + z_2′) tan α), the variable of the series
 //   M_2, M_4 Σ w_i tan² β_i, Σ w_i tan⁴ β_i
 //   Δ        α_n − α, where α_n is the pressure angle of the common rack at the least distance
-//   a_0, Σ_0 centre distance and shaft angle of gears that roll with a rack of the angle α, if the
-//            distance of their pitch planes is X = m_n (x_1 + x_2)
+//   a_0, Σ_0 centre distance and shaft angle of the gears if both roll with a rack of the angle α
+//            and the distance between their pitch planes is X = m_n (x_1 + x_2)
 //                                              theory: docs/theory/05-approximations.md
 //
 // With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Classes and
@@ -27,8 +27,8 @@
 
 namespace gearwright {
 
-/// Two gears described by one rack, with equal module and pressure angle. An internal gear is always
-/// the second gear.
+/// Two gears that are described by the same rack, so their modules and pressure angles are equal.
+/// An internal gear is always the second gear.
 template <class T>
 using ReferencePair = std::array<ReferenceInput<T>, 2>;
 
@@ -53,8 +53,8 @@ struct MinDistanceSeries {
   T rack_center_distance;          ///< a_0
   T rack_shaft_angle;              ///< Σ_0
 
-  /// α_n of the least distance by 1, 2 or 3 terms of the series, with an error of O(L²), O(L³) or
-  /// O(L⁴). [T5.20]…[T5.22]
+  /// α_n at the least distance, computed with 1, 2 or 3 terms of the series. The error is O(L²),
+  /// O(L³) or O(L⁴). [T5.20]…[T5.22]
   T pressure_angle(int terms) const {
     using std::sin;
     using std::tan;
@@ -82,8 +82,8 @@ struct MinDistanceSeries {
     return rack_center_distance + change;
   }
 
-  /// Helix angle at which gear 0 or 1 rolls with a rack of the angle α + Δ, by 1, 2 or 3 terms in Δ.
-  /// [T5.27]
+  /// The helix angle with which gear 0 or 1 rolls with a rack of the angle α + Δ, computed with 1,
+  /// 2 or 3 terms in Δ. [T5.27]
   T helix_angle(int gear, const T& delta, int terms) const {
     using std::sin;
     using std::tan;
@@ -100,8 +100,9 @@ struct MinDistanceSeries {
     return helix[static_cast<unsigned>(gear)] + tan_b * sum;
   }
 
-  /// Shaft angle of the gears on a rack of the angle α + Δ, to first order in Δ. For Δ = L, it is
-  /// the shaft angle of the least distance, with an error of O(L²). [T5.28]
+  /// The shaft angle of two gears that roll with a rack of the angle α + Δ, to first order in Δ.
+  /// For Δ = L, the result is the shaft angle at the least distance, with an error of O(L²).
+  /// [T5.28]
   T shaft_angle(const T& delta) const {
     using std::tan;
     return rack_shaft_angle + tan(alpha) * (tan(helix[0]) + side * tan(helix[1])) * delta;

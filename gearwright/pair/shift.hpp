@@ -1,6 +1,6 @@
 // Computes profile shifts and centre distance from each other.
 //
-//   Σx = x1 + x2   σ = +1 external, −1 internal      a, a_d   actual and reference centre distance, mm
+//   Σx = x1 + x2   σ = +1 external, −1 internal   a, a_d   actual and reference centre distance, mm
 //   parallel axes: inv α_wt = inv α_t + 2 tan α_n Σx/(z1 + z2)
 //                  theory: docs/theory/02-involute-and-pair.md, [T2.15]…[T2.18]
 //   crossed axes:  theory: docs/theory/04-conjugate-action.md, [T4.28]
@@ -23,8 +23,8 @@ namespace gearwright {
 
 enum class Mounting { tight, extended };
 
-/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. Its working
-/// pressure angle is 89.4°, at which no tooth reaches the other gear.
+/// Greatest centre distance, relative to the sum (internal: difference) of the base radii. At this
+/// distance, the working pressure angle is 89.4°, and no tooth reaches the other gear.
 inline constexpr double kMaxDistance = 100.0;
 
 struct ShiftProblem {
@@ -50,14 +50,16 @@ T reference_center_distance(int z1, int z2, const T& normal_module, const T& cos
   return normal_module * T(std::abs(z1 + z2)) / (T(2) * cos_beta);
 }
 
-/// inv α_wt of the backlash-free mesh of nominal teeth; negative if there is none. [T2.16]
+/// inv α_wt of the backlash-free mesh of nominal teeth; < 0 if there is no such mesh. [T2.16]
 template <class T>
 T nominal_working_involute(int z1, int z2, const T& alpha_n, const T& alpha_t, const T& sum_x) {
   using std::tan;
   return leaf::working_involute(T(involute(alpha_t)), T(tan(alpha_n)), sum_x, T(z1 + z2));
 }
 
-/// Backlash-free centre distance of nominal teeth, mm. [T2.17]   Domain: nominal_working_involute ≥ 0
+/// Backlash-free centre distance of nominal teeth, mm. [T2.17]
+///
+/// Domain    nominal_working_involute ≥ 0
 template <class T>
 T tight_center_distance(int z1, int z2, const T& normal_module, const T& alpha_n, const T& alpha_t,
                         const T& cos_beta, const T& sum_x) {
@@ -105,8 +107,9 @@ double crossed_shift_sum(const ShiftProblem& problem, double a);
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 /// Computes the absent values of the problem (docs/spec.md, Shift and centre distance).
 ///
-/// Errors    `pair.center_distance` too small for a working angle; `profile_shift` if the shifts
-///           have no backlash-free distance
+/// Errors    `pair.center_distance` if there is no working pressure angle at this distance, or if
+///           the distance exceeds kMaxDistance; `profile_shift` if the given shifts lead to no
+///           centre distance
 Result<ShiftSolution> complete_shifts(const ShiftProblem& problem);
 
 }  // namespace gearwright

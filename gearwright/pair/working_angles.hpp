@@ -3,7 +3,7 @@
 //   Σ given (crossed axes)     closed form                                             [T4.13]
 //   a given (parallel axes)    closed form, because Σ is 0 for every α_n               [T4.12]
 //   no backlash, least a       one involute equation, with X = 0                       [T4.15]
-//   a given (crossed axes)     none or two α_n, on either side of the least a          [T4.16]
+//   a given (crossed axes)     no α_n, or one on each side of the least a              [T4.16]
 //   contact ratio ≥ 1          an interval of α_n                                      [T4.23]
 //
 //   g, o   the gear with the greater |β_b|, and the other gear
@@ -11,8 +11,8 @@
 //   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where β_g
-// reaches 90°. They are not smooth functions of α_n there.
+// The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where
+// β_g reaches 90°. They are not smooth functions of α_n there.
 #pragma once
 
 #include <cmath>
@@ -61,7 +61,7 @@ RackAngles<T> angles_at_transverse(const BasePair<T>& gears, const T& alpha) {
   return angles_at_transverse(gears, T(sin(alpha)), T(cos(alpha)));
 }
 
-/// The rack between gears on parallel axes at the distance a:  cos α_t = (r_b2 + σ r_b1)/a.
+/// The rack between gears on parallel axes at the centre distance a: cos α_t = (r_b2 + σ r_b1)/a.
 /// [T4.12], [T2.14]
 ///
 /// Domain    a > base_radius_sum > 0 (contract); |β_b1| = |β_b2| to rounding
@@ -73,8 +73,8 @@ RackAngles<T> angles_at_parallel_distance(const BasePair<T>& gears, const T& a) 
   return angles_at_transverse(gears, T(sqrt((a - sum) * (a + sum)) / a), T(sum / a));
 }
 
-/// The range of shaft angles that a crossed pair can have, rad. Both ends have the same sign and are
-/// excluded.
+/// The range of shaft angles that a crossed pair can have, rad. Both ends have the same sign and
+/// are excluded.
 template <class T>
 struct ShaftAngleRange {
   T from;  ///< β_b1 + σ β_b2, the limit for α_n → 0
@@ -84,7 +84,8 @@ struct ShaftAngleRange {
   }
 };
 
-/// The range of shaft angles of two gears. If it is empty (from = to), the axes can only be parallel.
+/// The range of shaft angles of two gears. If it is empty (from = to), the axes can only be
+/// parallel.
 ///
 /// Formula   cos Σ_max = −σ S_o/S_g; [T4.13]
 template <class T>
@@ -104,8 +105,8 @@ ShaftAngleRange<T> shaft_angle_range(const BasePair<T>& gears) {
 /// Formula   u_1 = (S_2 + S_1 cos Σ)/sin Σ, u_2 likewise,
 ///           cos² α_n = (S_1² + S_2² + 2 S_1 S_2 cos Σ)/sin² Σ,
 ///           sin² α_n = (cos(β_b1 + β_b2) − cos Σ)(cos Σ + cos(β_b1 − β_b2))/sin² Σ,
-///           with σ S_2 in place of S_2 and σ β_b2 in place of β_b2; [T4.13]. The code uses products,
-///           so that no digits cancel on nearly parallel axes
+///           with σ S_2 in place of S_2 and σ β_b2 in place of β_b2; [T4.13]. The code uses
+///           products, so that no digits cancel on nearly parallel axes
 /// Domain    shaft_angle_range contains Σ (contract)
 template <class T>
 RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
@@ -132,8 +133,8 @@ RackAngles<T> angles_at_shaft_angle(const BasePair<T>& gears, const T& sigma) {
 
 namespace detail {
 
-/// α at which both gears of an internal pair have the same number of virtual teeth in the normal
-/// section, z/u³. Beyond this α, Q decreases and L at X = 0 is negative. [T4.38]
+/// The α at which both gears of an internal pair have the same number z/u³ of virtual teeth in the
+/// normal section. Beyond this α, Q decreases, and L at X = 0 is negative. [T4.38]
 ///
 /// Domain    the pinion has the greater |β_b|
 template <class T>
@@ -153,8 +154,9 @@ T transverse_angle_of_equal_virtual_teeth(const BasePair<T>& gears) {
 
 }  // namespace detail
 
-/// The α at which X = 0. On crossed axes, it belongs to the least centre distance, and on parallel axes
-/// to the backlash-free position. None if the teeth are too thin (internal pairs: too thick).
+/// The α at which X = 0. On crossed axes, this α belongs to the least centre distance, and on
+/// parallel axes to the backlash-free position. None if the teeth are too thin (internal pairs: too
+/// thick).
 ///
 /// Formula   Q(α) = 0; [T4.15], [T5.17]. For equal |β_b|, inv α = K/Σ τ d_b cos β_b without
 ///           iteration; [T2.20]. For internal pairs, the root at which Q increases; [T4.38]
@@ -204,9 +206,9 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   return root.x;
 }
 
-/// The α at which the sum of the pitch radii of an external pair is a. If the teeth have no backlash
-/// there (X = 0), a is the least distance of the pair. None if a does not exceed the sum of the base
-/// radii or lies beyond the domain.
+/// The α at which the sum of the pitch radii of an external pair is a. If the teeth have no
+/// backlash there (X = 0), a is the least distance of the pair. None if a does not exceed the sum
+/// of the base radii or lies beyond the domain.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
 template <class T>
@@ -295,10 +297,12 @@ struct AngleInterval {
   bool limit = false;
 };
 
-/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. There are
-/// two above the least distance (the greater one may lie beyond the domain) and none below it.
+/// The α at which the backlash-free distance of a crossed pair is a, in ascending order. If a
+/// exceeds the least distance, there are two such α, but the greater one may lie beyond the domain.
+/// If a is less than the least distance, there is none.
 ///
-/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and at most one α is returned)
+/// Domain    external pair with K > 0 (otherwise a(α) has no minimum, and at most one α is
+///           returned)
 template <class T>
 std::vector<T> transverse_angles_at_distance(const BasePair<T>& gears, const T& a) {
   using std::asin;
@@ -352,8 +356,8 @@ std::optional<AngleInterval<T>> transverse_angles_with_line_within(const BasePai
   AngleInterval<T> found{tiny, half_pi, false};
   T bottom(0);
   if (base_excess(gears) > T(0)) {
-    // The least L is found by bisection of its slope, and the ends of the interval on both sides of
-    // it by Newton's method.
+    // The α with the least L is found by bisection with the derivative of L. The ends of the
+    // interval on both sides of this α are found by Newton's method.
     T lo = tiny;
     T hi = half_pi;
     const T narrow(
