@@ -199,13 +199,6 @@ class FewTeethSearch {
     return c;
   }
 
-  // The cutter as a spec and as a gear, and the generating centre distance E.
-  struct Place {
-    CylindricalSpec cutter;
-    Gear gear;
-    double distance;
-  };
-
   std::optional<double> distance_at(double beta, double x1, double x2) const {
     const double alpha_t = std::atan(std::tan(p_.normal_pressure_angle.rad()) / std::cos(beta));
     const int z = p_.teeth[0] + p_.teeth[1];

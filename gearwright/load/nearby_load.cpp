@@ -9,8 +9,6 @@
 
 namespace gearwright {
 
-namespace {}  // namespace
-
 NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                        const PairCompliance& compliance, const LoadRequest& request,
                        std::span<const Influence> influences) {
