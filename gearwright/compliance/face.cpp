@@ -45,10 +45,10 @@ double lagrange_slope(int i, double x) {
   return sum;
 }
 
-// The columns begin … begin + count − 1 of a matrix of loads, which include every column that is not
-// zero. Both ends are multiples of kPanel, and there are several columns: Eigen adds up the terms of
-// a narrower panel or of a single column in another order, and the rounding of a column must not
-// depend on the zeros beside it.
+// A range of columns, begin … begin + count − 1, that includes all columns of a matrix of loads
+// that are not zero. The range consists of whole panels of kPanel columns and has more than one
+// column. Eigen would add up the terms of a narrower panel or of a single column in another order,
+// but the rounding of a column must not depend on zeros in other columns.
 struct LoadedColumns {
   Index begin = 0, count = 0;
 
@@ -72,8 +72,8 @@ struct LoadedColumns {
 
 }  // namespace
 
-// The stiffness matrices of an element, with the inner nodes eliminated. All elements have the same
-// length.
+// The stiffness matrices of an element after elimination of the inner nodes (i), which leaves the
+// ends (e). r is the number of modes.
 struct Face::Element {
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
   MatrixXd inner_to_ends;      // K_ie
@@ -96,7 +96,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
   auto made = std::make_unique<Element>();
   const double half = 0.5 * (width / n);
   MatrixXd all(4 * r, 4 * r);
-  const std::array<int, 4> place{2, 0, 1, 3};  // puts the inner nodes first
+  const std::array<int, 4> place{2, 0, 1, 3};  // the inner nodes are numbered first
   for (int a = 0; a < 4; ++a) {
     for (int b = 0; b < 4; ++b) {
       double m00 = 0.0;
@@ -132,7 +132,8 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // The block of the factor below L is M = O L⁻ᵀ, where O is the block of the matrix there.
+    // The block of the factor below L is M = O L⁻ᵀ, where O is the block of the system matrix at
+    // the same place.
     const MatrixXd transposed =
         factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -179,8 +180,9 @@ void Face::solve(MatrixXd& x) const {
   const auto part = [&](Index i, const LoadedColumns& c) {
     return x.block(i * r, c.begin, r, c.count);
   };
-  // For each element, the loads at the inner nodes are transferred to its ends, and the inner nodes
-  // are solved with fixed ends. A column is a load on one slice, so it is zero in most elements.
+  // In each element, the loads at the inner nodes are transferred to the ends, and the
+  // displacements of the inner nodes are computed for fixed ends. Each column is a load on one
+  // slice, so it is zero in most elements.
   for (Index e = 0; e < n; ++e) {
     const Index i = e * kDegree;
     LoadedColumns here;

@@ -1,12 +1,12 @@
-// The amplitudes f(z) of the modes along the face, by one-dimensional finite elements of third
-// order.
+// Computes the amplitudes f(z) of the modes along the face by one-dimensional finite elements of
+// third order.
 //
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element with the shape functions N
 //
 // The two inner nodes of each element are eliminated first, which leaves a block-tridiagonal
-// system. All elements have the same length and share this elimination. Both end faces z = const are free of
-// constraints.
+// system. All elements have the same length, so this elimination is done once. Both end faces
+// z = const are unconstrained.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 

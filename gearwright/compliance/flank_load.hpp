@@ -1,5 +1,6 @@
-// A load on the flank of one tooth, and the displacement under this load. Both use the same smooth
-// weight function along the flank, a bump, so that Betti's reciprocity holds.
+// A load on the flank of one tooth, and the displacement of a flank under a load. The load is
+// distributed, and the displacement is averaged, with the same smooth weight function along the
+// flank, called a bump. Betti's reciprocity therefore holds.
 //
 //   s    arc length along the outline from the middle of the space, m_n
 //   c    half width of the bump b(s) = 15/(16c) (1 − s²/c²)², m_n
@@ -13,8 +14,8 @@
 
 namespace gearwright::detail {
 
-/// A weighted sum of displacements, Σ weight · U(dof). If the weights are used as nodal forces,
-/// they represent a unit line load.
+/// A weighted sum of displacements, Σ weight · U(dof). The same weights, used as nodal forces,
+/// represent a unit line load.
 struct Functional {
   std::vector<int> dof;
   std::vector<double> weight;
@@ -36,10 +37,10 @@ struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s with its force along the inward normal of the flank; if τ ≠ 0, along the normal of
-/// the screw surface.
+/// The bump at s, with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
+/// of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
-/// The bump at s with its force along the gear axis.
+/// The bump at s, with its force along the gear axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
 /// Moves the functional from tooth 0 to tooth k.
 Functional on_tooth(const SectionMesh& mesh, const Functional& f, int k);

@@ -1,5 +1,5 @@
-// Indentation of an elastic half space by a bump or a Hertz strip. The half space represents the
-// flank locally.
+// Indentation of an elastic half space by a force that is distributed as a bump or over a Hertz
+// strip. The half space represents the flank near the force.
 //
 //   H(R) = (1 − ν²)/(π E R)   displacement at the distance R from a unit force      E = 1
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; g = 0 and G = 1 for a spur gear
@@ -20,11 +20,11 @@ struct FlankMetric {
   double zz = 1.0;  ///< G
 };
 
-/// Displacement in plane strain under a bump of half width c, averaged with the same bump as
-/// weight. An additive constant is omitted. [T12.11]
+/// Displacement in plane strain under a bump of half width c, averaged with the weights of the same
+/// bump. An additive constant is omitted. [T12.11]
 double plane_bump(double c, double poisson_ratio);
-/// Displacement in plane strain at the centre of a Hertz strip of half width a. The same constant
-/// as in plane_bump is omitted. [T12.11]
+/// Displacement in plane strain at the centre of a Hertz strip of half width a. The additive
+/// constant that plane_bump() omits is also omitted here. [T12.11]
 double plane_hertz(double a, double poisson_ratio);
 /// Nodes and weights of a quadrature rule for functions with a logarithmic singularity at 0.
 struct Offsets {
@@ -32,8 +32,8 @@ struct Offsets {
 };
 /// The quadrature rule for ∫∫ b_c(x) b_c′(x′) f(Δs + x′ − x) dx dx′.
 Offsets bump_offsets(double ds, double c, double c_other);
-/// The quadrature rule for the mean of f over the distances of the points of a Hertz strip from its
-/// centre line, weighted by the pressure.
+/// The quadrature rule for the mean of f(x) over a Hertz strip, weighted by the pressure. x is the
+/// distance from the centre line of the strip.
 Offsets hertz_offsets(double a);
 
 /// Mean of 1/R between the points of two slices of width h, whose middles are d apart along z and

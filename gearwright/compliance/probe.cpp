@@ -18,9 +18,9 @@ constexpr double kNearestToTip = 0.02;  // modules: least distance of the load f
 
 using detail::FlankMetric;
 
-// The indentation under a Hertz strip minus the indentation under a bump, in a half space. It is
-// computed at a position on the face, or as the mean over the loaded part. The mirror images of the
-// load at both ends of the face are included.
+// The indentation of a half space under a Hertz strip minus the indentation under a bump. This
+// difference is computed at a position on the face, or as the mean over the loaded part of the
+// face. The mirror images of the load at both ends of the face are included.
 class Local {
  public:
   Local(const FlankMetric& metric, double c, double a, double nu)

@@ -1,7 +1,7 @@
 // The compliance of a single tooth at one position of its flank, under a unit line force normal to
 // the flank.
 //
-// It serves for comparisons with finite elements and with measurements.
+// This compliance is used for comparisons with finite elements and with measurements.
 //                                      theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
@@ -39,7 +39,7 @@ struct ProbeAnswer {
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 /// Computes the compliance of a tooth that has the transverse section of the gear but another
-/// helix. Its section turns by `twist`, rad/mm.
+/// helix. The section of this tooth turns by `twist` along the face, rad/mm.
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 

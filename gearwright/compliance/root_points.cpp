@@ -16,7 +16,7 @@ RootPoints root_points(const ToothSection& section) {
   const Matrix6 law = hooke(1.0, section.poisson_ratio);
   RootPoints points;
   // The points are the ends and middles of the elements along the fillet. Where two elements meet,
-  // the mean of their values is used.
+  // the mean of the stresses of both elements is used.
   const int first = 2 * mesh.fillet_begin;
   const int last = 2 * mesh.flank_begin;
   for (int i = first; i <= last; ++i) {

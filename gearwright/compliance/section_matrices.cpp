@@ -12,8 +12,8 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // least Jacobian determinant at a node for which slopes are
-                                 // computed there, relative to the middle of the element
+constexpr double kPoint = 1e-4;  // least Jacobian determinant at a node, as a fraction of the value
+                                 // in the middle of the element, for computing slopes at the node
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -64,7 +64,8 @@ class BlockPattern {
   std::vector<int> first_;  // index of the first entry of each column
 };
 
-// The unconstrained nodes, in an order that keeps the factors sparse (approximate minimum degree).
+// The unconstrained nodes, in an order of elimination that keeps the factors of K(k) sparse
+// (approximate minimum degree).
 std::vector<int> elimination_order(const SectionMesh& mesh) {
   std::vector<int> place(mesh.nodes.size(), 0);
   for (const int i : mesh.bore) place[i] = -1;

@@ -1,5 +1,5 @@
-// Sparse stiffness matrices of a section. The displacements vary along the face as waves or as free
-// functions.
+// Sparse stiffness matrices of a section, for displacements that vary along the face as waves or as
+// free functions.
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
 //   A, B            matrices that give the strains due to U and due to ∂U/∂z   [T12.5]
@@ -36,14 +36,15 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// Computes the matrices of a section. If `wave` is true, B belongs to
-/// U = (u cos kz, v cos kz, w sin kz) and is divided by k [T12.6]. If it is false, B belongs to
-/// free functions of z.
+/// Computes the matrices of a section. If `wave` is true, B gives the strains of the waves
+/// U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]. If `wave` is false, B gives the
+/// strains of free functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of each displacement field. The values of all elements at a node are
-/// averaged and stored as the component w of this node. They are 0 at the bore.
+/// The trace ε_x + ε_y of the strains of each displacement field. At each node, the traces in all
+/// elements with this node are averaged, and the mean is stored as the component w of the node. At
+/// the bore, it is 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 /// Solves for displacements that vary along the face as waves with the wave number k. Only
 /// unconstrained nodes are included.
@@ -56,8 +57,8 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// If Scalar is double, `matrices` must belong to waves. If it is complex, they must belong to
-  /// free functions of z.
+  /// If Scalar is double, `matrices` must belong to waves. If Scalar is complex, they must belong
+  /// to free functions of z.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   StripSolver(StripSolver&&) noexcept;

@@ -39,7 +39,7 @@ void share_out(std::vector<Part>& parts, ArcName name, int elements) {
       p.elements = std::max(1, static_cast<int>(std::lround(elements * arc_length(p.arc) / sum)));
 }
 
-// Adds nodes and merges the nodes that two blocks have in common.
+// Adds nodes. Nodes that two blocks have in common are merged.
 class Nodes {
  public:
   explicit Nodes(std::vector<Complex>& nodes) : nodes_(nodes) {}
@@ -217,8 +217,8 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
                              : "must be at least {} mm, because it is the outside diameter of the "
                                "rim of an internal gear, and a rim must be left around the teeth");
   }
-  // Radii, in normal modules: `foot` is on the centre line of the tooth at its base, and `body` is
-  // the border between the rim and the body.
+  // Radii, in normal modules. `foot` is the radius at which the centre line of a tooth ends in the
+  // rim, and `body` is the radius of the border between rim and body.
   const double foot = mesh.root_radius - out * std::min(1.125, 0.5 * rim);
   const double below = 0.45 * options.rim;
   const double left = out * (foot - ri);

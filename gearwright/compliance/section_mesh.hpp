@@ -1,6 +1,6 @@
-// Finite elements of the transverse section of a gear. Some teeth have their exact outline. The
-// rest of the rim is smooth and ends at the root circle. The section is fixed at the bore, or for
-// an internal gear at the outside of the rim.
+// Finite elements of the transverse section of a gear. Some teeth are meshed with their exact
+// outline. The rest of the rim has no teeth and ends at the root circle. The section is fixed at
+// the bore. For an internal gear, it is fixed at the outside of the rim.
 //
 //   t    position along half an outline, counted in elements: 0 in the middle of the tooth space, n
 //        at the tip land
@@ -38,14 +38,14 @@ struct SectionMesh {
   std::vector<std::array<int, 9>> elements;
   std::vector<int> bore;  ///< nodes that are fixed
   double outward = 1.0;   ///< 1 if the teeth point outwards, −1 for an internal gear
-  /// A part of an outline from t = e to e + 1. It is the side y = −1 of an element. `forward` is
-  /// true if the element coordinate x increases with t.
+  /// The part of an outline from t = e to t = e + 1, where e is the index of the edge. This part is
+  /// the side y = −1 of an element. `forward` is true if x of the element increases with t.
   struct Edge {
     int element;
     bool forward;
   };
   std::vector<Edge> edges;                     ///< edges of tooth 0 on its side y > 0
-  std::vector<std::vector<Edge>> tooth_edges;  ///< each tooth's edges; first: tooth −side_teeth
+  std::vector<std::vector<Edge>> tooth_edges;  ///< for each tooth, beginning with −side_teeth
   int fillet_begin = 0, flank_begin = 0, flank_end = 0;  ///< t at the ends of fillet and flank
   /// Nodes of each tooth, in the same order for all teeth. The first tooth is −side_teeth.
   std::vector<std::vector<int>> teeth;
@@ -61,9 +61,9 @@ struct SectionMesh {
   };
   OnArc arc_at(double t) const;
   std::complex<double> outline(double t) const;
-  /// The arc length of the outline from 0 to t, in normal modules, and the inverse function.
+  /// The arc length of the outline from 0 to t, in normal modules.
   double length_at(double t) const;
-  double parameter_at(double length) const;
+  double parameter_at(double length) const;  ///< the inverse of length_at()
 
   std::vector<Arc> arcs;       ///< arcs of the outline except the tip land; lengths in mm
   double module = 1.0;         ///< m_n  mm

@@ -11,8 +11,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// Wave numbers along the face, per module, except k = 0. The wavelength is 42 modules at 0.15 and
-// half a module at 13, which is shorter than any bump.
+// Wave numbers along the face, per module, without k = 0. The wave number 0.15 means a wavelength
+// of 42 modules, and 13 means half a module, which is shorter than any bump.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
 // Wave numbers of the waves that follow the helix. Without such waves, the root stress of a 17:43
 // pair with β = 20° is 6 % too high.
@@ -25,8 +25,9 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// Returns the rows of displacements in the plane of the section (u, v) if `in_plane`, otherwise of
-// displacements along the axis (w). The energy of a wave does not couple the two groups.
+// Returns the rows with the displacements in the plane of the section (u, v) if `in_plane`,
+// otherwise the rows with the displacements along the axis (w). The energy of a wave does not
+// couple these two groups.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());
@@ -78,8 +79,8 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
 }
 
 // Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due to
-// plane strain and plane stress, which represents the free ends. If τ ≠ 0, waves under axial loads
-// are added.
+// plane strain and plane stress. The warping represents the free ends. If τ ≠ 0, waves under axial
+// loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {
@@ -109,7 +110,7 @@ std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const Sec
   return fields;
 }
 
-// Real and imaginary parts of waves that follow the helix. Their loads act along the normal of the
+// Real and imaginary parts of waves that follow the helix, under loads along the normal of the
 // screw surface. [T12.18]
 std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const SectionMatrices& own,
                                                 const std::vector<BumpPlace>& places, double tau,

@@ -1,5 +1,6 @@
-// Displacement modes of a loaded section. They are extracted from waves along the face and from
-// solutions for the free ends, and reduce the tooth to a beam along its face.
+// Displacement modes of a loaded section. The modes are extracted from displacement waves along the
+// face and from solutions for the free ends. With these modes, the tooth is computed as a beam
+// along its face.
 //
 //   Φ     modes: first fields of u and v, then fields of w
 //   f(z)  amplitudes of the modes along the face
@@ -20,18 +21,18 @@ struct ModeMatrices {
 };
 
 struct SectionModes {
-  Eigen::MatrixXd fields;  ///< Φ, a column per mode, 3·nodes rows
-  ModeMatrices matrices;   ///< matrices of the section that turns with the helix
+  Eigen::MatrixXd fields;  ///< Φ, with a column per mode and 3·nodes rows
+  ModeMatrices matrices;   ///< in coordinates that turn with the helix
 };
 /// Computes the modes for loads at `places` on the flank. For a helical gear (τ ≠ 0), waves along
-/// the helix are included. Modes whose singular value is below `tolerance` times the greatest one
-/// are dropped. Each solved field and each matrix counts as one step of `progress`.
+/// the helix are included. A mode is dropped if its singular value is below `tolerance` times the
+/// greatest singular value. Each solved field and each matrix counts as one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);
 
-/// Displacements of the section in plane strain under loads that are uniform along the face. They
-/// are computed directly, without modes.
+/// Displacements of the section in plane strain under loads that are uniform along the face. The
+/// displacements are computed directly, without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
 

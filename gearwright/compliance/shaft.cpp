@@ -38,8 +38,8 @@ struct ShaftState {
   double z = 0.0, Q = 0.0, K = 0.0, psi = 0.0, w = 0.0;
 };
 
-// The state at z, computed from a state at smaller z. Section and load must be constant in between:
-// Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
+// The state at z, computed from a state at smaller z. Section and load must be constant between the
+// two. The equations are  Q' = −q,  K' = −Q − m,  ψ' = K/(E I),  w' = ψ + Q/(κ G A).
 ShaftState shaft_state_at(const Shaft& s, const ShaftState& from, double z, double q, double m) {
   const double t = z - from.z;
   const ShaftSection section = shaft_section_at(s, from.z + t / 2);
@@ -108,8 +108,8 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                              [](const ShaftState& s, double value) { return s.z < value; });
   };
 
-  // A rigid displacement and rotation of the shaft are added, so that its deflections at the
-  // bearings equal the deflections of the bearings.
+  // A rigid displacement and a rigid rotation of the shaft are added, so that the shaft deflects as
+  // much at each bearing as the bearing itself.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
@@ -139,8 +139,9 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque decreases linearly to 0 over the face width b. Its integral from the end at which
-    // it acts to the distance t from this end is t (1 − t/(2 b)) times the whole torque.
+    // The torque decreases linearly to 0 over the face width b. The integral of the torque, from
+    // the end at which the torque acts to the distance t from this end, is t (1 − t/(2 b)) times
+    // the whole torque.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) * per_length);
   }

@@ -1,7 +1,7 @@
 // Deflection of a stepped shaft on two bearings under the load of one gear, in one plane.
 //
 //   z          mm along the axis, from the middle of the face        w    mm, deflection
-//   q, m       force and moment per length over the face, uniform    ψ    slope of the sections
+//   q, m       uniform force and moment per length of the face       ψ    slope of the sections
 //   E, G, ν    moduli, MPa, and Poisson's ratio
 //   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)

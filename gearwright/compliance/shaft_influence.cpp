@@ -43,7 +43,7 @@ ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, dou
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const int steps = left ? std::min(i, j) : n - 1 - std::max(i, j);
-      // Within the slice on which it acts, a torque decreases linearly.
+      // A torque decreases linearly over the slice on which it acts.
       all.twist(i, j) = (steps + (i == j ? 0.375 : 0.5)) * h;
     }
   all.twist *= shaft_twist_per_length(shaft, body);

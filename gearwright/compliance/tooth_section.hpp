@@ -1,6 +1,6 @@
-// The section of a tooth for the computation of its compliance: the mesh, the positions on the
-// flank that the tables use, and the modes. It depends on the outline and the helix but not on the
-// face width.
+// The section of a tooth for the computation of the compliance: the mesh, the positions on the
+// flank that the tables use, and the modes. These data depend on the outline and the helix but not
+// on the face width.
 //
 //   Lengths are in normal modules, and E = 1. A compliance is E·u·m_n/F, or E·u/F′ in plane strain.
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -18,7 +18,7 @@ namespace gearwright {
 /// `draft` uses a coarser mesh and fewer modes than `full` and is two to three times as fast.
 enum class ComplianceAccuracy { full, draft };
 
-/// The body of a gear. The compliance depends on its bore and material.
+/// The properties of the body of a gear on which the compliance depends.
 struct ElasticBody {
   double bore_diameter = 0.0;  ///< mm, diameter at which the body is fixed; for an internal gear,
                                ///< the outside diameter of the rim
@@ -40,7 +40,7 @@ struct ToothSection {
   std::vector<double> radius_lengths;       ///< arc lengths at evenly spaced radii of the flank
   double radius_lo = 0.0, radius_hi = 0.0;  ///< radii at the ends of the flank
 
-  /// The arc length at a radius, in modules. It is extrapolated linearly beyond the flank.
+  /// The arc length at a radius, both in modules. Beyond the flank, it is extrapolated linearly.
   double length_at_radius(double radius) const;
   /// Metric of the flank at the arc length s.
   FlankMetric metric(double s) const;
@@ -55,9 +55,8 @@ double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 double bump_width(double s, double flank_hi);
 }  // namespace detail
 /// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the
-/// section along the face, rad/mm. `also` is an additional arc length along the flank, normal
-/// modules, for which modes are computed.
-/// section_modes() receives `progress`.
+/// section along the face, rad/mm. `also` is an additional position on the flank for which modes
+/// are computed, as an arc length in normal modules. `progress` counts as in section_modes().
 ///
 /// Domain    a gear with teeth (contract)
 /// Errors    as make_section_mesh

@@ -18,8 +18,8 @@ using Eigen::VectorXd;
 
 constexpr double kElement = 0.5;     // modules: length of an element along the face
 constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
-                                     // are equal
-// The slice at −z if slice j is at z. For a spur gear, both have the same coefficients.
+                                     // cause equal displacements
+// The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
 }  // namespace
@@ -67,8 +67,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Projections onto the modes: loads at the positions of tooth 0, and displacements at the
-  // positions of teeth −side … side.
+  // Projections onto the modes: of loads at the positions on tooth 0, and of displacements at the
+  // positions on teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -92,7 +92,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   same_.assign(static_cast<std::size_t>(n_) * n_ * places_ * places_, 0.0);
   other_.assign(2 * side + 1, same_);
   stress_.assign(3, std::vector<MatrixXd>(places_));
-  // A spur gear is symmetric about the middle of the face, so half of the slices are solved.
+  // A spur gear is symmetric about the middle of the face, so only half of the slices are solved.
   const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
   // All positions are computed independently.
@@ -156,8 +156,8 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   });
-  // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part of
-  // the rim disturbs it, so the mean of an entry and its reciprocal entry is used.
+  // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, it is disturbed by
+  // the smooth part of the rim, so the mean of each entry and the reciprocal entry is used.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {
@@ -176,8 +176,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Subtracts H[b, b], the indentation under the bumps, and computes H[a, a] under the Hertz strip
-// along the contact line.
+// Subtracts H[b, b], which is the indentation under the bumps, and computes H[a, a], which is the
+// indentation under the Hertz strip along the contact line.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -207,8 +207,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // For the images beyond an end of the face, the metric has no term of g. An image is mirrored
-      // in z only, so its shift g Δz along s equals the shift of the load itself.
+      // For the mirror images beyond an end of the face, the metric has no term of g. An image is
+      // mirrored in z only, so it has the same shift g Δz along s as the load itself.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
@@ -299,7 +299,7 @@ MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
   // Near an end of the face, the compliance increases steeply. Beyond the middle of the last slice,
-  // its value at that middle is used.
+  // the compliance at that middle is used.
   const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];

@@ -1,12 +1,13 @@
-// Tables of influence coefficients between positions on the flank of a tooth. They cover the slices
-// of the face and positions along the flank, and serve for all rotations, torques and errors.
+// Tables of influence coefficients between positions on the flank of a tooth. The positions are
+// given by slices of the face and positions along the flank. The same tables are used for all
+// rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //                                                theory: docs/theory/12-loaded-contact.md
 //
 // The tables contain the first two terms, which are interpolated in s and s′ by cubics. The third
 // term is computed along the contact line. Lengths are in normal modules and E = 1, so C is
-// E·u·m_n/F. Forces are totals over a slice, and displacements are means over a slice.
+// E·u·m_n/F. Each force is the total over a slice, and each displacement is the mean over a slice.
 #pragma once
 
 #include <memory>
@@ -17,20 +18,20 @@
 
 namespace gearwright {
 
-/// The slices into which the face or a part of it is divided, in normal modules. z = 0 is the middle
-/// of the face.
+/// The equal slices into which the face, or a part of it, is divided. Lengths are in normal
+/// modules, and z = 0 is the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;
   double width() const { return (hi - lo) / count; }
   double middle() const { return (lo + hi) / 2; }
-  /// The same slices after reflection in the plane z = 0.
+  /// The mirror image of the slices in the plane z = 0.
   FaceSlices reflected() const { return {count, -hi, -lo}; }
   double middle(int j) const { return lo + (j + 0.5) * width(); }
 };
 
-/// For each slice, the arc length along the flank at which the contact line of a tooth crosses it.
-/// For slices that the line does not cross, the value is arbitrary.
+/// For each slice, the arc length along the flank at which the contact line of a tooth crosses the
+/// slice. The value is arbitrary for slices that the line does not cross.
 using LinePlaces = std::vector<double>;
 /// A position on the flank: arc length s and height z, normal modules.
 struct TablePlace {
@@ -53,23 +54,23 @@ class ToothTable {
   const detail::ToothSection& section() const { return *section_; }
   /// Coefficients C between the slices of one contact line, as a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Coefficients for displacements on a line of tooth k (≠ 0) under forces on a line of tooth 0, a
-  /// row per slice of `read` and a column per slice of `loaded`. If |k| exceeds side_teeth(), the
-  /// result for the farthest tooth in the finite-element mesh is returned, because at that distance
-  /// only the rotation of the body has an effect.
+  /// Coefficients for displacements on the line `read` of tooth k (≠ 0) under forces on the line
+  /// `loaded` of tooth 0. Rows are slices of `read`, and columns are slices of `loaded`. If |k|
+  /// exceeds side_teeth(), the result for the farthest tooth in the finite-element mesh is
+  /// returned, because only the rotation of the body has an effect at such distances.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// Distributes the forces on the slices of a line to the grid of the table. The grid has a row
+  /// Distributes the forces on the slices of a line over the grid of the table. The grid has a row
   /// per slice and a column per position along the flank.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
-  /// Distributes a unit force at a position to the grid of the table.
+  /// Distributes a unit force at a position over the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
   /// Displacement on tooth k under the forces `loaded` on tooth 0, averaged with the weights
-  /// `read`. The deformation of the contact itself is excluded. The result consists of the first
+  /// `read`. It does not include the deformation at the contact itself, and is the sum of the first
   /// two terms of [T12.9]. The mirror images in H[b, b] at the ends of the face are omitted,
-  /// because no H[a, a] replaces them.
+  /// because the result contains no H[a, a] with corresponding images.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
   /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces
   /// on the grid of tooth 0. `stress` has six rows per point and a column per slice.
@@ -92,11 +93,11 @@ class ToothTable {
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
   std::vector<double> middles_;             // middles of the slices
-  std::vector<double> same_;                // C_FE − H[b, b] of one tooth, in the order [load
-                                            // slice][read slice][load place][read place]
+  std::vector<double> same_;                // C_FE − H[b, b] of one tooth, in the order
+                                            // [load slice][read slice][load place][read place]
   std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
                                             // ends of the face
-  std::vector<std::vector<double>> other_;  // for each tooth −side … side, ordered like same_
+  std::vector<std::vector<double>> other_;  // C_FE of teeth −side … side, without tooth 0
   Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
   // Stresses of teeth −1, 0 and 1: [tooth][load place](6·points·slices × load slices)

@@ -1,9 +1,9 @@
-// Minimises a function that takes long to compute, by models that are exact at a center and quick to
-// evaluate around it.
+// Minimises a function that is slow to compute. A model replaces the function in the search. Each
+// model is exact at one point, its center, and quick to evaluate everywhere.
 //
-// The model at the first center is searched within the whole box. If the function is less at the
-// point found, this point is the next center. Otherwise, the search continues within a smaller
-// reach.
+// The first model is searched within all bounds. If the function is less at the lowest point of the
+// model than at the center, this point becomes the next center. Otherwise, the same model is
+// searched again within a smaller reach.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace gearwright::detail {
 
 inline constexpr int kMostCenters = 6;      // greatest number of centers in a search
-inline constexpr double kNextReach = 0.25;  // greatest reach around all centers after the first,
-                                            // relative to the bounds
+inline constexpr double kNextReach = 0.25;  // greatest reach of all searches after the first, as a
+                                            // fraction of the distance between the bounds
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
 /// The part of the bounds within a reach around a center.
@@ -31,12 +31,13 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
   return box;
 }
 
-/// The best of the centers, beginning with `center`. Gains below `gain` are ignored.
+/// Returns the center at which the function is least. The first center is `center`. The search ends
+/// if a model promises a gain of at most `gain`.
 ///
 ///   model_at(center)               the model that is exact at the center
-///   value(model, v)                its value at v
-///   lowest(model, center, reach)   its least place within around(bounds, reach, center); the reach
-///                                  of the first search is 1
+///   value(model, v)                the value of the model at v
+///   lowest(model, center, reach)   the lowest point of the model within
+///                                  around(bounds, reach, center); the first search has reach 1
 ///
 /// Laws      the function is not greater at the result than at `center`
 template <class ModelAt, class Value, class Lowest>

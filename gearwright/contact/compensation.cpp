@@ -24,9 +24,9 @@ constexpr double kLost = 1e3;
 // If the search has an aim (CompensationAim), these numbers replace kLastGain_rad and kLost. Both
 // are multiples of CompensationAim::same.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost per unit by which the peak to peak exceeds its limit. The cost of the pattern without
-// corrections is added, so that corrections beyond the limit are never better than no correction.
-// Beyond the limit, f decreases as the peak to peak approaches it.
+// Cost per radian by which the peak to peak exceeds its limit. Beyond the limit, the cost of the
+// pattern without corrections is added as well, so that corrections beyond the limit are never
+// better than no correction. f decreases as the peak to peak approaches the limit from above.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -56,7 +56,7 @@ class Judge {
   }
 
   bool has_near() const { return task_.aim && task_.aim->near; }
-  // The estimate of the aim around a center, which is exact at the center.
+  // Returns an estimate of the aim around a center. The estimate is exact at the center.
   Model near(const std::vector<double>& center) {
     std::vector<CompensationAim::Nearby> all;
     for (int s = 0; s < task_.scenarios; ++s) {
@@ -180,7 +180,8 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
                          const double f = judge.value(x);
                          return std::isfinite(f) ? f : judge.lost();
                        }};
-  // A search of a model does not end early, because a narrow optimum may be at the border of the box.
+  // A search of the whole box by a model does not end early, because a narrow optimum may lie at
+  // the border of the box.
   if (how == Minimiser::whole_box && judge.uses_model()) search.relative_gain = search.gain = 0.0;
   for (const Correction& c : box) {
     search.lo.push_back(c.lo);
@@ -206,14 +207,14 @@ struct Best {
   }
 };
 
-// The best corrections by a search of the whole box and descents from several starts.
+// The best corrections that a search of the whole box and descents from several starts find.
 std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // Most of the time is spent on TE curves, so their total number is limited for any number of
-  // scenarios.
+  // Most of the time is spent on TE curves, so the total number of curves is limited, whatever the
+  // number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -233,9 +234,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// Like searched(), but if the aim has an estimate, all trials use it, and the search is repeated
-// around the best corrections with the estimate that is exact there. If the value without
-// corrections is not finite, no estimate is used.
+// Like searched(), but if the aim has an estimate, all trials use the estimate. The search is then
+// repeated around the best corrections, with the estimate that is exact for these corrections. No
+// estimate is used if the value without corrections is not finite.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -256,8 +257,8 @@ std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) 
   return found;
 }
 
-// The final corrections. Here f is evaluated at as many positions as the report uses, because a
-// peak of TE may lie between the coarser positions of the search.
+// The final corrections. They are found with as many positions as the reported scores use, because
+// a peak of TE may lie between the coarser positions of the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -276,8 +277,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   constexpr double kPartLost = 0.01;  // fraction of the gain that rounding the values may lose
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // Tries the rounded values, and then their neighbours, because rounding may move a value beyond
-    // a crease of f.
+    // Tries the rounded values, and then the neighbours of each value, because rounding may move a
+    // value beyond a crease of f.
     Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
@@ -292,7 +293,7 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // Estimates determined the last steps. Exact values decide between the result of these steps, the
+  // The last steps used estimates. Exact values decide between the result of these steps, the
   // result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
@@ -300,8 +301,9 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   return searched < refined - same ? written : best.v;
 }
 
-// The task with bounds that each correction can reach alone. The search of the box would otherwise spend
-// most of its trials on corrections that the teeth cannot have.
+// The task with its bounds moved so that, if only one correction is not 0, teeth exist up to the
+// bounds of this correction. With wider bounds, most trials of the search would be corrections for
+// which no teeth exist.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {
@@ -357,8 +359,8 @@ Compensation compensate(const CompensationTask& given) {
   for (const Correction& c : given.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
   const CompensationTask task = within_teeth(given);
-  // The usual number of evaluations: one search of the box and a descent from every start, most of
-  // which end early.
+  // The usual number of evaluations in one search of the box and a descent from every start. Most
+  // descents end early.
   constexpr std::int64_t kUsual = 1000;
   begin_stage(task.progress, "trying corrections", kUsual);
   Judge coarse(task, task.positions);

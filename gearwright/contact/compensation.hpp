@@ -1,20 +1,20 @@
-// Corrections that minimise the transmission error for the worst of several sets of errors and
-// centre the contact pattern.
+// Computes corrections that centre the contact pattern and minimise the greatest transmission error
+// that any of several sets of errors causes.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md
 //
 //   h   mean position of the contact along the face, −1 to 1
-//   p   mean position of the contact along the profile, if there is a target for it (the pressure
-//       angle of the racks of circular-arc teeth)
+//   p   mean position of the contact along the profile; 0 if this position has no target. For
+//       circular-arc teeth, the target is the pressure angle of their racks
 //
-// A given w trades quiet running for a central pattern. By default, w is small, and corrections are
-// rejected if the transmission error is greater with them than without them.
+// If the caller gives w, a greater transmission error is accepted for a more central pattern. The
+// default of w is small, and corrections that increase the transmission error are then rejected.
 //
 // f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a method
-// without derivatives (subplex). It starts from zero, from the least-squares solution of the
-// linearised problem, from starting values that the caller gives, and from the best point found in
-// the whole box of bounds.
+// without derivatives (subplex). This search starts from zero, from the least-squares solution of
+// the linearised problem, from starting values that the caller gives, and from the best point found
+// in the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ struct CompensationAim {
   /// Returns the quantity of a pair, in any unit; the second argument is the number of positions
   /// per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
-  /// Returns a function that estimates the quantity of the pair after a change of its corrections,
-  /// which is exact for the change 0. Empty if there is no estimate.
+  /// Returns a function that estimates the quantity after a change of the corrections of the pair.
+  /// The estimate is exact for the change 0. `near` is empty if there is no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
@@ -51,7 +51,7 @@ struct CompensationTask {
   int scenarios = 1;
   int positions = 24;                ///< per pitch, during the search
   int fine_positions = 64;           ///< per pitch, for the reported scores
-  int curves = 6000;                 ///< approximate limit of each search, as a number of TE curves
+  int curves = 6000;                 ///< approximate limit of the TE curves computed in each search
   std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
                                      ///< default_centering() is used, and corrections must not
                                      ///< increase the transmission error
@@ -72,14 +72,14 @@ struct SettingAnswer {
   double exact, first_order;             ///< Δb_F by [T8.20], and its first order −ΔC [T8.21]
   std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
   std::optional<Angle> angle_displaced;  ///< θ with ΔC
-  std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and each of the two settings
+  std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and the respective setting
   double thickness_change;  ///< change of the normal thickness of the tooth that F cuts, at the
                             ///< height of the contact
   double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
 
-/// The change of a gear's lead angle that makes the slope of TE zero, with the lead of the other
-/// gear unchanged. [T8.22]
+/// The change of the lead angle of one gear that makes the slope of TE zero if the lead angle of
+/// the other gear does not change. [T8.22]
 struct LeadAnswer {
   std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
@@ -89,7 +89,7 @@ struct LeadAnswer {
 struct Compensation {
   std::vector<double> value;
   ContactScore before, after;                         ///< each number is the worst of all scenarios
-  std::vector<ContactScore> each_before, each_after;  ///< by scenario
+  std::vector<ContactScore> each_before, each_after;  ///< one score per scenario
   Angle centering;                                    ///< w
   int evaluations = 0;                                ///< number of evaluations of f
 
@@ -101,31 +101,32 @@ struct Compensation {
 /// Differences of transmission error below this cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair counts as free of error if its peak to peak is below this angle. At a radius of 50 mm,
-/// this angle corresponds to 2 nm, and no real flank is that smooth.
+/// A pair counts as free of error if the peak to peak of its TE is below this angle. At a radius of
+/// 50 mm, this angle corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
 /// then dominates f, and the pattern decides between two pairs with about the same small TE.
 Angle default_centering(Angle peak_to_peak);
 
-/// Values rounded for a drawing: multiples of step/parts within the bounds of each correction. Each
-/// value is the double that is nearest to its decimal number, and 0 has no sign.
+/// Rounds the values for a drawing. Each result is a multiple of step/parts of its correction, lies
+/// within the bounds of this correction, and is the double nearest to its decimal number. A result
+/// of 0 has no sign.
 ///
 /// Domain    as many values as corrections, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
                                std::vector<double> values, double parts);
 
-/// Computes the corrections of the task.
+/// Computes the values of the corrections of a task.
 ///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  a local minimum of f, the best that is found by a deterministic search of the whole
-///           box (DIRECT) and by descents from several starts. Values are multiples of a hundredth
-///           of `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
-///           are 0 if the gain is below kSameError
-/// Laws      (1) f(value) <= f(0) at fine_positions; if there is an aim, its worst value over the
-///               scenarios is not greater with the corrections than without
+/// Accuracy  a local minimum of f, namely the lowest that a deterministic search of the whole box
+///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
+///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
+///           values are 0 if the gain is below kSameError
+/// Laws      (1) f(value) <= f(0) at fine_positions. If there is an aim, the worst value of the aim
+///               over the scenarios is not greater with the corrections than without
 ///           (2) without a given w and without an aim, after.peak_to_peak is at most the greater of
 ///               before.peak_to_peak + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);

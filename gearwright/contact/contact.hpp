@@ -20,7 +20,7 @@ struct ContactRequest {
   int positions = 64;              ///< per pitch of gear 1, ≥ 2
   int pitches = 1;                 ///< length of the analysed range, ≥ 1
   double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
-  std::vector<Angle> rotations{};  ///< rotations of gear 1 that replace even positions
+  std::vector<Angle> rotations{};  ///< rotations of gear 1 to analyse; empty for equal steps
   std::vector<Influence> influences{};
   Progress* progress = nullptr;  ///< reports the progress
 };
@@ -45,34 +45,35 @@ struct ContactResult {
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// The play of gear 2 at one position: the difference between its rotations at which the working
-/// and the non-working flanks touch, < 0 if the gears jam. None if either pair of flanks has no
-/// contact.
+/// The play of gear 2 at one position. Gear 2 has this play between the rotation at which the
+/// working flanks touch and the rotation at which the non-working flanks touch. The play is
+/// negative if the gears jam. None if the working or the non-working flanks have no contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
 /// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
-/// True if the gears jam at this least play, because the normal play is −kNoBacklash or less. A
+/// True if the gears jam at this least play. This is the case if least_play · r cos β is
+/// −kNoBacklash or less, where r and β are the reference radius and the helix angle of `moved`. A
 /// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
-/// pinion of a rack.
+/// pinion if gear 2 is a rack.
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
-/// is `first` + i pitch/n. If `track` is not null, the positions are searched in lanes where this is
-/// possible, and `track` is set.
+/// is `first` + i pitch/n. If `track` is not null, the result of LaneTrack::of() is stored in it,
+/// and the touches of this LaneTrack are returned if it exists.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track = nullptr);
 
-/// Amplitudes of the orders 1, 2, … (at most `most`) of the mesh frequency, for values of TE at equal
-/// steps over one pitch.
+/// Amplitudes of TE at the mesh frequency and its multiples, at most `most` of them. `te` contains
+/// the values of TE at equal steps over one pitch.
 ///
 /// Formula   [T8.18]
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te, int most = 20);
 
-/// TE at equally spaced positions over one pitch, from −1/2 pitch on, rad; NaN where contact is
-/// lost. Maps and optimisers use this function.
+/// TE at equally spaced positions over one pitch, beginning at −1/2 pitch, rad; NaN where contact
+/// is lost. Maps and optimisers use this function.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.

@@ -17,8 +17,9 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// The type of a border of a cell: a ridge or a seam. `of_u` selects a border at an end of the range
-// of u, otherwise of z; `below` selects the lower end of this range.
+// The type of one of the four borders of a cell: a ridge or a seam. If `of_u`, the border is an end
+// of the range of u, otherwise of the range of z. If `below`, it is the lower end, otherwise the
+// upper end.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -30,8 +31,8 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
-// The two parts of the twist of a gear's teeth in N: the twist of its lead, including the error of
-// the cutter's lead angle, and the additional twist κ of a lead error.
+// The two parts of the twist of a gear's teeth in N. The first is the twist of the lead, including
+// the error of the cutter's lead angle. The second is the additional twist κ of a lead error.
 std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
   return {mirror * lead, mirror * e.helix_twist[i]};
@@ -69,7 +70,7 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
     slope_unit_[i] = mirror() / (g.reference_diameter / 2 * g.spec.face_width);
   }
   add_patches(0, gear_1, twist_in_n(g1, e, 0, mirror()), mesh_azimuth(), -mirror(), right_1);
-  // `apart` turns gear 2 so that, at rotation 0, teeth are in mesh at the middle of face 1.
+  // Gear 2 is turned by `apart` so that, at rotation 0, teeth are in mesh at the middle of face 1.
   const double apart = mirror() * g2.twist() * (middle(2) - middle(1));
   add_patches(1, gear_2, twist_in_n(g2, e, 1, mirror()), pi + pi / z2 + apart, -1.0, right_2);
   set_mount();

@@ -53,13 +53,13 @@ struct ContactMount {
                                  ///< direction (0, sin σΣ, cos σΣ)
   bool gear2_drives = false;
   ContactErrors errors;
-  /// z of the middle of each face, mm; not 0 for a half of a double-helical gear. Errors tilt axis
-  /// 1 about its point at z = 0. At rotation 0, pair 0 is in mesh in the section z = middle[0].
+  /// z of the middle of each face, mm; 0 except for a half of a double-helical gear. Errors tilt
+  /// axis 1 about its point at z = 0. Pair 0 at rotation 0 is in mesh in the section z = middle[0].
   std::array<double, 2> middle{};
   /// True if root fillets and rounded tips are included. The analysis then also finds tips that
   /// touch a fillet before the flanks touch. Rounded tips of modified flanks are not included,
-  /// because the removal of material is defined on the flank only. Domain: if a cutter's lead angle
-  /// is changed, recut_outline can compute the root
+  /// because the removal of material is defined on the flank only. Domain: recut_outline() can
+  /// compute the root of every gear whose cutter has a changed lead angle.
   bool fillets = false;
 };
 
@@ -68,8 +68,8 @@ class ContactPair {
   /// Domain  gear 1 is external, and both gears exist and have a flank; any numbers of teeth
   ///         (contract)
   ContactPair(const ContactGear& gear_1, const ContactGear& gear_2, const ContactMount& mount);
-  /// A pinion and its rack, which has no modifications and no errors of its teeth. The rotation of
-  /// gear 2 then means the travel of the rack divided by the reference radius of the pinion.
+  /// A pinion and its rack. The rack has no modifications and no errors of its teeth. The rotation
+  /// of gear 2 then means the travel of the rack divided by the reference radius of the pinion.
   /// [T8.29]
   ///
   /// Domain  an axis angle of 0, no fillets (contract)
@@ -103,20 +103,20 @@ class ContactPair {
   Vec3 direction_in_housing(const Vec3& v) const;
   /// Rotates directions from the frame of gear 1, before mounting, to N.
   const Mat3& tilt() const { return tilt_; }
-  /// The sign of y in N, which is the side σ of gear 2.
+  /// −1 for an internal pair, for which N is mirrored (−y), and else 1. Equal to σ of ContactMount.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
-  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< sign of z in N
+  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< −1 if z in N is −z of f
   /// z of the middle of a face, mm, in N.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
-  /// Radius at which the root fillet ends, mm; none without ContactMount::fillets or without a
-  /// fillet.
+  /// Radius at which the root fillet ends, mm; none if ContactMount::fillets is false or if the
+  /// gear has no fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
   /// κ in N that corresponds to f_Hβ = 1 mm, measured on the reference cylinder over the face
   /// width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
-  // `twist` contains the twist of the lead and the additional twist of the lead error.
+  // `twist` contains the twist of the lead, and the additional twist due to the lead error.
   void add_patches(int which, const ContactGear& gear, const std::array<double, 2>& twist,
                    double center, double side, bool right);
   void set_mount();

@@ -37,8 +37,8 @@ bool is_edge(TouchKind kind);
 /// ellipse, and a computed pressure is only a lower bound.
 bool is_sharp(TouchKind kind);
 
-/// If the gap along a line stays below this value, mm, the line counts as a contact line. No real
-/// flank is smoother.
+/// A line along which the gap stays below this value, mm, counts as a contact line. No real flank
+/// is that smooth.
 inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
@@ -79,7 +79,7 @@ struct ContactPoint {
   /// of 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
-  std::optional<Angle> rack_angle;  ///< normal angle at the touch, of the rack that cut gear 1
+  std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1, at the touch
   std::optional<std::array<double, 2>>
       gap_curvature;  ///< k1, k2  1/mm, for the kinds interior and line
   std::optional<ContactEllipse> ellipse;
@@ -87,8 +87,8 @@ struct ContactPoint {
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };
 
-/// True if a touch lies at a seam of patches and T rises beyond the seam. Such a touch is not a
-/// point of contact.
+/// True if a touch lies at a seam between two patches and T rises beyond the seam. Such a touch is
+/// not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
 /// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,

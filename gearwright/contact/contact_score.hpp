@@ -1,8 +1,8 @@
-// The quality of the contact of a pair, as the few numbers that corrections improve.
+// A few numbers that describe the quality of the contact of a pair. Corrections improve them.
 //
 //   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
 //   h   mean position of the contact along the face, −1 to 1, towards +z
-//   p   mean position of the contact along the profile, if there is a target for it
+//   p   mean position of the contact along the profile, relative to a target; 0 without a target
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
@@ -38,12 +38,12 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch. edge_share is computed only if `edges` is true.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec and an h or p below 1e-9 are rounding errors, set to
-///           0
+/// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0, and so are h and
+///           p below 1e-9
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
                            bool edges);
 
-/// TE and score computed from touches over one pitch. TE has the sign of the frame N.
+/// TE and score, computed from the touches of one pitch. TE has the sign that it has in N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target, bool edges);
 
@@ -53,9 +53,8 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target, true).score;
 }
 
-/// Replaces each number of `worst` by the corresponding number of `score` if the latter is worse.
-/// Positions are compared by magnitude and keep their sign. A pair without any contact is the
-/// worst.
+/// Sets each number of `worst` to the same number of `score` if this is worse. Positions are
+/// compared by magnitude and keep their sign. A pair without any contact is worse than all others.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

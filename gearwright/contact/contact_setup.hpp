@@ -1,5 +1,5 @@
-// A mounted pair for the contact analysis, with its gears, modifications and errors, and the effect
-// of corrections.
+// A mounted pair for the contact analysis, with its gears, modifications and errors. Corrections
+// turn it into another setup.
 //
 // A ContactSetup owns the gears and the fields of removed material to which a ContactPair points.
 #pragma once
@@ -23,7 +23,7 @@ constexpr bool is_slope(Modification m) {
   return m == Modification::lead_slope || m == Modification::profile_slope;
 }
 
-/// Changes made by a workshop, as amounts in addition to the amounts on the drawing.
+/// Changes made by a workshop. All amounts are added to the amounts on the drawing.
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
@@ -50,8 +50,8 @@ class ContactSetup {
   /// The pair under these errors. It owns a copy of this setup, which need not outlive the pair.
   std::shared_ptr<const ContactPair> shared_pair(const ContactErrors& errors,
                                                  bool gear2_drives) const;
-  /// The pair with root fillets and rounded tips in addition to the flanks; none if the lead angle
-  /// of a cutter is changed and the root of this gear was not cut by a rack.
+  /// The pair with root fillets and rounded tips in addition to the flanks. None if the cutter of a
+  /// gear has a changed lead angle and the root of this gear was not cut by a rack.
   std::optional<ContactPair> outlines(bool gear2_drives) const;
   const ContactMount& place() const { return place_; }
   const Gear& gear(int which) const { return *gears_[which - 1]; }
@@ -104,14 +104,13 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. Its text gives the reason, for example
-/// tips that do not reach each other. The second function is for the errors at a corner of
-/// [compensate.range]; its text also contains `name`, the name of this corner.
+/// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
+/// for example tips that do not reach each other. The second function is for the errors at a corner
+/// of [compensate.range]. Its text also contains `name`, the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);
-/// True if the cause of the error is a pair without any contact, and not, for example, an invalid
-/// number.
+/// True if the cause of the error is that the teeth touch at no position.
 bool without_contact(const Error& error);
 
 }  // namespace gearwright

@@ -18,9 +18,8 @@ constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are eq
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // share of the patch: farther touches are on different crests
-// The curve of TE between the positions, from the branches that lead at the positions. The branch
-// with the greatest T at a rotation leads there.
+constexpr double kNear = 0.08;   // part of the patch; touches farther apart are on different crests
+// The curve of TE between the positions, computed from the branches that lead at the positions.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -42,11 +41,11 @@ class Branches {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
 
-  // The touch of the branch of `touch`, `steps` later; not found if this branch has no contact
-  // there.
+  // The touch on the branch of `touch` at the rotation that is `steps` later. Not found if this
+  // branch has no contact at that rotation.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The touch of the branch of `touch`, `steps` later. The search begins at `start`, another touch
-  // of this branch, which may be nearer to the result.
+  // The same, but the search begins at `start`, another touch on this branch, which may be nearer
+  // to the result.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
@@ -66,8 +65,8 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The fraction of `way`, in steps, over which the branch of `touch` continues; 1 if the branch
-  // still exists at the end.
+  // The fraction of the distance `way`, in steps, over which the branch of `touch` continues. 1 if
+  // the branch still exists at the end of this distance.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -119,8 +118,9 @@ class Branches {
     return std::nullopt;
   }
 
-  // The touches of both branches at the handover between i and i + 1. A third branch that leads at
-  // position i − 1 or i + 2 may exceed both of them there; it then replaces them.
+  // The touches of both branches at the handover between i and i + 1. At this handover, T of a
+  // third branch, which leads at position i − 1 or i + 2, may exceed T of both. The touch of the
+  // third branch then replaces both touches.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const auto found = handover(at(i), at(i + 1), 1.0);
     if (!found) return std::nullopt;
@@ -138,11 +138,12 @@ class Branches {
     return lead;
   }
 
-  // Finds the points between a and b, `width` steps apart, at which TE may be less than `least`,
-  // and passes each of them to `take`. If a and b are on one branch, this point is the minimum of
-  // the branch; otherwise it is the handover between their branches. On wavy flanks, a third crest
-  // may lead at this point. It then divides the interval, and both parts are examined in the same
-  // way. If the branches do not meet, because a crest ends, the middle divides the interval.
+  // Finds the points between a and b, which are `width` steps apart, at which TE may be less than
+  // `least`, and passes each point to `take`. If a and b are on one branch, the point is the
+  // minimum of this branch; otherwise it is the handover between both branches. On wavy flanks, a
+  // third crest may lead at the point. The point then divides the interval, and both parts are
+  // examined in the same way. If the branches do not meet because a crest ends, the interval is
+  // halved.
   template <class Take>
   void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
                int divisions, const Take& take) const {
@@ -168,8 +169,8 @@ class Branches {
     valleys(lead, b, width - t, least, divisions - 1, take);
   }
 
-  // A maximum (`up`) or minimum of the leading branch within a step of i. The slope of the branch
-  // is exact and continuous, but it has kinks where the contact reaches an edge.
+  // A maximum (if `up`) or minimum of the branch that leads at i, within a step of i. The slope of
+  // the branch is exact and continuous, but it has kinks where the contact reaches an edge.
   std::optional<PairTouch> turning_point(long i, bool up) const {
     return turning_point(at(i), 1.0, up);
   }
@@ -186,7 +187,7 @@ class Branches {
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
-      // Without a turning point, the branch may be greatest at the point where it begins or ends.
+      // If the slope has no root, the branch may be greatest at the point where it begins or ends.
       return up && std::abs(hi) < width ? std::optional(end) : std::nullopt;
     }
     PairTouch best = here;

@@ -1,17 +1,18 @@
-// The least and the greatest transmission error of the continuous curve, computed from touches at
-// some positions.
+// Computes the least and the greatest transmission error over all rotations, from touches at some
+// positions.
 //
 //   T, N       gap field of two flanks (gap_field.hpp) and frame N (contact_pair.hpp)
-//   T_a, T_b   two branches; a branch is the greatest T of one tooth pair as a function of the
-//              rotation, on convex flanks over all patches, on others on one pair of patches
-//   TE         the greatest of the branches; this branch leads
+//   T_a, T_b   two branches. A branch is the greatest T of one tooth pair as a function of the
+//              rotation. On convex flanks, it is the greatest T over all pairs of patches. On other
+//              flanks, each pair of patches has its own branch
+//   TE         the greatest T of all branches; the branch with this T leads
 //                                        theory: docs/theory/14-scatter.md, [T14.11]
 //
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
 // handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
 //
-// The peak to peak over the positions alone is too small, by up to half of the change of TE in a
-// step. The missing part depends on where the handovers lie between the positions.
+// The peak to peak of the values at the positions alone is too small, by up to half of the change
+// of TE within a step. The missing part depends on where the handovers lie between the positions.
 #pragma once
 
 #include <array>
@@ -58,7 +59,7 @@ std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 /// Domain    as sensitivity() (contract)
 /// Accuracy  rounding if the extremes are unique. At a jump, the motion of the end of the branch is
 ///           neglected, and only the slope of the branch is used
-/// Laws      (3) it is the limit of differences of span()
+/// Laws      (3) the result is the limit of differences of span()
 double span_slope(Transmission& transmission, const CurveExtremes& extremes,
                   const Influence& influence);
 

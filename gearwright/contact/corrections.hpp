@@ -1,5 +1,5 @@
-// The corrections by which a workshop compensates the errors of a pair, and the task that computes
-// them.
+// The corrections by which a workshop compensates the errors of a pair, and the task from which
+// compensate() computes their values.
 //
 //   const auto setup = ContactSetup::of(*pair, {});
 //   CompensationTask task = compensation_task(*setup, {{Modification::lead_slope, 1}}, scenarios);
@@ -14,10 +14,10 @@
 
 namespace gearwright {
 
-/// A correction by another setting of a cutter.
+/// A correction that changes the setting of a cutter.
 enum class CutterSetting {
   tool_setting,  ///< Δb_F  mm, of the rack F that cuts convex circular arcs
-  cutter_lead,   ///< Δλ  degrees, of the cutter of the gear
+  cutter_lead,   ///< Δλ  degrees, of the gear's cutter
 };
 
 /// A correction. A modification is in µm. Slopes apply to the working flanks and all others to both
@@ -46,8 +46,8 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence by which the sensitivities to a correction are computed; none for a tool setting
-/// and a cutter lead, which do not remove material from the flanks.
+/// The influence by which the sensitivities to a correction are computed. A tool setting and a
+/// cutter lead have none, because they do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
 /// The influences of all corrections; none if one of them has no influence.
@@ -62,7 +62,7 @@ ContactSetup with_fields_for(const ContactSetup& setup,
 /// tool setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The task that computes these corrections, within bounds_of(), for the worst of the `scenarios`.
+/// The task of computing these corrections, within bounds_of(), for the worst of the `scenarios`.
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

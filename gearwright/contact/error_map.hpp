@@ -16,8 +16,8 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// The map of the peak to peak. `te_at(x, y)` must return TE over a pitch under the errors x and y,
-/// rad, as transmission_error() does, and is called from several threads at once.
+/// The map of the peak to peak of TE. `te_at(x, y)` must return TE over a pitch under the errors x
+/// and y, rad, as transmission_error() does. It is called from several threads at once.
 ///
 /// Units     rad
 /// Domain    x and y not empty (contract); `threads` 0 means one per core

@@ -7,12 +7,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// Limits of rounding: value of an active bound, in scaled lengths, and least multiplier that
-// counts as 0.
+// Rounding errors. A point satisfies a bound if it violates the bound by at most kOnBound, a scaled
+// length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// If the sine of the angle between two bounds is smaller, they are parallel within rounding and
-// have no corner.
+// Two bounds are parallel within rounding, and have no corner, if the sine of the angle between
+// them is smaller.
 constexpr double kParallel = 1e-14;
 
 class Candidates {
@@ -71,8 +71,8 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The point that violates the bounds least, among the corners of two bounds and the points on
-  // single bounds that are nearest to the start.
+  // The candidate that violates the bounds least. Candidates are the corners of two bounds, and the
+  // point on each bound that is nearest to d = 0.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();

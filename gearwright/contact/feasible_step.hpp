@@ -4,7 +4,7 @@
 //
 // The candidates are the stationary point, the best point on each bound, and the corners of two
 // bounds. Because the objective is concave, the first candidate that is feasible and has
-// multipliers ≥ 0 is the solution. The set of bounds of the last step is tried first.
+// multipliers ≥ 0 is the solution. The active bounds of the last step are tried first.
 //                                                         theory: docs/theory/08-contact.md, [T8.9]
 #pragma once
 
@@ -17,7 +17,7 @@ constexpr int kBounds = 8;
 
 struct Bound {
   double c;         ///< c_j, value of the bound at d = 0, ≥ 0 inside
-  double a_s, a_z;  ///< a_j, its gradient
+  double a_s, a_z;  ///< a_j, gradient of the bound
 };
 
 struct StepProblem {

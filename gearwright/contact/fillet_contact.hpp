@@ -18,14 +18,14 @@ namespace gearwright {
 struct FilletContact {
   int gear;            ///< 1 or 2, the gear of the fillet
   double early;        ///< mm, normal gap between the flanks when the tip touches the fillet
-  ContactPoint point;  ///< contact of the tip with the fillet; its TE is TE_f
+  ContactPoint point;  ///< where the tip touches the fillet; point.te is TE_f
 };
 
 struct FilletContacts {
   std::vector<std::size_t> asked;         ///< examined positions, as indices of `flanks`
   std::vector<ContactPoint> whole;        ///< contact of the whole outlines at these positions
   std::optional<FilletContact> earliest;  ///< the contact with the greatest `early`; none if the
-                                          ///< flanks touch first
+                                          ///< flanks touch first at all examined positions
 };
 
 /// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
@@ -33,7 +33,7 @@ struct FilletContacts {
 ///
 /// `outlines`  the pair to which `flanks` belongs, with ContactMount::fillets
 /// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
-///             so an earlier contact between them may be missed
+///             so an earlier contact between these rotations may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,
                                Progress* progress = nullptr);
 

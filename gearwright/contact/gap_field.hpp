@@ -32,8 +32,8 @@ struct FlankPatch {
   double center;  ///< rad, azimuth of the tooth's centre line at rotation 0 in the section z = 0
   double twist;   ///< τ  rad/mm, including the lead error
   double z_lo, z_hi;  ///< mm, ends of the patch along the face
-  /// Material removed from this flank; null if there is none. The z of the field is removal_z (±1)
-  /// times the z of the patch.
+  /// Material removed from this flank; null if there is none. z of the patch, multiplied by
+  /// removal_z (±1), gives z of this field.
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
@@ -79,8 +79,8 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// The field at (s, z) of flank 1. `s2` is the parameter on flank 2: the value from the last call
-  /// on entry, and the new value on return.
+  /// The field at (s, z) of flank 1. On entry, `s2` is the parameter on flank 2 from the last call;
+  /// on return, it is the parameter for this call.
   GapJet at(double s, double z, double& s2) const;
   /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
   Complex point_at_rest(double s, double z) const;

@@ -93,7 +93,7 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
 
 // The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is the
 // greatest of the branches that lead at the two positions around a rotation. If one branch leads at
-// both, it is followed from the nearer position.
+// both, this branch is followed from the nearer position.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)
@@ -106,7 +106,7 @@ class MeanError {
     }
   }
 
-  // At the rotation that is `x` steps after the first position.
+  // The mean at the rotation that is `x` steps after the first position.
   double at(double x) { return (of(halves_[0], x) + of(halves_[1], x)) / 2; }
 
  private:
@@ -248,8 +248,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may rise above their values by as much as it changes in a
-      // step.
+      // Between two positions, the curve may rise above the values at both positions by as much as
+      // the curve changes in a step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const auto lowered = [&](double x) { return -sign * mean.at(x); };

@@ -1,14 +1,14 @@
-// Contact of a double-helical pair: contact of both halves, and motion of the whole gears if one
-// gear floats along its axis.
+// Contact of a double-helical pair of which one gear floats along its axis: the contact of both
+// halves and the motion of the whole gears.
 //
 //   e_A, e_B   TE of the half at z > 0 and of the half at z < 0
-//   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; (z1/z2) tan β/r_1 of
-//              half A
+//   k          rotation of gear 2 per axial displacement of gear 1, rad/mm; equal to
+//              (z1/z2) tan β/r_1, where β is the helix angle of half A
 //   s          stagger of half B, pitches
 //
-// Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0, which has
-// the teeth of half A and the errors of mirrored(). The axial forces on the floating gear cancel.
-// Both halves therefore transmit the same torque, and both touch:
+// Each half is a helical pair. Half B is replaced by its mirror image in the plane z = 0. The
+// mirror image has the teeth of half A, and its errors are computed by mirrored(). Because the
+// axial forces on the floating gear cancel, both halves transmit the same torque, and both touch:
 //
 //   TE = (e_A + e_B)/2,   Δz = (e_B − e_A)/(2k)      theory: docs/theory/08-contact.md, [T8.27]
 #pragma once
@@ -29,11 +29,11 @@ namespace gearwright {
 /// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
-/// The rotation of half B minus the rotation of the gear.
+/// The rotation of half B minus the rotation of gear 1.
 Angle behind(double stagger, const Gear& gear_1);
-/// The rotations of half B that belong to `rotations` of the gear. If `rotations` is empty, it
-/// means `positions` equal steps per pitch. Without a stagger, both halves have the same rotations,
-/// and `rotations` is returned unchanged.
+/// The rotations of half B at the given `rotations` of gear 1. An empty list means `positions`
+/// equal steps per pitch. Without a stagger, both halves have the same rotations, and `rotations`
+/// is returned unchanged.
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
@@ -51,22 +51,22 @@ struct HalvesMesh {
   std::array<const ContactPair*, 2> half{};  ///< A, and the mirror image of B
   double stagger = 0.0;                      ///< s
 
-  /// The rotation of half B minus the rotation of the gear.
+  /// The rotation of half B minus the rotation of gear 1.
   Angle behind() const { return gearwright::behind(stagger, *gear_1); }
   /// True if half B equals the mirror image of half A at all rotations.
   bool alike() const { return alike_halves(stagger, half[0]->place().errors); }
 };
 
-/// The pairs of both halves under the same errors, which own their gears.
+/// The pairs of both halves under the same errors. The pairs own their gears.
 struct HalvesPair {
   std::array<std::shared_ptr<const ContactPair>, 2> half;  ///< A, and the mirror image of B
-  HalvesMesh mesh;                                         ///< points to them
+  HalvesMesh mesh;                                         ///< points to both pairs in `half`
 };
 
 /// Both halves of a double-helical pair, for errors that vary.
 class HalvesSetup {
  public:
-  /// `side` is −1 if half A, whose teeth `setup` has, lies at z < 0, and otherwise 1.
+  /// `setup` has the teeth of half A. `side` is −1 if half A lies at z < 0, and otherwise 1.
   ///
   /// Domain    the setup of a pair whose gears have a gap (contract)
   HalvesSetup(const ContactSetup& setup, double stagger, double side = 1.0);
@@ -88,12 +88,13 @@ struct HalvesContact {
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
-  /// The positions of half A, followed by the positions of the mirror image of half B. The verdict
-  /// judges both.
+  /// The positions of half A, followed by the positions of the mirror image of half B, so that the
+  /// verdict judges both halves.
   ContactResult on_halves() const;
 };
 
-/// Derivatives refer to the errors of the pair itself.
+/// Analyses the contact of both halves and of the whole gears. The derivatives of both halves are
+/// taken with respect to the errors of the whole pair, and not of the mirror image.
 ///
 /// Formula   [T8.27]
 /// Domain    as for a ContactPair

@@ -1,6 +1,6 @@
 // Extremes of the transmission error between the positions of a track. T and its slope are known at
-// every position, so that a cubic through two positions predicts where T is extreme or where two tooth
-// pairs hand over. All predicted places of a pitch are searched in the same lanes.
+// every position. A cubic through two positions therefore predicts where T is extreme or where two
+// tooth pairs hand over. All predicted places of a pitch are searched in the same lanes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +12,14 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kFlat = 1e-12;     // rad, change of T up to an extreme, which is estimated
-constexpr double kLastStep = 1e-6;  // steps to a handover; the change of T is added
+constexpr double kFlat = 1e-12;     // rad; a search ends if T at the extreme differs by less
+constexpr double kLastStep = 1e-6;  // last way to a handover, in steps; its change of T is added
 constexpr double kClose = 1e-7;     // rad, margin for tooth pairs that may lead at a handover
 constexpr int kMostRounds = 30;     // two are usual
 constexpr int kNewton = 5;          // rounds with Newton steps
 
-// T between two positions, from its values and slopes at both; t is in steps from the first.
+// T between two positions, from the values and slopes at both. t is counted in steps from the first
+// position.
 struct Cubic {
   double v, s, a, b;
   double at(double t) const { return v + t * (s + t * (a + t * b)); }
@@ -45,15 +46,15 @@ double root_of(const F& f) {
 
 }  // namespace
 
-// A place between two positions: a handover from the tooth pair at m to the one at `other`, or an
-// extreme of the tooth pair at m.
+// A place between two positions, which is a handover from the tooth pair at m to the tooth pair at
+// `other`, or an extreme of the tooth pair at m if there is no `other`.
 struct LaneTrack::Candidate {
   int m;
   std::optional<int> other;
   bool up;
   double t;  // steps from m
-  // The ends of the interval that contains the place, with T of the first pair minus T of the other, or
-  // the slope of T.
+  // The ends of the interval that contains the place. At a handover, `value` is T of the pair at m
+  // minus T of the pair at `other`. At an extreme, it is the slope of T.
   struct End {
     double t, value;
     std::array<PairTouch, 2> touch;
@@ -69,7 +70,8 @@ struct LaneTrack::Candidate {
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // The next place. If T is a straight line on both sides of a kink, its tangents at the ends meet there.
+  // The next place. If T consists of two straight lines that meet at a kink, the tangents at the
+  // ends of the interval cross at the kink.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
@@ -79,7 +81,7 @@ struct LaneTrack::Candidate {
   }
 };
 
-// The position m of the touch that leads at position i, 0 ≤ i ≤ n.
+// The number m of the position of pair 0 whose touch leads at position i, 0 ≤ i ≤ n.
 int LaneTrack::leader(int i) const {
   const int own = i % n_;
   return own - (best_[static_cast<std::size_t>(own)].pair - whole_) * n_;
@@ -117,8 +119,8 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
                    {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
                    {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
   }
-  // No branch exceeds TE, so every maximum of a branch counts. A minimum counts only if the branch leads
-  // on both sides. Tangents at both positions limit the value of an extreme.
+  // No branch exceeds TE, so every maximum of a branch is examined. A minimum is examined only if
+  // the branch leads on both sides. The tangents at both positions limit the value of an extreme.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);
@@ -162,8 +164,9 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       }
       const auto& [a, b] = here.touch;
       here.value = c.other ? a.te() - b.te() : a.touch.slope * step_;
-      // The derivative of the value. The second derivative of T jumps where the bounds of the touch
-      // change, so two touches with the same bounds are better than the cubic.
+      // The derivative of the value. At an extreme, it is computed from the slopes at this touch
+      // and the last one if both have the same active bounds. Otherwise the cubic is used, which is
+      // less accurate, because the second derivative of T jumps where the active bounds change.
       const bool alike = c.before && c.before->touch[0].fields == a.fields &&
                          c.before->touch[0].touch.active == a.touch.active;
       const double bend = c.other ? (a.touch.slope - b.touch.slope) * step_
@@ -179,7 +182,7 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       c.t += rest;
       if (!(c.t > c.lo.t && c.t < c.hi.t) || round > kNewton) c.t = c.within(step_);
       if (!c.done) continue;
-      // The rest of the way changes T by less than 1e-12 rad, which is added.
+      // The change of T over the remaining way is added.
       const double way = c.other ? rest : close ? 0.5 * rest : 0.0;
       const double te = a.te() + a.touch.slope * step_ * way;
       if (c.up && te > e.greatest) {

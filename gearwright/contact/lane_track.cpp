@@ -12,8 +12,8 @@ namespace {
 constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
 }  // namespace
 
-// The line of contact of involutes without errors of mounting. It moves along s by as much as gear 1
-// turns.
+// The line of contact of involutes without errors of mounting. If gear 1 turns by an angle, s of
+// the line changes by the same angle.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // common to both flanks
@@ -130,7 +130,7 @@ void LaneTrack::offer(int m, const PairTouch& t) {
   b.pair = (i - m) / n_;
 }
 
-// The start of a search between two touches.
+// The touch from which a search between two touches starts.
 PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, double part,
                                    double phi) const {
   PairTouch t = part < 0.5 ? a : b;
@@ -142,8 +142,8 @@ PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, doubl
   return t;
 }
 
-// On convex flanks, T is greatest where no pair of patches beyond an active border has a greater T, as
-// in Transmission::climb().
+// Moves touches across the borders of patches, like Transmission::climb(). On convex flanks, T is
+// greatest at a touch if no pair of patches beyond an active border has a greater T.
 void LaneTrack::cross_seams(std::vector<PairTouch>& touches) const {
   const auto& across = transmission_->across_;
   if (across.size() < 2) return;
@@ -219,8 +219,8 @@ void LaneTrack::search_window(const Path& path) {
   const auto touch = [&](int k) -> const PairTouch* {
     return k >= 0 && k < count ? rough[static_cast<std::size_t>(k)] : nullptr;
   };
-  // The limits of T at every position. The tangents at both ends of a step show how far T may lie from
-  // the straight line between them.
+  // The limits of T at every position. The tangents at two neighbouring touches show how far T may
+  // lie from the straight line between these touches.
   const int all = (count - 1) * stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
@@ -288,7 +288,7 @@ void LaneTrack::search_window(const Path& path) {
   }
 }
 
-// Continues the track in one direction as Transmission does, until T is well below T of another pair.
+// Like Transmission, continues the track in one direction until T is well below T of another pair.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

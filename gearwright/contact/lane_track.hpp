@@ -1,12 +1,12 @@
 // The transmission error over a pitch, with the positions searched in lanes (touch_lanes.hpp).
 //
-//   m    position of tooth pair 0, at the rotation first + m·pitch/n; position m of pair 0 is position
-//        m mod n of another pair
+//   m    position of tooth pair 0, at the rotation first + m·pitch/n. Position m of pair 0 is
+//        position m mod n of another pair
 //                                    theory: docs/theory/14-scatter.md, section 14.4
 //
-// Every eighth of a pitch is searched first, from the middle of the line of contact. The other
-// positions start from the polynomial through these touches. The slope of T is exact at every touch, so
-// that the extremes between the positions are found in two or three steps.
+// The first searches are an eighth of a pitch apart and start in the middle of the line of contact.
+// The searches at the other positions start from the polynomial through the touches found. Because
+// the slope of T is exact at every touch, two or three steps find the extremes between positions.
 #pragma once
 
 #include <optional>
@@ -19,16 +19,16 @@ namespace gearwright::detail {
 
 class LaneTrack {
  public:
-  /// None if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may have several
-  /// maxima on a flank.
+  /// None if the axes are crossed, if LaneSearch does not apply to the flanks, or if T may have
+  /// several maxima on a flank.
   static std::optional<LaneTrack> of(Transmission& transmission, double first, int n);
 
-  /// The touches of Transmission::over_a_pitch().
+  /// The same touches as Transmission::over_a_pitch() computes.
   const std::vector<PairTouch>& touches() const { return best_; }
-  /// The extremes of continuous_extremes(). None if a branch begins or ends where it leads, or if a
-  /// search does not converge.
+  /// The same extremes as continuous_extremes() computes. None if a branch begins or ends where it
+  /// leads, or if a search does not converge.
   std::optional<CurveExtremes> extremes() const;
-  /// Positions that were searched alone, for tests and benchmarks.
+  /// Number of positions that were searched outside the lanes, for tests and benchmarks.
   int alone() const { return alone_; }
 
  private:

@@ -48,8 +48,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// Analyses the contact of the pair under its errors. Lost contact is not an error, but sets
-/// `contact_lost`.
+/// Analyses the contact of the pair under its errors. If contact is lost, the result is not an
+/// error, but `contact_lost` is set.
 ///
 /// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)

@@ -1,8 +1,8 @@
 // The contact pattern, which marking compound would show on both flanks after a full mesh, and the
 // gap between the flanks at one position.
 //
-//   gap   normal distance of the flanks, mm, at the actual rotation of gear 2. In a pattern, it is
-//         the least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
+//   gap   normal distance of the flanks, mm, at the actual rotation of gear 2; in a pattern, the
+//         least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
 //
 // Results are rasters. The rows of a raster are diameters, and the columns are heights along the
 // face.
@@ -35,8 +35,8 @@ struct RasterSize {
 ///
 /// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
 ///           This is exact if the contact moves at constant speed; otherwise, the error is some nm
-///           with 64 positions per pitch. If the gap is least where the mating flank begins to lie
-///           opposite the point, the gap at the next position is used
+///           with 64 positions per pitch. If the gap is least at the rotation at which the mating
+///           flank begins to lie opposite the point, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},

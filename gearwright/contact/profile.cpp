@@ -7,7 +7,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kRounding = 4e-16;  // absolute rounding error of ln ρ, relative of a parameter
+constexpr double kRounding = 4e-16;  // rounding error, absolute for ln ρ, relative for a parameter
 // For smaller ξ², slopes of an involute are computed at this ξ², because θ″ = −(1 + ξ²)/ξ is
 // infinite on the base circle. The radius at this ξ² is greater than r_b by 5e-13 r_b.
 constexpr double kMinRollSquare = 1e-12;  // rad²
@@ -82,13 +82,13 @@ RadialJet Profile::involute_at_radius(double u) const {
 }
 
 RadialJet Profile::circle_at_radius(double u, double& s) const {
-  // Iterates from the last solution with steps of second order. They are limited to a bracket,
+  // Iterates from the last solution with steps of second order. The steps stay within a bracket,
   // because a free step may jump to the other end of the circle. The squares of the radii are
   // compared, so that no logarithm is needed near the solution.
   constexpr int kMax = 60;
   constexpr double kClose = 1e-8;  // in u; the series covers a smaller remainder
-  // With ρ_s the radius at s and x = (ρ/ρ_s)² − 1 below this limit, three terms of the logarithm
-  // have an error of x⁴/8 ≤ 1.3e-17.
+  // If x = (ρ/ρ_s)² − 1, where ρ_s is the radius at s, is below this limit, three terms of the
+  // logarithm have an error of x⁴/8 ≤ 1.3e-17.
   constexpr double kSmall = 1e-4;
   const double square = std::exp(2.0 * u);
   double lo = s_lo_;

@@ -32,8 +32,8 @@ struct RadialJet {
   double d1, d2;   ///< θ′, θ″
 };
 
-/// The rotation of a flank per mm of material removed along the normal, k = 1/arm, and its
-/// derivatives with respect to u.
+/// The rotation of a flank per mm of material removed along the normal, k = 1/arm, and the
+/// derivatives of k with respect to u.
 struct TurnPerRemoval {
   double k, d1, d2;  ///< rad/mm
 };
@@ -67,8 +67,8 @@ class Profile {
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
-  double s_of(double u) const;  ///< s at u, solved to rounding; u beyond the piece gives the end
-  double s_of(double u, double start) const;              ///< the same; iterations begin at `start`
+  double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
+  double s_of(double u, double start) const;              ///< as above, but iterates from `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
   /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;

@@ -17,7 +17,7 @@ struct Held {
   std::optional<ContactPair> pair;
 };
 
-// The error if a deviation of the teeth is given for the rack.
+// An error if the caller gives a deviation of the teeth of the rack; else empty.
 std::optional<Error> rack_error(const ContactErrors& errors) {
   const bool slope = errors.helix_twist[1] != 0.0;
   if (!slope && errors.cutter_lead[1] == Angle()) return std::nullopt;

@@ -2,8 +2,8 @@
 //
 // The analysis is the same as for two gears, but with the travel of the rack instead of the
 // rotation of gear 2 [T8.29]. Travel and its error are stored as angles x/r, where r is the
-// reference radius of the pinion. A positive travel has the direction −y of the housing, which is
-// also the direction in which the rim of an external gear 2 moves.
+// reference radius of the pinion. A positive travel has the direction −y of the housing. The rim of
+// an external gear 2 moves in the same direction.
 //
 //   const auto touching = contact(*rack_pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->rack.of(touching->peak_to_peak));   // mm

@@ -12,7 +12,7 @@
 
 namespace gearwright {
 
-/// The twist after the change of λ, rad/mm, of a gear with the twist `twist` before the change.
+/// The twist after a change of λ, rad/mm. `twist` is the twist before the change.
 ///
 /// Domain    0 < λ + Δλ < π; Δλ = 0 for a spur gear (contract)
 double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
@@ -22,8 +22,8 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 /// Domain    arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
 /// The whole half tooth that the gear's rack cuts with the changed lead angle, with root fillet,
-/// tip and new ends of the flank. None if the root was not cut by a rack, but by a pinion cutter or
-/// as a circular fillet, or if no tooth is left.
+/// tip and new ends of the flank. None if no tooth is left, or if the root was cut by a pinion
+/// cutter or has a circular fillet, so that no rack cut it.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

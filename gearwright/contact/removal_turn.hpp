@@ -14,13 +14,13 @@ struct RemovalTurn {
 };
 
 /// The effect of material removed from `gear` on T*, the greatest T over the profile at a fixed
-/// height z of flank 1. T has this value at the parameter s.
+/// height z of flank 1. T* lies at the parameter s.
 ///
 /// Units     rad, mm
 /// Domain    gear 1 or 2; patches of this pair (contract)
 /// Accuracy  rounding
-/// Laws      the result, multiplied by the removal per unit of a modification, is row_slope() for
-///           that modification
+/// Laws      `te`, multiplied by the removal per unit of a modification, is equal to row_slope()
+///           for this modification
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
 }  // namespace gearwright

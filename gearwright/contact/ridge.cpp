@@ -58,9 +58,9 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   return -GapField::arm(j) * t.dot((hessian(j.t) + mu * c_bend) * t) / step.squaredNorm();
 }
 
-// The index of the patch beyond a border of `here`. At a border of u (`of_u`), this patch has the
-// same range of z as `here` and continues its range of u. At a border of z, u and z are exchanged.
-// The common border of two patches is the same number for both, except for the rounding of ln ρ.
+// The index of the patch beyond a border of `here`. At a border of u (`of_u`), both patches have
+// the same range of z, and their ranges of u adjoin. At a border of z, u and z are exchanged. Both
+// patches store the common border as the same number, except for the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) < kSame; };

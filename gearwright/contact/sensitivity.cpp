@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives with respect to e at a fixed point (s, z) of flank 1, and their derivatives with
-// respect to s and z.
+// The derivatives with respect to e at a fixed point (s, z) of flank 1, and the derivatives of
+// these with respect to s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
@@ -287,7 +287,8 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // If gear 2 drives, both rotations change their sign in N, but their quotient does not change.
+  // If gear 2 drives, both rotations have the opposite sign in N, but the quotient of the rotations
+  // is the same as in the housing.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// An error of mounting or of the lead. Each unit is the unit in which derivatives refer to the
-/// error.
+/// An error of mounting or of the lead. Derivatives with respect to an error are per the unit that
+/// is given here.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad
@@ -46,21 +46,21 @@ struct Sensitivity {
 ///
 /// Units     rad, mm; per mm or rad of the influence
 /// Domain    a touch with contact; a modified gear has a RemovalField (contract)
-/// Accuracy  TE to rounding, and the point as accurately as the contact point itself. For a line
-///           contact, the derivative of the point has no meaning
+/// Accuracy  `te` to rounding; `point` as accurate as the contact point itself. For a line contact,
+///           `point` has no meaning
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
 /// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1,
-/// and it lies at s. If the point (s, z) lies opposite an end of the patch of flank 2, it moves
-/// along flank 1 with this end.
+/// and it lies at s. If the point (s, z) lies opposite an end of the patch of flank 2, s changes
+/// with e so that the point stays opposite this end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding
 double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
                  const Influence& influence);
 
-/// dTE/dφ1, rad/rad. It is exact and computed like a sensitivity, with the rotation of gear 1 as e.
+/// dTE/dφ1, rad/rad, exact. It is computed like a sensitivity in which e is the rotation of gear 1.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 
 }  // namespace gearwright

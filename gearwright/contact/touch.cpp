@@ -20,7 +20,7 @@ constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the me
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
 constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
-constexpr double kSamePlace = 1e-5;    // scaled; and if their distance is less than this
+constexpr double kSamePlace = 1e-5;    // scaled; and if they are also closer together than this
 // Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
 // constant in one direction within rounding, the slope in that direction is set to 0 and the
 // function returns true.
@@ -271,8 +271,8 @@ bool TouchSearch::uneven() const {
 
 // T varies slowly along the line of contact and rapidly across it. The maxima of T in each section
 // are therefore computed first, by Newton steps along the profile from each row with a greater T
-// than its neighbours. A search then starts from each of these maxima that no neighbouring section
-// exceeds.
+// than its neighbours. A search then starts from each of these maxima that is not exceeded in a
+// neighbouring section.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

@@ -1,5 +1,5 @@
-// Computes where one flank touches another. D is the part of flank 1 that lies opposite flank 2,
-// and Newton steps with the eight bounds of D find the greatest T (gap_field.hpp) over D.
+// Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
+// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over D.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -23,7 +23,7 @@ struct Touch {
   Stop stop = Stop::no_room;
   double te = 0.0;          ///< T  rad
   double s = 0.0, z = 0.0;  ///< the touch on flank 1
-  double s2 = 0.0;          ///< its parameter on flank 2
+  double s2 = 0.0;          ///< parameter of the touch on flank 2
   detail::ActiveSet active;
   std::array<double, 2> multiplier{};  ///< multipliers of the active bounds, rad per scaled bound
   bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
@@ -51,10 +51,11 @@ class TouchSearch {
   /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
   /// bounds that are active at this point.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
-  /// Searches from the best of nine points; if this search fails, by cold(). The result is the
+  /// Searches from the best of nine points. If this search fails, cold() is used. The result is the
   /// greatest T if T has only one maximum.
   Touch from_middle() const;
-  /// Searches the whole flank: from every peak of a grid, and from both end sections of D.
+  /// Searches the whole flank. Searches start from every peak of a grid and from both end sections
+  /// of D.
   Touch cold() const;
   /// Like cold(), but returns all local maxima, the greatest first. On uneven flanks, which have a
   /// maximum for each crest, the greatest T of every section is examined.

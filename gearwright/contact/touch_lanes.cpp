@@ -33,8 +33,8 @@ struct FlankAngle {
   double at_0, by_xi, by_xi2, by_z, by_z2;
 };
 
-// Modifications of an involute are polynomials of second degree in L = r_b |ξ| and in z, without mixed
-// terms. Their coefficients are found from the derivatives at one point.
+// The modifications of an involute for which LaneSearch applies are polynomials of second degree in
+// L = r_b |ξ| and in z, without mixed terms. The derivatives at one point give their coefficients.
 std::optional<FlankAngle> angle_of(const FlankPatch& f, double xi_mid) {
   const Involute* curve = f.profile.involute();
   if (!curve) return std::nullopt;
@@ -171,7 +171,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
     in(I::s, i) = t.touch.s;
     in(I::z, i) = t.touch.z;
     in(I::mu_a, i) = in(I::mu_b, i) = 0.0;
-    // Without a touch nearby, the bounds of the last touch that was found are tried first.
+    // If the start is not a touch, the bounds of the last touch that was found are tried first.
     if (!t.touch.found()) t.touch.active = last;
     set_bounds(i, t.touch.active);
     owner[i] = &t;
@@ -199,7 +199,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
         t.z = in(I::z, i);
         const auto& [xi_mid, width] = widths_[static_cast<std::size_t>(at.fields)];
         t.s2 = xi_mid;
-        // The bound of flank 2 is a bound of u in the results.
+        // The multiplier of a bound of N is converted to the multiplier of the same bound of u.
         const auto price = [&](I kind, I mu) {
           const double k = in(kind, i);
           return k > 1.5 && k < 2.5 ? in(mu, i) * out(O::by_n, i) * width : in(mu, i);

@@ -1,12 +1,12 @@
-// The contact search of touch.hpp for many positions at once, one in each lane of a vector. It applies
-// to involute flanks whose modifications are polynomials of the roll angle and the height.
+// The contact search of touch.hpp for many positions at once, one in each lane of a vector. The
+// search applies to involute flanks whose modifications are polynomials of roll angle and height.
 //
 //   N   |W|², square of the radius of a point on gear 2, mm²
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// Every lane does the Newton steps of TouchSearch with the active bounds of its last step. If they do
-// not hold, solve_step() chooses others for this lane. A lane that does not converge is not found, and
-// the caller searches this position alone.
+// Every lane does the Newton steps of TouchSearch with the active bounds of its last step. If these
+// bounds do not give a valid step, solve_step() chooses other bounds for this lane. If a lane does
+// not converge, its touch counts as not found, and the caller searches this position alone.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 namespace gearwright::detail {
 
 /// The columns of a step: constants of the flanks and of the mounting, and the state of the search.
-/// The polynomials are b_0 + b_1 (ξ − ξ_mid) + b_2 (ξ − ξ_mid)² + q_1 z + q_2 z².
+/// The angle of each flank (B1, B2 of touch_lanes.inc) is the polynomial
+/// b_0 + b_1 (ξ − ξ_mid) + b_2 (ξ − ξ_mid)² + q_1 z + q_2 z².
 // clang-format off
 enum class LaneIn : std::size_t {
   r1, c1, s_mid, s_half, z_mid, z_half, b1_0, b1_1, b1_2, q1_1, q1_2,
@@ -41,7 +42,7 @@ struct LaneBlock {
   std::array<std::array<double, kLaneBlock>, kLaneOut> out{};
 };
 
-/// One step of all positions of a block.
+/// Does one step at all positions of a block.
 ///
 /// Laws      both functions return the same bits
 void touch_step(LaneBlock& block);
@@ -52,8 +53,8 @@ class LaneSearch {
   /// None if a flank is not an involute with modifications that are polynomials.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
-  /// Searches touches of tooth pair 0 from the places `touch.s` and `touch.z` with the bounds
-  /// `touch.active`. `fields` becomes −1 for those that are not found.
+  /// Searches touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
+  /// bounds `touch.active`. If a touch is not found, its `fields` becomes −1.
   void solve(std::vector<PairTouch>& touches) const;
 
  private:

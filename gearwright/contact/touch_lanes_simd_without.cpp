@@ -1,5 +1,4 @@
-// Without Google Highway a step uses plain doubles, which are the reference for tests of the vector
-// code.
+// Without Google Highway, a step uses the scalar code, with which tests compare the vector code.
 #include "gearwright/contact/touch_lanes.hpp"
 
 namespace gearwright::detail {

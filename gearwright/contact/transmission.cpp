@@ -23,15 +23,15 @@ bool is_convex(const std::vector<FlankPatch>& flank) {
   return removal->amount(P::profile_crowning) >= 0.0 && removal->amount(P::lead_crowning) >= 0.0;
 }
 
-// True if the flanks overlap beside the line of action, as those of internal pairs on crossed axes
-// do [T4.35]. T then has a maximum at an edge on each side of the line.
+// True if the flanks overlap beside the line of action, which happens for internal pairs on crossed
+// axes [T4.35]. T then has a maximum at an edge on each side of the line.
 bool is_saddle(const ContactPair& pair) {
   return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
 }
 
 // True if the teeth of a ring reach beyond the point at which the line of action touches the base
 // circle of the pinion. There, the hollow flank of the ring is more curved than the flank of the
-// pinion, and its tip is another maximum of T.
+// pinion, and T has another maximum at the tip of the ring's teeth.
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
@@ -40,12 +40,13 @@ bool reaches_beyond_action(const ContactPair& pair) {
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double r_b2 = two->base_radius(), between = r_b2 - one->base_radius();
-  // r_b2 and the length a sin α_w of the line of action between the base circles.
+  // The square of that point's distance from axis 2 is r_b2² + (a sin α_w)², where a sin α_w is the
+  // length of the line of action between the base circles.
   return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
-// The number of the patch beyond an end of patch p, or −1. The ends are the lower and upper end in
-// s, or in u if `of_u`, and then in z.
+// The number of the patch beyond an end of patch p, or −1 if there is none. Ends 0 and 1 are the
+// lower and the upper end in s (in u if `of_u`), ends 2 and 3 the lower and the upper end in z.
 int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int end, bool of_u) {
   const bool lower = (end % 2 == 0) == (end >= 2 || of_u || p.profile.grows());
   const auto is_next = [&](const FlankPatch& o) {
@@ -251,8 +252,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, T is less than WaveCrests estimates. The highest crest may
-    // then be one that was left out because the estimate of another crest was too great.
+    // Far beyond the path of contact, T is less than WaveCrests estimates. If the estimate of one
+    // crest was too great, the crest that is in fact the highest may have been left out.
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -1,14 +1,14 @@
-// Transmission error: the rotation of gear 2 minus its nominal rotation at each position, with the
-// handover between tooth pairs, and the points at which the teeth touch.
+// Computes, at each position, the transmission error (the rotation of gear 2 minus its nominal
+// rotation), the tooth pair that touches, and the point at which it touches.
 //
 //   T     greatest value of the gap field (gap_field.hpp) of tooth pair 0
 //   N     frame of contact_pair.hpp
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// Only one tooth pair is followed through its whole range, because the others repeat its motion
+// Only tooth pair 0 is followed through its whole range, because the other pairs repeat its motion
 // with a delay of whole pitches. On convex flanks, the greatest T is followed across the borders of
-// patches. On other flanks, every pair of patches is followed separately, and the greatest T is
-// used.
+// patches. On other flanks, every pair of patches is followed separately, and the greatest of their
+// T is used.
 #pragma once
 
 #include <array>
@@ -63,20 +63,20 @@ class Transmission {
   /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
   /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// As follow(). On convex flanks of several patches, the touch moves on to the patch with the greatest
-  /// T of this tooth pair.
+  /// Like follow(), but on convex flanks with several patches, the touch moves to those patches on
+  /// which T of this tooth pair is greatest.
   PairTouch follow_pair(const PairTouch& from, double phi);
   /// True if follow_pair() crosses the borders of patches.
   bool crosses_patches() const { return convex_ && fields_.size() > 1; }
-  /// All local maxima of T of tooth pair 0, for all pairs of patches. Maxima at a seam are
-  /// included, although T may rise beyond the seam.
+  /// All local maxima of T of tooth pair 0 on all pairs of patches. Maxima at a seam are included,
+  /// even if T rises beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }
   const TouchSearch& search(int fields) const { return *searches_[fields]; }
   const GapField& field(int fields) const { return *fields_[fields]; }
-  /// Sets the field to the rotation of the touch and returns its exact jet, with θ2 fully
-  /// converged.
+  /// Sets the field to the rotation of the touch and returns the exact jet of the field at (s, z),
+  /// with θ2 fully converged.
   GapJet jet_at(const PairTouch& t, double s, double z);
   /// True if form waves give T many maxima, which are found in closed form at every position.
   bool wavy() const { return !crests_.empty(); }

@@ -47,9 +47,10 @@ class PlaceAhead {
 
 }  // namespace
 
-// The greatest T of a convex flank at φ, found from a touch or from a place near it. T over the
-// flank is concave: it is the greatest if no pair of patches beyond an active border has a greater
-// T. On a ridge, T of both sides is equal, and the first pair of patches is used.
+// The touch with the greatest T of a convex flank at φ. The search starts at a touch or at a place
+// near it. T over the flank is concave, so T of a touch is the greatest if no pair of patches
+// beyond an active border has a greater T. On a ridge, T of both sides is equal, and the first pair
+// of patches is used.
 PairTouch Transmission::climb(const PairTouch& from, double phi) {
   const int count = static_cast<int>(fields_.size());
   const int most_crossings = 2 * count;  // a limit that rounding errors cannot exceed
@@ -82,8 +83,8 @@ PairTouch Transmission::climb(const PairTouch& from, double phi) {
   return best;
 }
 
-// Follows a touch through the positions of tooth pair 0. For each position of a pitch, it records
-// the touch with the greatest T in `best`.
+// Follows a touch through the positions of tooth pair 0. For each position of a pitch, the touch
+// with the greatest T is recorded in `best`.
 class Transmission::Track {
  public:
   Track(Transmission& all, double first, int n, double below, std::vector<PairTouch>& best)
@@ -107,9 +108,9 @@ class Transmission::Track {
     return t.te() >= b.te() - below_;
   }
 
-  // Follows a touch from position m in one direction. `step` returns the touch at a rotation from a
-  // predicted one. The track ends if there is no such touch, if T decreases and is well below T of
-  // another pair, or if `known` returns true because another track contains this touch.
+  // Follows a touch from position m in one direction. `step` computes the touch at a rotation, and
+  // starts at a predicted touch. The track ends if no touch is found, if T decreases and is well
+  // below T of another pair, or if `known` returns true because another track contains this touch.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
@@ -138,7 +139,7 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// A touch of tooth pair 0 on a convex flank, searched first on the largest pair of patches.
+// A touch of tooth pair 0 on a convex flank. The largest pair of patches is searched first.
 PairTouch Transmission::first_touch(double phi) {
   std::vector<std::pair<double, int>> order;
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
@@ -155,8 +156,8 @@ PairTouch Transmission::first_touch(double phi) {
   return {};
 }
 
-// Follows the maximum of T on convex flanks, for which T has only one maximum and one interval of
-// rotation.
+// Follows the maximum of T on convex flanks, where T has only one maximum. These flanks touch in
+// only one interval of rotation.
 void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, first, n, kBelow, best);
   const int stride = std::max(1, n / 4);
@@ -188,7 +189,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // greatest distance of equal touches, of the patch
+    constexpr double kSamePlace = 1e-5;  // part of the patch; nearer touches count as the same
     auto& here = passed[static_cast<std::size_t>(m + most + 1)];
     for (const Touch& p : here) {
       if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&

@@ -12,11 +12,11 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kMaxSteps = 12;    // limit of the search for an exact ridge; two or three are usual
 constexpr double kRidge = 1e-9;  // step of φ, rad, that changes T by less than 1e-17
-constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, of the amplitude
-constexpr double kMargin = 0.1;  // greatest error of T between two nodes, of the amplitude
+constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, per amplitude
+constexpr double kMargin = 0.1;  // greatest error of T between two nodes, per amplitude
 constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
                                  // flanks, above which T may have several maxima over the profile
-constexpr int kAcross = 5;       // points examined for maxima over the profile above kSteep
+constexpr int kAcross = 5;       // points examined over the profile if the ratio exceeds kSteep
 constexpr int kPerWave = 6;      // nodes over the height z, per wave
 constexpr int kLeastNodes = 7;   // least number of nodes over the height z
 constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path
@@ -52,8 +52,8 @@ bool suits(const FlankPatch& f) {
   return f.profile.involute() && !(f.removal && f.removal->has_topography());
 }
 
-// A wave over the profile, as a complex number whose phase advances from point to point. The
-// imaginary part of `at` is the sine.
+// A wave over the profile, as a complex number whose phase advances from point to point. The value
+// of the wave is the imaginary part of `at`.
 struct Phasor {
   Complex at{}, turn{}, faster{};
 };
@@ -379,7 +379,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     }
     nodes.push_back(next);
   }
-  // T of a neighbour, if it is on the same branch over the profile.
+  // T of the neighbouring node `other`; kNone if this node is on another branch over the profile.
   const auto te = [&](std::size_t i, std::size_t other) {
     if (other >= nodes.size() || nodes[other].outside) return kNone;
     const bool same = !steep_ || std::abs(nodes[other].aside - nodes[i].aside) < branch_;

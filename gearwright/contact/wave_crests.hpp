@@ -10,9 +10,10 @@
 //            normal; the phase of a wave over the profile is proportional to L
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
-// On involutes with parallel axes, φ, the T of the smooth flanks, and the point of flank 2 are
-// quadratic functions of x and of y up to a small fraction of a micron. They are interpolated from
-// nine exact ridges. The waves are added in closed form, with one Newton step along the profile.
+// On involutes with parallel axes, φ, T of the smooth flanks, and the point of flank 2 are
+// quadratic functions of x and of y up to a small fraction of a micron. These functions are
+// interpolated from nine exact ridges. The waves are added in closed form, with one Newton step
+// along the profile.
 //
 // Internal to contact/.
 #pragma once
@@ -27,7 +28,7 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if no wave exists, or if the quadratic functions are not valid. They are valid for
+  /// None if no wave exists, or if the quadratic functions are not valid. These are valid for
   /// involutes without topography on parallel axes. In addition, all exact ridges must be
   /// computable, and the error half way between them must be at most a hundredth of the amplitude
   /// of the waves.
@@ -44,15 +45,15 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// rad; a crest whose T is less than T of another crest by more than this margin cannot be the
-  /// highest.
+  /// rad. If the estimated T of another crest is greater by more than this margin, a crest cannot
+  /// be the highest.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
-  double s2() const { return s2_; }  ///< a parameter of flank 2 to start from
+  double s2() const { return s2_; }  ///< parameter of flank 2 at which searches can start
 
  private:
-  // A function that is quadratic in x and in y, from its values at −1, 0 and 1.
+  // A function that is quadratic in x and in y, interpolated from its values at −1, 0 and 1.
   struct Biquadratic {
     std::array<std::array<double, 3>, 3> c{};  // [power of y][power of x]
     std::array<double, 3> along_x(double y) const;
@@ -83,7 +84,7 @@ class WaveCrests {
   double s2_ = 0.0, arm_ = 1.0, margin_ = 0.0;
   double across_ = 0.0, along_ = 0.0;  // rad: amplitudes over the profile and over the face
   bool steep_ = false;                 // true if T may have several maxima over the profile
-  double branch_ = 0.0;  // greatest change of `aside` along one crest, between two nodes
+  double branch_ = 0.0;                // greatest change of `aside` between two nodes of one crest
   struct Wave {
     double height = 0.0;  // rad: amplitude
     double rate = 0.0;    // change of phase, rad per mm of L

@@ -59,8 +59,8 @@ std::vector<int> BSplineBasis::multiplicities() const {
 
 int BSplineBasis::span(double u) const {
   GW_EXPECTS(u >= knots_.front() && u <= knots_.back());
-  // The last knot <= u among t_p … t_(n−1). If u is the right end, this knot is the start of the
-  // last span that is not empty.
+  // The index of the last knot ≤ u among t_p … t_(n−1). If u is the right end, this knot is the
+  // start of the last span that is not empty.
   const auto first = knots_.begin() + degree_;
   const auto last = knots_.begin() + poles_;
   const auto above = std::upper_bound(first, last, u);
@@ -150,8 +150,9 @@ Eigen::VectorXd BSplineBasis::derivative(const Eigen::MatrixXd& poles, double u,
   GW_EXPECTS(poles.rows() == poles_);
   GW_EXPECTS(k >= 0);
   if (k > degree_) return Eigen::VectorXd::Zero(poles.cols());
-  // The local poles of the derivative are D_i = (p − l)(P_(i+1) − P_i)/(t_(i+p+1) − t_(i+1+l)),
-  // applied k times. De Boor's triangle of the lower degree then evaluates them on the same span.
+  // The formula D_i = (p − l)(P_(i+1) − P_i)/(t_(i+p+1) − t_(i+1+l)), applied for l = 0 … k − 1,
+  // gives the local poles of the derivative. De Boor's triangle of the lower degree then evaluates
+  // these poles on the same span.
   const int s = span(u);
   Eigen::MatrixXd d = poles.middleRows(s - degree_, degree_ + 1);
   const auto knot = [&](int i) { return knots_[static_cast<std::size_t>(i)]; };

@@ -10,10 +10,10 @@
 // A_ij = N_j(g_i) is banded and totally positive. Elimination without pivoting is therefore
 // backward stable and causes no fill-in (de Boor, A Practical Guide to Splines, ch. XIII).
 //
-//   Laws  (1) the first and last pole are the first and last sample, bit for bit
+//   Laws  (1) the first and the last pole are equal to the first and the last sample, bit for bit
 //         (2) polynomials of degree ≤ p are reproduced
-//         (3) for symmetric knots, poles in reverse order give the same curve in the opposite
-//             direction
+//         (3) if the knots are symmetric, the poles in reverse order give the same curve in the
+//             opposite direction
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ class BSplineBasis {
 
   /// Basis with the given knots, which are clamped at both ends. An inner knot occurs at most
   /// `degree` times.
-  /// Domain    non-decreasing, ends repeated degree + 1 times (contract)
+  /// Domain    knots are non-decreasing, and each end knot occurs degree + 1 times (contract)
   BSplineBasis(int degree, std::vector<double> knots);
 
   int degree() const { return degree_; }
@@ -39,7 +39,7 @@ class BSplineBasis {
   /// multiplicity.
   const std::vector<double>& knots() const { return knots_; }
 
-  /// The distinct knots in increasing order, and the multiplicity of each (as OCCT needs them).
+  /// The distinct knots in increasing order, and the multiplicity of each knot, as OCCT needs them.
   std::vector<double> distinct_knots() const;
   std::vector<int> multiplicities() const;
 
@@ -56,8 +56,8 @@ class BSplineBasis {
   /// C(u) for poles in rows.   Domain: knots.front() ≤ u ≤ knots.back() (contract)
   Eigen::VectorXd evaluate(const Eigen::MatrixXd& poles, double u) const;
 
-  /// dᵏC/duᵏ, which is zero for k > degree. At a knot it is the derivative from the right; at the
-  /// last knot it is the derivative from the left.
+  /// dᵏC/duᵏ, which is zero for k > degree. At a knot, this is the derivative from the right, but
+  /// at the last knot, it is the derivative from the left.
   Eigen::VectorXd derivative(const Eigen::MatrixXd& poles, double u, int k = 1) const;
 
   /// The p + 1 nonzero basis functions at u; values[j] belongs to pole first + j.

@@ -5,7 +5,8 @@
 namespace gearwright::detail {
 
 double tan_minus_self_series(double alpha) {
-  // Coefficients of α³, α⁵, … of tan α (Bernoulli numbers); their ratio tends to (2/π)².
+  // Coefficients of α³, α⁵, … in the series of tan α, which follow from the Bernoulli numbers. The
+  // ratio of successive coefficients tends to (2/π)².
   static constexpr double kTan[] = {
       0.3333333333333333,    0.13333333333333333,    0.05396825396825397,
       0.021869488536155203,  0.008863235529902197,   0.003592128036572481,

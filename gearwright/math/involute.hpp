@@ -61,7 +61,7 @@ T involute_of_roll(const T& xi) {
 ///
 /// Formula   [T2.3]; the iteration is monotone from the second step on
 /// Units     rad; odd in y
-/// Domain    |y| ≤ 1e12 (contract); for greater |y|, α equals π/2 except in the last bits
+/// Domain    |y| ≤ 1e12 (contract); for greater |y|, |α| differs from π/2 in the last bits only
 /// Accuracy  ledger row `inverse_involute`
 template <class T>
 T inverse_involute(const T& y) {
@@ -69,12 +69,13 @@ T inverse_involute(const T& y) {
   using std::atan;
   using std::cbrt;
   using std::tan;
-  const T limit(1e12);    // π/2 − α is 1/y there
+  const T limit(1e12);    // greatest y; π/2 − α is then 1/y
   const T rounding(1e3);  // error of tan α − α near π/2, as a multiple of the tolerance
   GW_EXPECTS(abs(y) <= limit);
   if (y == T(0)) return y;
   if (y < T(0)) return -inverse_involute<T>(-y);
-  // Start value. Small y: from inv α = α³/3 + 2α⁵/15 + …; large y: α → π/2 − 1/(y + π/2).
+  // For small y, the start value follows from inv α = α³/3 + 2α⁵/15 + …, and for large y, from
+  // α → π/2 − 1/(y + π/2).
   T alpha;
   if (y < T(0.6)) {
     const T c = cbrt(T(3) * y);
@@ -100,8 +101,8 @@ T inverse_involute(const T& y) {
 
 // Radius of curvature of an involute.              theory: docs/theory/02-involute-and-pair.md
 
-/// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r. ρ is equal to the
-/// rolling length r_b ξ; 0 inside the base circle.
+/// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r, which is equal to the
+/// rolling length r_b ξ. The result is 0 inside the base circle.
 ///
 /// Formula   [T2.2]
 /// Units     mm

@@ -30,7 +30,7 @@ LeastNode least_node(const F& f, int steps) {
 /// The argument at which f is least, by a golden-section search.
 ///
 /// Domain    f has one minimum in [from, to]
-/// Accuracy  0.618^steps of the interval, but not better than the rounding of f permits
+/// Accuracy  0.618^steps times the length of the interval, but limited by rounding errors of f
 template <class F>
 double golden_section(const F& f, double from, double to, int steps) {
   constexpr double kGolden = 0.6180339887498949;
@@ -56,10 +56,10 @@ double golden_section(const F& f, double from, double to, int steps) {
 
 /// The argument in [lo, hi] at which f is least.
 ///
-/// Formula   the best of 17 equally spaced points, then a golden-section search between its
-///           neighbours
-/// Domain    f is finite and has one minimum between these neighbours. If there are several minima
-///           in the interval, the minimum next to the best point is found
+/// Formula   the best of 17 equally spaced points, then a golden-section search between the two
+///           neighbours of this point
+/// Domain    f is finite and has one minimum between these neighbours. If f has several minima in
+///           [lo, hi], the minimum next to the best point is found
 /// Accuracy  1e-8 of the interval; within this distance of the minimum, f varies by rounding only
 template <class F>
 double place_of_least(const F& f, double lo, double hi) {

@@ -20,8 +20,8 @@ std::vector<double> minimise(Minimiser how, const MinimiserTask& task, std::vect
   opt.set_maxeval(task.evaluations);
   opt.set_ftol_rel(task.relative_gain);
   opt.set_ftol_abs(task.gain);
-  // An exception of f must not pass through the C code of NLopt. It is stored, stops NLopt, and is
-  // thrown again after the call of NLopt.
+  // An exception of f must not pass through the C code of NLopt. It is stored, NLopt is stopped,
+  // and the exception is thrown again after the call of NLopt.
   struct Objective {
     const MinimiserTask& task;
     std::exception_ptr thrown;

@@ -2,7 +2,7 @@
 //
 // NLopt provides DIRECT-L (Gablonsky and Kelley, 2001), which divides the box, and Subplex (Rowan,
 // 1990), which descends from a start point. In a build without NLopt, can_minimise() is false, and
-// callers reject the task beforehand.
+// callers must reject the task instead of calling minimise().
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@
 namespace gearwright {
 
 enum class Minimiser {
-  whole_box,  ///< DIRECT-L: global search, starting in the middle
-  downhill    ///< Subplex: local search from the start point
+  whole_box,  ///< DIRECT-L, a global search that starts in the middle of the box
+  downhill    ///< Subplex, a local search from the start point
 };
 
-/// A search ends after `evaluations` evaluations, or when the best f changes in a step by less than
-/// the fraction `relative_gain` or by less than `gain`.
+/// A search ends after `evaluations` evaluations. It also ends when a step changes the best value
+/// of f by less than the fraction `relative_gain` of this value, or by less than `gain`.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0

@@ -16,7 +16,8 @@ namespace gearwright {
 // remaining bracket is bisected.
 constexpr std::uintmax_t kBudget = 100;
 // TOMS 748 stays two ulp away from the ends of its bracket and may cycle there until kBudget is
-// reached. It is stopped when the width of the bracket is at most this fraction of its ends.
+// reached. It is stopped when the width of the bracket is at most this fraction of the end with the
+// greater magnitude.
 constexpr double kCircles = 16 * std::numeric_limits<double>::epsilon();
 
 Root find_root(const std::function<double(double)>& f, double lo, double hi) {
@@ -30,13 +31,14 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
     return {low ? lo : hi, low ? f_lo : f_hi, 2, RootStop::no_bracket};
   }
   const auto closed = [](double a, double b) {
-    // Near a root at 0, the relative criterion below is never met.
+    // For a root at 0, the relative criterion below is never met, so the bracket is also closed if
+    // its ends are neighbouring doubles.
     if (std::nextafter(a, b) == b) return true;
     return std::abs(b - a) <=
            2 * std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
   };
-  // The ends of the last bracket are among the last evaluations. Their values are stored here, so
-  // that they need not be computed again.
+  // The ends of the last bracket are among the last points at which f was evaluated. The values at
+  // these points are stored here, so that they need not be computed again.
   struct Look {
     double x = std::numeric_limits<double>::quiet_NaN();
     double value = 0.0;

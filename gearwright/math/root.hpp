@@ -1,8 +1,9 @@
-// Computes roots of functions of one variable within a bracket, by TOMS 748 (Alefeld, Potra, Shi
-// 1995) of Boost.Math or by Newton's iteration, and all real roots of a polynomial on an interval.
+// Computes a root of a function of one variable within a bracket, by TOMS 748 (Alefeld, Potra, Shi
+// 1995) of Boost.Math or by Newton's iteration. Also computes all real roots of a polynomial on an
+// interval.
 //
-// A solver returns its final x, the residual, the number of evaluations and the reason for
-// stopping. Because of the bracket, it cannot diverge.
+// A solver with a bracket returns the final x, the residual, the number of evaluations and the
+// reason for stopping. Because of the bracket, the solver cannot diverge.
 #pragma once
 
 #include <cmath>
@@ -17,9 +18,9 @@ namespace gearwright {
 
 enum class RootStop {
   exact,        ///< f(x) = 0
-  bracket,      ///< |b − a| ≤ 2 ulp of the larger end
+  bracket,      ///< |b − a| ≤ 2 ulp of the end with the greater magnitude
   no_bracket,   ///< f(lo) and f(hi) have the same sign; x is the end at which |f| is smaller
-  evaluations,  ///< the limit of evaluations was reached; only if f is NaN inside the bracket
+  evaluations,  ///< f is NaN inside the bracket, so the bracket could not be narrowed further
 };
 
 struct Root {
@@ -33,16 +34,17 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-// All real roots of a polynomial on an interval. The roots of its derivative separate them exactly.
+// All real roots of a polynomial on an interval. They are separated by the roots of the derivative
+// of the polynomial.
 
 /// Σ c_i x^i.
 double evaluate_polynomial(std::span<const double> c, double x);
 
-/// The roots of Σ c_i x^i in [lo, hi] at which it changes sign, in ascending order.
+/// The roots in [lo, hi] at which the polynomial Σ c_i x^i changes sign, in ascending order.
 ///
-/// A polynomial is monotone between two neighbouring roots of its derivative, so each piece
-/// contains at most one root. The recursion ends at degree 1. The interval is not sampled, so close
-/// roots are not missed.
+/// A polynomial is monotone between two neighbouring roots of its derivative, so there is at most
+/// one root between them. The roots of the derivative are found by recursion. The interval is not
+/// sampled, so close roots are not missed.
 ///
 /// Accuracy  each root is bisected until its bracket is two neighbouring doubles
 /// Domain    lo ≤ hi, finite coefficients (contract)
@@ -50,9 +52,9 @@ std::vector<double> polynomial_roots(std::span<const double> c, double lo, doubl
 
 // Newton's iteration within a bracket, for smooth functions with a cheap derivative.
 //
-// Every evaluation narrows the bracket. If a step would leave the bracket, or is longer than half
+// Every evaluation narrows the bracket. If a step would leave the bracket or be longer than half
 // the previous step, the bracket is bisected instead. newton_in_bracket() is a template over the
-// scalar, like the formulas.
+// scalar, like the functions of involute.hpp.
 
 template <class T>
 struct Slope {
@@ -76,9 +78,9 @@ struct NewtonRoot {
   bool found() const { return stop != NewtonStop::iterations; }
 };
 
-/// The root of f in [lo, hi]. f must satisfy f(lo) ≤ 0 ≤ f(hi) if `rising` is true, and f(lo) ≥ 0
-/// ≥ f(hi) otherwise. It is not evaluated at the ends, where it may be infinite. f(x) returns a
-/// Slope<T>.
+/// The root of f in [lo, hi]. f(x) returns a Slope<T>. If `rising` is true, f must satisfy
+/// f(lo) ≤ 0 ≤ f(hi), and otherwise f(lo) ≥ 0 ≥ f(hi). f may be infinite at lo and hi, and is not
+/// evaluated there unless the iteration starts there.
 ///
 /// Domain    lo ≤ start ≤ hi (contract)
 template <class T, class F>

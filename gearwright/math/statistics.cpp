@@ -22,8 +22,8 @@ double at_least(std::int64_t k, std::int64_t n, double p) {
   return beta_cdf(p, static_cast<double>(k), static_cast<double>(n - k + 1));
 }
 
-// Combines two estimates of a share between 0 and 1. The first is exact if the share is 0, and the
-// second if it is 1.
+// Combines two estimates of a share between 0 and 1. The first estimate is exact if the share is 0,
+// and the second estimate is exact if the share is 1.
 double combined(double exact_at_0, double exact_at_1, double weight_of_second) {
   return exact_at_0 + std::clamp(weight_of_second, 0.0, 1.0) * (exact_at_1 - exact_at_0);
 }
@@ -54,8 +54,8 @@ double quantile(std::span<const double> sorted, double p) {
 RankInterval quantile_ranks(std::int64_t n, double p, double confidence) {
   GW_EXPECTS(n >= 1 && p > 0.0 && p < 1.0 && confidence > 0.0 && confidence < 1.0);
   const double half = 0.5 * (1.0 - confidence);
-  // P(B ≥ k) falls as k rises. Bisection finds the greatest l with P(B ≥ l) ≥ 1 − α/2 and the least
-  // u with P(B ≥ u) ≤ α/2.
+  // P(B ≥ k) decreases as k increases. Bisection finds the greatest l for which P(B ≥ l) ≥ 1 − α/2,
+  // and the least u for which P(B ≥ u) ≤ α/2.
   const auto first_at_most = [&](double bound, bool strict) {
     std::int64_t lo = 0, hi = n + 1;  // P(B ≥ 0) = 1, P(B ≥ n + 1) = 0
     while (hi - lo > 1) {
@@ -109,7 +109,7 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<c
   SobolIndices indices;
   for (const std::vector<double>& m : mixed) {
     GW_EXPECTS(m.size() == a.size());
-    // nV times S, 1 − S, S_T and 1 − S_T
+    // Estimates of S, 1 − S, S_T and 1 − S_T, each multiplied by `rows` V.
     double first = 0.0, others = 0.0, total = 0.0, others_alone = 0.0, rows = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (std::isnan(a[i] + b[i] + m[i])) continue;
@@ -143,8 +143,8 @@ double beta_cdf(double x, double p, double q) {
 double beta_quantile(double u, double p, double q) {
   GW_EXPECTS(p > 0.0 && q > 0.0 && u >= 0.0 && u <= 1.0);
   if (u == 0.0 || u == 1.0) return u;
-  // Boost's own inverse fails for some p and q that are far apart. Newton's step within a bracket
-  // cannot fail.
+  // The inverse of Boost fails for some values of p and q that differ greatly. Newton's iteration
+  // within a bracket cannot fail.
   const auto f = [&](double x) {
     return Slope<double>{beta_cdf(x, p, q) - u, boost::math::ibeta_derivative(p, q, x)};
   };
@@ -153,8 +153,8 @@ double beta_quantile(double u, double p, double q) {
 
 double student_quantile(double u, double nu) {
   GW_EXPECTS(nu > 0.0 && u > 0.0 && u < 1.0);
-  // Near u = 1/2, c = t²/(ν + t²) is small, otherwise its complement b. The small one is computed,
-  // because it has more digits.
+  // Near u = 1/2, c = t²/(ν + t²) is small; far from it, the complement b = 1 − c is small. The
+  // smaller number is computed, because it has more correct digits.
   const double middle = std::abs(2.0 * u - 1.0);
   double t = 0.0;
   if (middle < 0.5) {

@@ -1,5 +1,5 @@
-// Estimates of a distribution from samples, with their confidence, and distribution functions with
-// their inverses.
+// Estimates of the properties of a distribution from samples, with confidence intervals, and
+// distribution functions with their inverses.
 //
 //   n   samples          R   replicates, independent of each other      α   1 − confidence
 //   V   variance         S_g, S_Tg   first and total Sobol index of a group g of inputs
@@ -23,19 +23,19 @@ struct Moments {
 /// Mean and variance of the samples.   Domain  n ≥ 1 (contract)
 Moments moments(std::span<const double> samples);
 
-/// The p-quantile of the sorted samples, interpolated linearly between two of them.
+/// The p-quantile of the sorted samples, interpolated linearly between two samples.
 ///
 /// Formula   at the rank 1 + p (n − 1), type 7 of Hyndman and Fan
 /// Domain    n ≥ 1, sorted, 0 ≤ p ≤ 1 (contract)
 double quantile(std::span<const double> sorted, double p);
 
-/// Ranks of sorted samples, counted from 1, between which the p-quantile of the distribution lies
-/// with a given confidence. A bound is absent if there are too few samples for it.
+/// Two ranks of sorted samples, counted from 1. The p-quantile of the distribution lies between the
+/// samples with these ranks with a given confidence. A rank is absent if there are too few samples.
 struct RankInterval {
   std::optional<std::int64_t> lower, upper;
 };
 
-/// The ranks for n samples. The confidence is at least `confidence` if both bounds exist.
+/// The ranks for n samples. If both ranks exist, the confidence is at least `confidence`.
 ///
 /// Formula   [T14.8]
 /// Domain    n ≥ 1, 0 < p < 1, 0 < confidence < 1 (contract)
@@ -45,20 +45,20 @@ struct ConfidenceInterval {
   double lower, upper;
 };
 
-/// Clopper and Pearson's interval for the probability of an event that occurred `count` times in
-/// `of` trials.
+/// The Clopper-Pearson interval for the probability of an event that occurred `count` times in `of`
+/// trials.
 ///
 /// Formula   [T14.7]
 /// Domain    0 ≤ count ≤ of, of ≥ 1, 0 < confidence < 1 (contract)
 ConfidenceInterval probability_interval(std::int64_t count, std::int64_t of, double confidence);
 
-/// A statistic as the mean of its values in R replicates.
+/// An estimate of a statistic from R replicates.
 struct Estimate {
   double value;
   std::optional<double> standard_error;  ///< none if R = 1
 };
 
-/// The estimate from the values of a statistic in the replicates.
+/// The mean of the values that a statistic has in the replicates, with the standard error.
 ///
 /// Formula   [T14.9]
 /// Domain    R ≥ 1 (contract)
@@ -73,15 +73,16 @@ struct SobolIndices {
   std::vector<double> first, total;  ///< one index for each group
 };
 
-/// Estimates for a function f of the inputs. A and B are two independent sets of n points; `a` and
-/// `b` contain the values of f at their points. For each group, `mixed` contains the values of f at
-/// the points of A with the inputs of the group taken from B. The indices of a group use the points
-/// at which none of its three values is NaN. None if a group has no such point, or if the variance
-/// of f is at most `least_variance`.
+/// Estimates the Sobol indices of groups of inputs of a function f. A and B are two independent
+/// sets of n points. `a` contains the values of f at the points of A, and `b` the values at the
+/// points of B. For each group, `mixed` contains the values of f at the points of A after the
+/// inputs of the group are replaced by the inputs of B. For a group, the points are used at which
+/// `a`, `b` and `mixed` are all not NaN. None if a group has no such point, or if the variance of f
+/// is at most `least_variance`.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)
-/// Laws      both indices are exactly 0 for a group without influence
+/// Laws      both indices of a group are exactly 0 if the group has no influence
 std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
                                           std::span<const std::vector<double>> mixed,
                                           double least_variance);
@@ -89,10 +90,10 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<c
 // Distribution functions and their inverses, used for confidence intervals and tolerances.
 //
 //   Φ   normal distribution        I_x(p, q)   regularised incomplete beta function, 0 ≤ x ≤ 1
-//   B⁻¹(u; p, q)   its inverse     t_ν(u)      quantile of Student's distribution
+//   B⁻¹(u; p, q)   inverse of I    t_ν(u)      quantile of Student's distribution
 //                                  theory: docs/theory/14-scatter.md
 //
-// Boost.Math computes them in double, because long double is missing on some machines.
+// Boost.Math computes these functions in double, because long double is missing on some machines.
 
 /// Φ(x).
 ///

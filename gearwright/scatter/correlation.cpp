@@ -16,10 +16,10 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-// Least permitted square of a diagonal entry of L. Below it, one input is a function of the others
-// within rounding.
+// Least permitted square of a diagonal entry of L. If a square is smaller, one input is a function
+// of the others within rounding.
 constexpr double kLeastPivot = 1e-9;
-constexpr double kShownStep = 1e-4;  // resolution of the correlations in an error
+constexpr double kShownStep = 1e-4;  // resolution of the correlations in the text of an error
 
 Matrix matrix_of(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   Matrix r(size, std::vector<double>(size));
@@ -44,7 +44,7 @@ std::optional<Matrix> cholesky(const Matrix& r) {
   return l;
 }
 
-// The matrix with two of its rows and columns moved to the end.
+// The matrix after two of its rows, and the same two columns, are moved to the end.
 Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < r.size(); ++i)
@@ -56,14 +56,15 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   return moved;
 }
 
-// The range of one correlation in which R is positive definite if all other correlations stay the
-// same; none if there is no such range. The rows of the two inputs are moved to the end of R. Their
-// correlation then affects only the last row of L, and the last pivot is positive within the range.
+// The range of correlation c in which R is positive definite if all other correlations stay the
+// same; none if there is no such range. The rows of the two inputs are moved to the end of R. The
+// correlation c then affects only the last row of L, and the last pivot is positive within the
+// range.
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();
-  // If this correlation is 0 and all other inputs are given, the covariance of the two inputs is
-  // −p.
+  // If all other inputs are given, the covariance of the two inputs is c − `middle`, and `half` is
+  // the product of their standard deviations, which the magnitude of the covariance cannot exceed.
   const auto without = [&](std::size_t last) {
     Matrix part(n - 1, std::vector<double>(n - 1));
     const auto at = [&](std::size_t i) { return i + 2 == n ? last : i; };
@@ -81,14 +82,16 @@ std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCo
   return std::array{middle - half, middle + half};
 }
 
-// The value with few digits inside the range that is nearest to `value`.
+// The multiple of kShownStep inside the range that is nearest to `value`, unless `value` itself
+// lies inside.
 double nearest_inside(double value, const std::array<double, 2>& range) {
   const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
   const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;
   return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
 }
 
-// The greatest factor, in steps, for all correlations at which R is still positive definite.
+// The greatest multiple of kStep such that R is positive definite if all correlations are
+// multiplied by it.
 double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   double factor = 1.0;
   const auto exists = [&](double f) {

@@ -4,8 +4,8 @@
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
 //   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30]
 //
-// The distribution of each input remains the same. An input without a correlation keeps its u′, bit
-// for bit.
+// The copula does not change the distribution of any input. For an input without a correlation, u
+// and u′ are equal bit for bit.
 #pragma once
 
 #include <optional>
@@ -26,13 +26,14 @@ struct ToleranceCorrelation {
 /// Checks that inputs with these correlations exist.
 ///
 /// Domain    each pair of tolerances at most once, |value| < 1, no tolerance with itself (contract)
-/// Errors    `correlations[N]` for a tolerance with more than one coordinate, and if R is not
-///           positive definite; the error then names the nearest value that is possible for one of
-///           the correlations, or else a common factor for all of them
+/// Errors    `correlations[N]` if a tolerance has more than one coordinate, or if R is not positive
+///           definite. In the second case, the text of the error gives the nearest possible value
+///           of one correlation or, if there is none, a common factor for all correlations
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
-/// The sets of two or more tolerances that are connected by correlations other than 0.
+/// Sets of tolerances. The tolerances of a set, at least two, are connected by correlations that
+/// are not 0.
 std::vector<std::vector<std::size_t>> correlated_blocks(
     std::size_t tolerances, std::span<const ToleranceCorrelation> correlations);
 
@@ -48,7 +49,8 @@ class Copula {
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
-  // A coordinate whose score is a sum of the scores of earlier coordinates and of its own.
+  // A coordinate whose score is a weighted sum of its own independent score and the independent
+  // scores of earlier coordinates.
   struct Row {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L

@@ -1,6 +1,6 @@
 // The distribution of a toleranced number over its range.
 //
-//   [l, h]  range, closed      m, w   its middle and half width      u   uniform in (0, 1)
+//   [l, h]  closed range       m, w   middle and half width of the range     u   uniform in (0, 1)
 //   C_pk    process capability: the mean lies at least 3 C_pk standard deviations inside the range
 //                                    theory: docs/theory/14-scatter.md, [T14.1], [T14.2]
 #pragma once
@@ -28,10 +28,10 @@ struct DistributionSpec {
 
 class Distribution {
  public:
-  /// Checks the spec and makes its distribution.
+  /// Checks the spec and makes the distribution.
   ///
-  /// Errors    `range` if l > h or if an end is not finite (for l = h the number does not vary),
-  ///           `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
+  /// Errors    `range` if l > h or if an end is not finite (l = h is valid, but the number then
+  ///           does not vary); `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
   static Result<Distribution> of(const DistributionSpec& spec);
 
   /// F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]
@@ -49,7 +49,7 @@ class Distribution {
 
   DistributionSpec spec_;
   double mean_ = 0.0, sigma_ = 0.0;  // mean and standard deviation before truncation
-  double from_ = 0.0, to_ = 0.0;     // distribution function of the same, at the ends of the range
+  double from_ = 0.0, to_ = 0.0;     // distribution function before truncation, at l and h
 };
 
 /// The two coordinates of a point in a disc, from two numbers in (0, 1).   Formula [T14.2]

@@ -1,7 +1,7 @@
 // The flank deviations that a grade of ISO 1328-1 allows, as limits of random variables.
 //
 //   f_H   limit of the slope deviation over an evaluation range
-//   f_f   limit of the form deviation around the line with this slope
+//   f_f   limit of the form deviation from the line that has the slope deviation
 //                                    theory: docs/theory/14-scatter.md, [T14.23]
 #pragma once
 
@@ -25,12 +25,12 @@ struct GradedFlank {
 ///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)
-/// None      for circular-arc teeth, which the standard does not cover, and without an evaluation
-///           range
+/// None      for circular-arc teeth, which the standard does not cover, or if the gear has no
+///           evaluation range
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. The report gives them in proportion to the
-/// bearing span, so the angles do not depend on it.
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. ISO/TR 10064-3 gives them as lengths in
+/// proportion to the bearing span, so the angles do not depend on the span.
 ///
 /// Formula   [T14.23]
 struct GradedAxes {

@@ -37,8 +37,8 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   return heights;
 }
 
-// The maximum of a curve through equidistant values. If the greatest value is not at an end, it is
-// the maximum of the parabola through this value and its neighbours.
+// The maximum of a curve through equidistant values. If the greatest value is not at an end, the
+// result is the maximum of the parabola through this value and the two neighbouring values.
 double greatest_of(const std::vector<double>& v) {
   const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   if (at == 0 || at + 1 == v.size()) return v[at];
@@ -55,8 +55,8 @@ Branches::const_iterator leader(const Branches& all) {
                           [](const auto& x, const auto& y) { return x.second < y.second; });
 }
 
-// The least TE between two positions, if every branch is linear between them. It lies at one of the
-// positions, or where the leading branches of the two positions cross.
+// The least TE between two positions if every branch is linear between them. TE is least at one of
+// the positions, or where the branches that lead at the two positions cross.
 double least_between(const Branches& a, const Branches& b) {
   const auto first = leader(a), second = leader(b);
   const double least = std::min(first->second, second->second);
@@ -67,18 +67,18 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if the field of a member differs from the drawn field. Topographies are not compared,
-// because they are always equal.
+// True if the field of a member differs from the field of the nominal pair. Topographies are not
+// compared, because they are always equal.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   return member.waves() != drawn.waves() || member.amounts() != drawn.amounts();
 }
 
 }  // namespace
 
-// The differences of a member from the pair as drawn.
+// The differences of a member from the nominal pair.
 struct LinearFamily::Member {
-  std::array<double, 6> error;                   // minus the drawn one, in the order of kErrorKinds
-  std::array<const RemovalField*, 2> removal{};  // field of each gear; null if it is as drawn
+  std::array<double, 6> error;                   // minus nominal error, in the order of kErrorKinds
+  std::array<const RemovalField*, 2> removal{};  // field of each gear; null if it is nominal
 };
 
 std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,

@@ -1,13 +1,14 @@
-// Estimates the peak-to-peak TE of the members of a family to first order. It is fast enough for a
-// diagram that follows a slider.
+// Estimates the peak-to-peak TE of the members of a family to first order. The estimate is fast
+// enough for a diagram that follows a slider.
 //
 //   T_i    greatest gap angle over the profile at place i, which is one height on one tooth pair
-//   e      errors of a member minus those drawn      ΔC   additional removal of the member at i
+//   e      errors of a member minus nominal errors
+//   ΔC     material removed from the member at place i minus material removed from the nominal pair
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
 //
-// T at a fixed place is nearly linear in the errors (section 14.5), and TE is still the greatest T
-// over all places. The contact can therefore move along the face, edges can begin to touch, and
-// tooth pairs can replace each other, as in the exact computation.
+// T at a fixed place is nearly linear in the errors (section 14.5). Only T is linearised: TE
+// remains the greatest T over all places. As in the exact computation, the contact can therefore
+// move along the face, edges can begin to touch, and another tooth pair can take over.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ namespace gearwright {
 
 class LinearFamily {
  public:
-  /// None if contact is lost at some position of the pair as drawn.
+  /// None if the nominal pair loses contact at some position.
   ///
   /// Domain    request.positions ≥ 2 (contract)
   static std::optional<LinearFamily> of(const ContactSetup& setup, const MemberRequest& request);
@@ -29,19 +30,20 @@ class LinearFamily {
   /// Peak-to-peak TE of a member, rad. Thickness, pitch deviations and the lead angle of a cutter
   /// have no effect.
   ///
-  /// Accuracy  T_i is exact to first order in the deviation
+  /// Accuracy  T_i is exact to the first order in the deviation
   /// Laws      (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
   ///           deviations, the result changes like continuous_peak_to_peak()
   double peak_to_peak(const Deviation& deviation) const;
 
  private:
   struct Place {
-    double te;                           // T_i of the pair as drawn, rad in N
+    double te;                           // T_i of the nominal pair, rad in N
     std::array<double, 6> by_error;      // ∂T_i/∂e, in the order of kErrorKinds
     std::array<RemovalTurn, 2> removal;  // ∂T_i/∂C of each gear
-    std::array<double, 2> drawn;         // mm removed from each gear as drawn
+    std::array<double, 2> drawn;         // mm removed from each gear of the nominal pair
   };
-  // A tooth pair at a position, with the heights at which its flanks face each other, in order.
+  // A tooth pair at a position. The places are the heights at which its flanks face each other, in
+  // ascending order.
   struct Row {
     int pair;
     std::vector<std::vector<Place>> runs;  // sequences of neighbouring heights
@@ -55,13 +57,14 @@ class LinearFamily {
   ContactSetup setup_;                       // with a field of removed material on both gears
   std::array<bool, 2> left_{};               // true if the left flank of the gear touches
   std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
-  double correction_ = 0.0;  // rad, continuous_peak_to_peak() minus the first-order value, as drawn
+  // continuous_peak_to_peak() minus the first-order value, both of the nominal pair, rad
+  double correction_ = 0.0;
 };
 
 /// First-order estimates of the peak-to-peak TE, rad, for the first `count` samples of the first
 /// replicate of a task.
 ///
-/// Errors    as scatter_of(); nothing_touches() if contact is lost in the pair as drawn
+/// Errors    as scatter_of(); nothing_touches() if the nominal pair loses contact
 Result<std::vector<double>> linear_spans(const ContactSetup& setup, const ScatterTask& task,
                                          int count);
 

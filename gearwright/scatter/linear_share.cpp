@@ -10,33 +10,33 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// At the smaller step, the second difference of a smooth function is 16 times smaller, and the
-// second difference at a bend is 4 times smaller.
+// The ratio of the second differences with kStep and with kWideStep is 1/16 for a smooth function,
+// and 1/4 at a kink. A greater ratio than kBend means a kink.
 constexpr double kBend = 1.0 / 8;
-// Limit of the change of the slope times w_i, relative to the standard deviation of the quantity. A
-// smaller change explains at most 0.5 % of the variance.
+// Limit of the change of slope at a kink, multiplied by w_i and divided by the standard deviation
+// of the quantity. A smaller change explains at most 0.5 % of the variance.
 constexpr double kSmallBend = 0.5;
 // A second difference below this value, rad, is a rounding error of the peak to peak. Other
 // quantities are more accurate.
 constexpr double kRoundingBend = 4e-12;
 
-// True if the coordinates change the member continuously about x = 0.
+// True if the member changes continuously with the coordinates about x = 0.
 bool is_continuous(const ScatterTolerance& t) {
   return !std::holds_alternative<VaryingWave>(t.of) && !std::holds_alternative<VaryingPitch>(t.of);
 }
 
-// A point x at which a member is computed, with its place in the difference.
+// A point x and the member at x.
 struct Probe {
   std::vector<double> x;
   FamilyMember member{};
 };
 
-// The members that determine the derivatives by one coordinate, or that show whether a tolerance
-// without derivatives changes a quantity.
+// The members from which the derivatives by one coordinate are computed, or which show whether a
+// tolerance without derivatives changes a quantity.
 struct Probes {
   std::size_t coordinate;
   double half_width = 0.0;  // w_i; 0 for a tolerance without derivatives
-  std::vector<Probe> at;    // −wide, −step, +step, +wide; or examples
+  std::vector<Probe> at;    // at −kWideStep, −kStep, kStep, kWideStep; or at two typical points
 };
 
 std::vector<Probes> probes_of(const ScatterTask& task) {
@@ -76,7 +76,7 @@ bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   return !check_ends(setup, narrow);
 }
 
-// ∂f/∂x of one coordinate; none if f has a bend at x = 0 or no value near it.
+// ∂f/∂x for one coordinate; none if f has a kink at x = 0 or has no value at a probe.
 std::optional<double> slope_of(const Probes& probes, double drawn, std::size_t quantity,
                                double deviation) {
   const auto f = [&](std::size_t i) { return probes.at[i].member.value[quantity]; };

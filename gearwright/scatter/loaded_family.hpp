@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// The scores of the members at the points `x`: for each member, one score for each torque. The
-/// list of a member is empty if its forces have no solution at some position.
+/// The scores of the members at the points `x`. Each member has a list with one score for each
+/// torque. The list is empty if the forces on this member have no solution at some position.
 ///
 /// Accuracy  as loaded_contact() for each member
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
@@ -28,7 +28,8 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
 /// without scores.
 std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
 
-/// Statistics of scores, replicate by replicate; Percentile::sample is an index of `scores`.
+/// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index
+/// of `scores`.
 std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
                                              const std::vector<std::vector<LoadedScore>>& scores);
 

@@ -33,8 +33,8 @@ class PairCurve {
         offer_and_walk(m, t);
       }
     }
-    // A branch that never leads with equal pitches may lead with unequal ones, so one more pitch is
-    // searched on each side.
+    // A branch that never leads if the pitches are equal may lead if they are unequal, so one more
+    // pitch is searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
     if (transmission_.wavy()) {
@@ -112,7 +112,7 @@ double long_period_span(Transmission& transmission, const std::vector<PairTouch>
   const long period = std::lcm(static_cast<long>(teeth[0]), static_cast<long>(teeth[1]));
   std::vector<double> offset;
   for (long p = 0; p < period; ++p) offset.push_back(ahead(p));
-  // At this position, the tooth pair k pitches earlier is at its own rotation i + k n.
+  // At position i of a pitch, the tooth pair k pitches earlier is at step m = i + k n of `curve`.
   const int lo = curve.least();
   const int hi = curve.greatest();
   const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));

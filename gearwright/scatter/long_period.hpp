@@ -19,8 +19,9 @@ namespace gearwright {
 /// Formula   [T14.22]; exact for deviations of gear 2, and to first order for deviations of gear 1
 /// Domain    a touch at every position; `pitch` of a gear has a value for each tooth, or is empty
 ///           (contract)
-/// Laws      (1) without deviations it is the peak to peak of the touches
-///           (2) it is at most the peak to peak of the touches plus the ranges of both deviations
+/// Laws      (1) without deviations, the result is the peak to peak of the touches
+///           (2) the result is at most the peak to peak of the touches plus the ranges of both
+///           deviations
 double long_period_span(Transmission& transmission, const std::vector<PairTouch>& touches,
                         const std::array<int, 2>& teeth,
                         const std::array<std::vector<double>, 2>& pitch);

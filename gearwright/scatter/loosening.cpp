@@ -24,8 +24,8 @@ class Loosener {
 
   double percent() const { return percent_; }
 
-  // The percentile of the peak to peak with one tolerance multiplied by a factor; none if the teeth
-  // do not exist at an end of the multiplied tolerance.
+  // The percentile of the peak to peak if one tolerance is multiplied by a factor; none if no teeth
+  // exist at an end of the multiplied tolerance.
   std::optional<double> percentile(std::size_t tolerance, double factor) const {
     ScatterTask changed = task_;
     changed.tolerances[tolerance].unit *= factor;

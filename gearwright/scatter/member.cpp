@@ -20,10 +20,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is the rounding error
-                                                   // of 0
+constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is a rounding error
 
-// The pair as drawn has exactly the numbers of the verb contact, so it is not searched in lanes.
+// True if the member differs from the nominal pair. The numbers of the nominal pair must be equal
+// to those of the verb `contact`, so the nominal pair is not searched in lanes.
 bool deviates(const ContactSetup& drawn, const Deviation& deviation) {
   return deviation.modified || !(deviation.errors == drawn.place().errors);
 }
@@ -53,12 +53,12 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 
 namespace {
 
-// The touches of one flank over a pitch, for a pair, or for both halves of a double-helical pair.
-// Halves that are equal are computed once.
+// The touches of the working or the non-working flanks over a pitch, for a pair or for both halves
+// of a double-helical pair. If both halves are equal, they are computed once.
 class FlankTouches {
  public:
-  // `lanes` permits the search in lanes, whose touches differ in rounding from those of the verb
-  // contact.
+  // `lanes` permits the search in lanes. Its touches differ by rounding from those of the verb
+  // `contact`.
   FlankTouches(const ContactSetup& setup, const ContactErrors& errors, const MemberRequest& request,
                bool gear2_drives, bool lanes) {
     if (request.stagger) {
@@ -78,14 +78,15 @@ class FlankTouches {
   }
 
   double turned() const { return pairs_[0]->turned(); }
-  // TE in N, the mean of both halves; NaN without contact.
+  // TE in N; for a double-helical pair, the mean of both halves. NaN without contact.
   double te(std::size_t position) const {
     double sum = 0.0;
     for (const auto& touches : touches_)
       sum += touches[position].found() ? touches[position].te() : kNoNumber;
     return sum / static_cast<double>(touches_.size());
   }
-  // The places of contact of the half with the greater values, and the mean share of edges.
+  // The score. Each position of the contact is taken from the half in which its magnitude is
+  // greater, and the share of edges is the mean of both halves.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;
@@ -114,7 +115,8 @@ class FlankTouches {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
     return long_period_span(transmissions_[0], touches_[0], {teeth(1), teeth(2)}, deviation.pitch);
   }
-  // The derivative of span(). Domain span() > 0; not for double-helical pairs (contract)
+  // The derivative of span(). Domain: span() has been called and is > 0; not for double-helical
+  // pairs (contract)
   double slope(const Influence& by) { return span_slope(transmissions_[0], *extremes_, by); }
 
  private:

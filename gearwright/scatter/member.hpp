@@ -4,8 +4,8 @@
 //   s       reduction of the backlash by ΔE_sn, as an angle of gear 2
 //                                    theory: docs/theory/14-scatter.md, [T14.11], [T14.13]
 //
-// The verb contact gives the same numbers for the same errors. Only the peak to peak differs,
-// because here it is computed for the continuous curve.
+// The verb `contact` gives the same numbers for the same errors, except for the peak to peak, which
+// is computed here for the continuous curve.
 #pragma once
 
 #include <array>
@@ -29,11 +29,11 @@ enum class ScatterQuantity {
   along_profile,    ///< mean place along the profile, for circular-arc teeth
   edge_share,       ///< fraction of the positions at which an edge touches
   least_play,       ///< rad, least play of gear 2; < 0 if the gears jam
-  long_period,      ///< rad, peak to peak over all tooth pairs, if pitches differ
-  tip_clearance1,   ///< mm, tip of gear 1 to the root of gear 2
-  tip_clearance2,   ///< mm, tip of gear 2 to the root of gear 1
-  form_clearance1,  ///< mm, from the start of the usable flank of gear 1 to its contact
-  form_clearance2,  ///< mm, of gear 2
+  long_period,      ///< rad, peak to peak over the long period, if pitches differ
+  tip_clearance1,   ///< mm, from the tip of gear 1 to the root of gear 2
+  tip_clearance2,   ///< mm, from the tip of gear 2 to the root of gear 1
+  form_clearance1,  ///< mm, from the start of the usable flank of gear 1 to the nearest contact
+  form_clearance2,  ///< mm, the same for gear 2
 };
 constexpr std::size_t kScatterQuantities = 14;
 
@@ -53,8 +53,8 @@ struct MemberRequest {
   std::optional<double> stagger{};  ///< s of a double-helical pair; none for other pairs
 };
 
-/// The setup of a member: the setup as drawn, unless the modifications of the member differ from
-/// it.
+/// The setup of a member. This is the nominal setup, unless the modifications of the member differ
+/// from the nominal modifications.
 ///
 /// Domain    modifications that check_ends() accepts (contract); `setup` must outlive the object
 class MemberSetup {
@@ -76,15 +76,15 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 /// The numbers of the member with this deviation. For a double-helical pair, TE and backlash
 /// describe the whole gears, one of which floats along its axis. Errors of mounting apply to both
 /// halves, and deviations of the teeth are the same on both halves. `edge_share` is the mean of
-/// both halves, and `along_face` and `along_profile` belong to the half with the greater value;
-/// `along_face` is > 0 away from the apex.
+/// both halves. `along_face` and `along_profile` are each taken from the half with the greater
+/// magnitude, and `along_face` is > 0 away from the apex.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
 ///           double-helical pair (contract)
 /// Accuracy  as analyse_contact() and continuous_extremes()
-/// Laws      (1) without deviations the numbers are those of analyse_contact()
-///           (2) spur gears have the closed forms of [T14.14]
-///           (3) a double-helical pair without errors that tilt an axis has the numbers of a half
+/// Laws      (1) without deviations, the numbers are equal to the results of analyse_contact()
+///           (2) the numbers of spur gears follow the closed forms of [T14.14]
+///           (3) if no error tilts an axis, a double-helical pair has the numbers of a half
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
@@ -95,8 +95,8 @@ struct MemberSpan {
   std::vector<double> slope;
 };
 
-/// Domain    as member_at(); a field of removed material on each gear with a modification as an
-///           influence; no influences for a double-helical pair (contract)
+/// Domain    as member_at(); each gear of which a modification is an influence has a field of
+///           removed material; no influences for a double-helical pair (contract)
 /// Accuracy  as continuous_extremes() and span_slope()
 MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
                                    const MemberRequest& request,

@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The radii of a gear with a change of its thickness, mm; NaN if there is no closed form.
+// The radii of a gear after a change of its tooth thickness, mm; NaN if there is no closed form.
 struct Radii {
   double root, form;
 };

@@ -17,15 +17,16 @@ struct MemberClearances {
   std::array<double, 2> tip, form;
 };
 
-/// The clearances of a pair with this centre distance and these thicknesses. Tilted axes do not
-/// change them.
+/// The clearances of a pair with this centre distance and these thicknesses. Tilts of the axes do
+/// not change the clearances.
 ///
 /// Formula   [T14.31]
-/// NaN       if the axes of the drawing cross, for teeth that are not involutes, and without a
-///           working pressure angle. If the thickness changes, also NaN for teeth that a pinion
-///           cutter has cut, with a circular root fillet, or whose tip the cutter determines; the
-///           form clearance also if the tooth is undercut
-/// Laws      (1) they are those of a pair made anew with this centre distance and these thicknesses
+/// NaN       if the nominal axes cross, if the teeth are not involutes, or if there is no working
+///           pressure angle. If the thickness changes, also if a pinion cutter has cut the teeth,
+///           if their root fillet is circular, or if the cutter determines their tip. The form
+///           clearance is then also NaN if the tooth is undercut
+/// Laws      (1) the clearances are equal to those of a new pair with this centre distance and
+///           these thicknesses
 MemberClearances clearances_of(const ContactSetup& setup, const Deviation& deviation);
 
 }  // namespace gearwright

@@ -4,9 +4,9 @@
 //   δ   thickness of the marking compound, mm
 //                                    theory: docs/theory/14-scatter.md, [T14.27]
 //
-// A place is counted in a sample if the gap there is at most δ at some position of the mesh, so
-// that marking compound of this thickness would show there after a full mesh of that pair. The gap
-// is the exact gap of contact_pattern() at each place, not an approximation by ellipses.
+// A sample covers a place if the gap at this place is at most δ at some position of the mesh.
+// Marking compound of the thickness δ would show there after a full mesh of this pair. The gap is
+// the exact gap of contact_pattern() at each place, not an approximation by ellipses.
 #pragma once
 
 #include <array>
@@ -48,11 +48,11 @@ struct PatternDensity {
 };
 
 /// The density over the first samples of each replicate of a family. Pitch deviations and
-/// thicknesses have no effect on it.
+/// thicknesses have no effect on the density.
 ///
 /// Accuracy  each sample as contact_pattern(); a share has the sampling error of a fraction
-/// Laws      (1) without deviations, the share of a place is 1 where the pattern of the pair covers
-///           the place, and 0 elsewhere   (2) a greater δ does not lower any share
+/// Laws      (1) without deviations, the share of a place is 1 if the pattern of the pair covers
+///           the place, and otherwise 0   (2) a greater δ does not lower any share
 ///           (3) the result does not depend on the number of threads
 /// Domain    marking > 0, positions ≥ 2, a raster of 2 × 2 or more (contract)
 PatternDensity pattern_density(const ContactSetup& setup, const ScatterTask& task,

@@ -45,8 +45,7 @@ struct Extent {
   }
 };
 
-// True if the removed material has no kinks, so that its second derivative is
-// bounded.
+// True if the removed material has no kinks, so that its second derivative is bounded.
 bool is_smooth(const FlankModifications& m) {
   const auto relieved = [&](const ModificationMember& one) {
     return one.relief && one.amount_of(m) != 0.0;
@@ -62,8 +61,8 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// 2 · ½Λ|x|² over the family, rad: the term of second order of both flanks.
-// None if the flanks can touch near a base circle.
+// 2 · ½Λ|x|², which is the term of second order of both flanks; the greatest value over the family,
+// rad. None if the flanks can touch near a base circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};
@@ -77,7 +76,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double tilt = e.crossing.half() + e.intersecting.half();
   const double twist = (e.twist[0].half() + e.twist[1].half()) * half_face;
   const double turn = tilt + twist;
-  // Displacement across the plane of action, along the axis, and in any
+  // Greatest displacement of a place across the plane of action, along the axis, and in any
   // direction.
   const double across = e.distance.half() + tilt * half_face +
                         e.twist[0].half() * half_face * rho_tip[0] +
@@ -91,8 +90,8 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double lever = r_b[1] * std::cos(gears[1]->reference().base_helix_angle);
   double sum = across * across / (2 * rho * r_b[1]) + turn * turn * R / (2 * lever) +
                (e.twist[0].half() * r_b[0] / r_b[1] + e.twist[1].half()) * along;
-  // A field of amount 1 has at most the slope 4/L and the second derivative
-  // 8/L², where L is the length over which it extends.
+  // The slope of a field of amount 1 is at most 4/L, and its second derivative is at most 8/L²,
+  // where L is the length over which the field extends.
   for (std::size_t g = 0; g < 2; ++g) {
     const FlankExtent flank = flank_extent(*gears[g]);
     const double L =

@@ -4,9 +4,9 @@
 //   δ_t       displacement of a place across the plane of action, mm
 //   ρ, r_b2   least radius of curvature of the touching flanks, base radius of gear 2, mm
 //
-// T + ½Λ|x|² is convex in the deviations x. TE of a flank is the greatest T, so the play, which is
-// minus the sum of TE of both flanks, is concave up to a term of second order. Up to this term, the
-// worst corner has the least value.
+// T + ½Λ|x|² is convex in the deviations x. TE of a flank is the greatest T. The play is minus the
+// sum of TE of the working and the non-working flank, so it is concave up to a term of second
+// order. Up to this term, the play is least at a corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.29]
 // Internal to scatter/.
 #pragma once
@@ -22,8 +22,9 @@ namespace gearwright {
 /// hull of `corners` must contain all x.
 ///
 /// Formula   [T14.29]
-/// None without a corner, if a corner has no play, or unless the pair is an external involute pair
-/// on parallel axes without reliefs, topographies, waves, changed leads of cutters and halves
+/// None      if there is no corner, or if the play has no value at a corner. Also none unless the
+///           pair is an external involute pair on parallel axes, is not double-helical, and has no
+///           reliefs, topographies, waves and changed leads of cutters
 /// Laws      (1) no member within the ranges has less play
 std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterTask& task,
                                        const std::vector<std::vector<double>>& corners);

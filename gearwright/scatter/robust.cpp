@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kCoarseSamples = 128;  // greatest number for the search of the whole box
-constexpr int kFineSamples = 1024;   // greatest number for the descent and the comparison
+constexpr int kCoarseSamples = 128;  // limit of the samples in the search of the whole box
+constexpr int kFineSamples = 1024;   // limit of the samples in the descent and the comparison
 
 // Peak to peak of rigid teeth in the first samples of the family.
 class RigidFamily final : public CorrectedFamily {

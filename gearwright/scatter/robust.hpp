@@ -5,8 +5,8 @@
 //                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
 //                                    and [T14.25]
 //
-// The samples are the same for every v, so that differences between corrections are not due to
-// chance. The result is assessed with other samples, from another seed.
+// Every v is evaluated with the same samples, so that differences between corrections are not due
+// to chance. The result is assessed with other samples, from another seed.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,19 @@ struct RobustTask {
   std::vector<WorkshopCorrection> corrections;
   std::vector<Correction> bounds;  ///< bounds of each correction in its unit, lo ≤ 0 ≤ hi
   double percent = 95.0;           ///< 100 p, the percentile that is minimised
-  /// If given, f_k is the loaded peak to peak under the worst of its torques.
+  /// If given, f_k is the loaded peak to peak under the worst of the torques of `load`.
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, computed with samples of another seed than the search.
+/// The family without or with corrections, computed with samples from another seed than in the
+/// search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
-  Spread peak_to_peak;                 ///< f; its only percentile is the minimised percentile
+  Spread peak_to_peak;                 ///< of f; the only percentile is the minimised percentile
   Probability edge;                    ///< probability that an edge touches or, under load, carries
                                        ///< load
   Probability lost;                    ///< probability that a sample has no f
-  std::vector<LoadedSpread> loaded{};  ///< by torque, under load
+  std::vector<LoadedSpread> loaded{};  ///< one for each torque; empty for rigid teeth
 
   /// The percentile, rad.
   const Percentile& percentile() const { return peak_to_peak.percentiles[0]; }
@@ -50,11 +51,11 @@ struct RobustCorrections {
 /// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
-/// Laws      (1) in the samples of the other seed, the corrections increase neither the percentile
-///           nor the number of samples without f; if they would, every correction is 0   (2) the
-///           result is the same, byte for byte, for any number of threads   (3) with tolerances
-///           of width 0, the percentile after the corrections equals the value at the nominal
-///           optimum
+/// Laws      (1) in the samples from the other seed, the corrections increase neither the
+///           percentile nor the number of samples without f. Corrections that would increase one of
+///           them are replaced by 0   (2) the result is the same, byte for byte, for any number of
+///           threads   (3) with tolerances of width 0, the percentile with the corrections is equal
+///           to the value at the optimum of the nominal pair
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

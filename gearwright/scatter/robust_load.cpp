@@ -23,14 +23,14 @@ constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;              // per pitch during the search, as in `compensate`
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
 
-// True if every trial repeats the whole contact computation, so that its result is exact.
+// True if every trial repeats the whole contact computation, so that the results are exact.
 bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
   return load.request.regime == LoadRegime::point || !influences_of(robust.corrections);
 }
 
 // The family with corrections near a center. For line contact, if every correction has an
-// influence, the contact is computed at the center only, and a trial computes only the forces
-// again, with changed gaps. Otherwise, a trial repeats the whole contact computation.
+// influence, the contact is computed only at the center, and each trial recomputes only the forces,
+// with changed gaps. Otherwise, each trial repeats the whole contact computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
@@ -111,8 +111,8 @@ class LoadSearch {
     load_.request.positions = std::min(load_.request.positions, kPositions);
   }
 
-  // The best corrections for these samples. The trials near a center use the contact computed
-  // there. If they are exact, one center is sufficient.
+  // The best corrections for these samples. The trials near a center use the contact computed at
+  // this center. If the trials are exact, one center is sufficient.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
     using Trials = std::unique_ptr<LoadedTrials>;

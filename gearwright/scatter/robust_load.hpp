@@ -1,5 +1,5 @@
-// Finds corrections for a percentile of the loaded peak-to-peak TE, and evaluates a family with
-// given corrections.
+// Finds the corrections that minimise a percentile of the loaded peak-to-peak TE, and evaluates a
+// family with given corrections.
 //                                    theory: docs/theory/14-scatter.md, [T14.25]
 // Internal to scatter/.
 #pragma once
@@ -18,8 +18,8 @@ namespace gearwright {
 std::vector<double> corrections_under_load(const ContactSetup& setup, const ScatterTask& task,
                                            const RobustTask& robust);
 
-/// The family of the task `judged`, with f under the worst of the torques; none if no sample has a
-/// solution.
+/// The family of the task `judged`, in which f is the value under the worst of the torques. None if
+/// no sample has a solution.
 std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const ScatterTask& judged,
                                               const LoadedFamily& load);
 

@@ -16,8 +16,8 @@ constexpr double kFirstRadius = 0.25;  // first trust radius of the linearised p
 constexpr double kLastRadius = 1e-3;   // the descent ends below this radius
 constexpr int kMostSteps = 20;         // greatest number of steps of a descent
 
-// The mean of the worst fraction 1 − p of the samples. The sample at the border of this fraction
-// counts with the part of it that belongs to the fraction.   [T14.17]
+// The mean of f over the worst fraction 1 − p of the samples. If a sample belongs only partly to
+// this fraction, it is weighted with that part.   [T14.17]
 double mean_of_worst(std::vector<double> f, double p) {
   const double worst = (1.0 - p) * static_cast<double>(f.size());
   const auto whole = std::min(static_cast<std::size_t>(worst), f.size() - 1);

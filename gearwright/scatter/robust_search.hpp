@@ -15,20 +15,20 @@
 namespace gearwright {
 
 /// Evaluates a quantity of the family for given corrections. All corrections are evaluated with one
-/// set of samples, so that differences between them are not due to chance.
+/// set of samples, so that differences between corrections are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {
     std::vector<double> f;                   ///< rad; kLostSpan for a sample without a value
-    std::vector<std::vector<double>> slope;  ///< by sample and correction; empty unless requested
+    std::vector<std::vector<double>> slope;  ///< [sample][correction]; empty unless requested
   };
   virtual ~CorrectedFamily() = default;
   virtual Values at(const std::vector<double>& v, bool slopes) const = 0;
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Sets the slopes with respect to correction i to difference quotients. This is for corrections
-/// without exact slopes.
+/// Sets the slopes with respect to correction i, which has no exact slopes, to difference
+/// quotients.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 
@@ -41,7 +41,8 @@ struct RobustSearch {
   bool whole_box;  ///< false for a search around the start only
 };
 
-/// The best corrections found from `start`, which is itself a candidate. They are not rounded.
+/// The best corrections that the search from `start` finds; `start` itself is also compared. The
+/// corrections are not rounded.
 ///
 /// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
 /// Accuracy  a local minimum, to `gain`

@@ -1,8 +1,8 @@
 // Computes the points x of the samples of a family, and the peak-to-peak TE of the members at these
-// points. The points are Sobol's or random points with the distributions and the correlations of
-// the tolerances.
-//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6], [T14.30]
-// Internal to scatter/.
+// points. The points x are Sobol's points or random points, and have the distributions and the
+// correlations of the tolerances.
+//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6],
+// [T14.30] Internal to scatter/.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ class SamplePoints {
 
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
-  /// x of sample n of a second set, independent of at(). The points have twice as many coordinates
-  /// as x: at() uses the first half of them, and this function the second half.
+  /// x of sample n of a second set, which is independent of at(). The points have twice as many
+  /// coordinates as x. at() uses the first half of them, and this function uses the second half.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }
@@ -44,14 +44,14 @@ class SamplePoints {
   Copula copula_;
 };
 
-/// Peak to peak of the continuous TE curve of the member at each of these points x, rad, and its
-/// slopes with respect to the influences.
+/// For the member at each of these points x, the peak to peak of the continuous TE curve, rad, and
+/// the derivatives of the peak to peak with respect to the influences.
 std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});
 
-/// The peak-to-peak TE of each member, rad. If contact is lost, it is kLostSpan, which is worse
-/// than any other value.
+/// The peak-to-peak TE of each member, rad. A member that loses contact has kLostSpan, which is
+/// greater than any other value.
 std::vector<double> ranked(const std::vector<MemberSpan>& spans);
 constexpr double kLostSpan = 1e3;  ///< rad
 

@@ -11,7 +11,8 @@
 namespace gearwright {
 
 std::vector<Warning> sample_warnings(const Scatter& scatter) {
-  // A share of samples with edge contact above this is a finding: one of twenty gear pairs.
+  // Edge contact is reported if more than this share of the samples have it: one gear pair in
+  // twenty.
   constexpr double kOftenEdge = 0.05;
   std::vector<Warning> warnings;
   const auto warn = [&](WarningCode code, std::string message) {

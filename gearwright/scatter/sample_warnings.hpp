@@ -1,4 +1,4 @@
-// Warns about samples of a family of pairs that do not run well.
+// Warns if some samples of a family do not run well.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace gearwright {
 
-/// Warnings about samples that jam, lose contact or often touch with an edge.
+/// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
 }  // namespace gearwright

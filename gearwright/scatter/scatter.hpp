@@ -1,5 +1,5 @@
-// Computes the effect of tolerances on a pair: the distribution of each quantity of its contact,
-// probabilities, the influence of each tolerance, and the worst member of the box of tolerances.
+// Computes the effect of tolerances on a pair: the distribution of each quantity of the contact,
+// probabilities, the influence of each tolerance, and the worst member within the tolerances.
 //
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
@@ -30,10 +30,10 @@ struct ToleranceGroup {
   std::vector<std::size_t> tolerances;
 };
 
-/// Teeth under torque for the first samples of each replicate.
+/// Contact under torque, computed for the first samples of each replicate.
 struct LoadedFamily {
   PairCompliance compliance;
-  LoadRequest request;  ///< its root stresses are not used
+  LoadRequest request;  ///< the root stresses are not used
   int samples = 32;     ///< per replicate, a power of two, at most ScatterTask::samples
 };
 
@@ -41,7 +41,8 @@ struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
   /// Correlations of the scores of tolerances; check_correlations() accepts them.
   std::vector<ToleranceCorrelation> correlations{};
-  /// Each tolerance in one group, and correlated tolerances in the same group; for `indices` only.
+  /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
+  /// for `indices` only.
   std::vector<ToleranceGroup> groups;
   MemberRequest member;
   int samples = 1024;  ///< n, a power of two
@@ -72,7 +73,7 @@ struct Percentile {
   std::size_t sample;                  ///< index of the sample with the nearest value
 };
 
-/// One quantity over the members that keep contact.
+/// Statistics of one quantity over the members that keep contact.
 struct Spread {
   Estimate mean, standard_deviation;
   std::vector<Percentile> percentiles;
@@ -92,13 +93,14 @@ struct LoadedSpread {
       max_pressure,                    ///< MPa
       face_load_factor;                ///< K_Hβ; none for point contact
   Probability edge_carries{};
-  Probability unsolved{};  ///< no teeth touch at a position, or its forces do not converge
+  Probability unsolved{};  ///< no teeth touch, or forces do not converge, at a position
 };
 
 /// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
-  /// The share of the variance that the derivatives at the pair as drawn explain; none without them.
+  /// The share of the variance that the derivatives at the nominal pair explain; none if the
+  /// derivatives do not exist.
   std::optional<double> linear_share{};
 };
 
@@ -107,21 +109,23 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
-  /// A value below which no member lies, rad; for the least play only, as least_play_bound().
+  /// The result of least_play_bound(), rad: no member has a smaller least play. None for the peak
+  /// to peak.
   std::optional<double> bound;
 };
 
-/// Effect of each tolerance: the highest percentile of the peak to peak TE if one tolerance becomes
-/// wider or narrower about the value of the drawing, and all others stay the same.
+/// The effect of each tolerance on the highest percentile of the peak-to-peak TE. One tolerance
+/// becomes wider or narrower about the nominal value, and all others stay the same.
 struct Loosening {
-  /// The highest of ScatterTask::percentiles, and the peak to peak at this percentile in the first
-  /// replicate with the tolerances as given, rad.
+  /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak to peak at this
+  /// percentile, rad, in the first replicate with unchanged tolerances.
   double percent, percentile;
   struct Change {
-    /// Greatest factor of the tolerance with which the percentile grows by at most the fraction
-    /// kLooser; none if this holds for any factor up to kMostFactor for which the teeth exist.
+    /// Greatest factor of the tolerance for which the percentile grows by at most the fraction
+    /// kLooser. None if the percentile does so for all factors up to kMostFactor for which teeth
+    /// exist.
     std::optional<double> factor;
-    double halved;  ///< rad, the percentile with half of this tolerance
+    double halved;  ///< rad, the percentile if this tolerance is halved
   };
   std::vector<Change> by_tolerance;
   /// The tolerance whose halving lowers the percentile most; none if no halving lowers it.
@@ -139,7 +143,7 @@ struct Scatter {
   Probability edge_contact{}, jam{}, contact_lost{};
   std::optional<WorstMember> worst_peak_to_peak, worst_least_play;
   std::optional<Loosening> loosening;
-  std::vector<LoadedSpread> loaded;  ///< by torque of ScatterTask::load
+  std::vector<LoadedSpread> loaded;  ///< one for each torque of ScatterTask::load
   std::optional<PatternDensity> density;
 };
 
@@ -148,7 +152,7 @@ struct Scatter {
 /// Domain    at least one tolerance, samples a power of two, replicates ≥ 1, 0 < confidence < 1
 ///           (contract)
 /// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
-///           points; nothing_touches() if no sample touches anywhere
+///           points; nothing_touches() if the teeth touch in no sample
 /// Accuracy  as member_at() for each member; each statistic has a confidence interval
 /// Laws      (1) the result is the same, byte for byte, for any number of threads   (2) tolerances
 ///           of width 0 give the numbers of analyse_contact()

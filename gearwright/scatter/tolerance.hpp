@@ -1,8 +1,8 @@
 // Variations from pair to pair: a toleranced number, the position of a bore, pitches, or form waves
 // of the flanks.
 //
-//   x   coordinates of a member of the family, one to three for each tolerance; 0 is the
-//       pair as drawn, because every x is added to the value of the drawing
+//   x   coordinates of a member of the family, one to three for each tolerance. Each is added to a
+//       value of the drawing, so x = 0 is the nominal pair
 //                                    theory: docs/theory/14-scatter.md, [T14.12]
 #pragma once
 
@@ -41,24 +41,24 @@ struct VaryingModification {
 };
 
 /// The position of the bore of axis 1 relative to the bore of axis 2, in the plane at one end of
-/// the bearing span. It varies within a circle.
+/// the bearing span. The position varies within a circle.
 struct VaryingBore {
   double span;    ///< L  mm
   double offset;  ///< c  mm, z of the gear relative to the middle of the span
   bool far_end;   ///< true for the plane at z = +L/2, false for −L/2
 };
 
-/// The pitches of a gear: an eccentricity and a random walk around it. Their range is at most a
-/// share of F_pT, and no step exceeds f_ptT. The coordinates x are this share, the phase of the
-/// eccentricity in degrees, and the part that the eccentricity has in the sum. Pitches change only
-/// the long period.   [T14.20]
+/// The pitches of a gear, as the sum of an eccentricity and a random walk. The range of the sum is
+/// at most a share of F_pT, and no step from tooth to tooth exceeds f_ptT. The coordinates x are
+/// this share, the phase of the eccentricity in degrees, and the part of the sum that is due to the
+/// eccentricity. Pitches affect only the quantity long_period.   [T14.20]
 struct VaryingPitch {
   int gear;
   double total, single;  ///< F_pT, f_ptT  mm, along the reference circle
 };
 
-/// A wave as a form deviation of both flanks, with the full height f_f. The coordinates x are the
-/// number of waves and the phase in degrees.   [T14.21]
+/// A wave of the full height f_f, which is a form deviation of both flanks. The coordinates x are
+/// the number of waves and the phase in degrees.   [T14.21]
 struct VaryingWave {
   int gear;
   bool along_face;           ///< true if over the face, false if over the usable profile
@@ -80,18 +80,18 @@ struct ScatterTolerance {
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// The coordinates of x, computed from as many numbers in (0, 1), in the user's units.
+  /// The coordinates of x, in the user's units, computed from the same number of values in (0, 1).
   std::array<double, 3> at(std::span<const double> u) const;
-  /// Least and greatest value of this coordinate of x, in the users' unit.
+  /// Least and greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
 };
 
 /// A member of the family, described by its errors, modifications and deviations in mm and rad.
 struct Deviation {
-  ContactErrors errors;               ///< drawn errors plus the member's deviations
-  PairModifications modifications;    ///< drawn modifications plus the member's deviations
-  bool modified = false;              ///< true if the modifications differ from the drawn ones
-  std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the drawn gear
+  ContactErrors errors;               ///< nominal errors plus deviations of the member
+  PairModifications modifications;    ///< nominal modifications plus deviations of the member
+  bool modified = false;              ///< true if the modifications are not the nominal ones
+  std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the nominal gear
   /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.
   std::array<std::vector<double>, 2> pitch;
 
@@ -109,8 +109,8 @@ int coordinates_of(std::span<const ScatterTolerance> tolerances);
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, for the first tolerance at fault; the field is the name of the
-///           tolerance
+/// Errors    as ContactSetup::of, for the first tolerance with an invalid end; the field of the
+///           error is the name of this tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 

@@ -23,7 +23,7 @@ constexpr double kLastStep = 1e-4;   // relative to the range of a coordinate
 constexpr int kStepLengths = 12;     // each length is half of the previous one
 static_assert(kFirstStep / (1 << (kStepLengths - 1)) >= kLastStep &&
               kFirstStep / (1 << kStepLengths) < kLastStep);
-constexpr double kAtEnd = 1e-9;  // relative to a range: a point nearer to an end is at the end
+constexpr double kAtEnd = 1e-9;  // relative to a range; a nearer point counts as at the end
 
 class Box {
  public:
@@ -41,8 +41,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The quantity to maximise: the peak to peak of the member at x, or its negative play; minus
-  // infinity if the member has no such value.
+  // The quantity to maximise, which is the peak to peak of the member at x, or minus the least play
+  // of this member. Minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
@@ -210,8 +210,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   }
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());
-  // A start that is the worst place already needs at most two values of each coordinate for each
-  // length of step. Other starts need more, so this number of steps is an estimate.
+  // A search that starts at the worst place evaluates at most two values of each coordinate for
+  // each length of step. Other searches evaluate more, so this number of steps is an estimate.
   begin_stage(task.progress, "searching for the worst case",
               static_cast<std::int64_t>(starts.size() * 2 * box.dimensions()) * kStepLengths);
   parallel_for(

@@ -1,7 +1,7 @@
 // Finds the worst member of a family by a search of the whole box of tolerances, not only of its
 // corners.
 //
-// The peak to peak of TE is the difference of the greatest and the least value of a curve. It is
+// The peak to peak of TE is the greatest minus the least value of a curve. The peak to peak is
 // therefore neither convex nor quasi-convex in the errors. If the contact moves from one edge to
 // another, a point inside the box may be worse than every corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.15]
@@ -13,12 +13,12 @@
 namespace gearwright {
 
 /// The member with the greatest peak to peak, or with the least play. The search starts at the
-/// worst corners of the box and at the worst samples. Its steps follow the coordinates and the last
-/// improvement, and are halved if there is no improvement.
+/// worst corners of the box and at the worst samples. Its steps have the directions of the
+/// coordinates and of the last improvement. The steps are halved if they give no improvement.
 ///
-/// Accuracy  the worst local maximum found from several starts, which is not a bound.
-///           WorstMember::bound is a bound of the least play [T14.29]
-/// Laws      (1) no sample and no corner that was tried is worse than the result
+/// Accuracy  the worst local optimum that is found from several starts. It is not a bound, but for
+///           the least play, WorstMember::bound is one [T14.29]
+/// Laws      (1) no sample and no examined corner is worse than the result
 std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
                                         const std::vector<ScatterSample>& samples,
                                         ScatterQuantity quantity);
