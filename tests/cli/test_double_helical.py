@@ -281,7 +281,7 @@ class TwoHalves(unittest.TestCase):
         self.assertRegex(Run("pair", PAIR.format("")).out, f"overlap ratio of 1 +b +{face:.4f}")
         again = Run("pair", PAIR.format("").replace("150", str(face)), "--json").json["pair"]
         self.assertAlmostEqual(again["overlap_ratio"], 1, 9)
-        self.assertIn("those of one half", Run("pair", PAIR.format("")).out)
+        self.assertIn("apply to one half", Run("pair", PAIR.format("")).out)
 
     def test_the_face_width_of_a_remedy_is_that_of_the_gear(self):
         arcs = (SOURCE / "examples/circular_arc_drive.toml").read_text() + "[gear1.double_helical]\ngap_mm = 10\n"
