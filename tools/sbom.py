@@ -13,7 +13,6 @@ a package gives for the linked files.
 import json
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import time
@@ -153,6 +152,13 @@ def entry(name, version, licence, home):
             "licenseConcluded": licence, "licenseDeclared": licence, "copyrightText": "NOASSERTION"}
 
 
+def licence_text(copyright_file, licence):
+    """Returns the licence of a library and its authors. The file of Boost lists the authors of every file of Boost in
+    45 000 lines. Programs need no copy of this list (BSL-1.0), so only the text of the licence is returned."""
+    text = copyright_file.read_text(encoding="utf-8", errors="replace")
+    return re.search(r"^License: BSL-1\.0\n(?: .*\n)+", text, re.M)[0] if licence == "BSL-1.0" else text
+
+
 def main():
     version, target, build, sources, into = sys.argv[1:3] + [pathlib.Path(p).resolve() for p in sys.argv[3:]]
     licences = into / "licences"
@@ -168,7 +174,8 @@ def main():
         relations.append({"spdxElementId": product["SPDXID"], "relationshipType": relation,
                           "relatedSpdxElement": part["SPDXID"]})
         if copyright_file:
-            shutil.copyfile(copyright_file, licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt"))
+            file = licences / (part["SPDXID"].removeprefix("SPDXRef-") + ".txt")
+            file.write_text(licence_text(copyright_file, licence), encoding="utf-8")
     seconds = int(output("git", "log", "-1", "--format=%ct"))
     date = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(seconds))
     (into / "gearwright.spdx.json").write_text(json.dumps({

@@ -36,8 +36,6 @@ struct CompensateAnswer : CompensateView {
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress = nullptr,
                                            int curves = CompensationTask{}.curves);
 
-/// A record with the title, and with the result under "compensate".
-Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& answer);
 
 // The quantity that `compensate` minimises for loaded teeth, under the torques of [load].

@@ -14,7 +14,6 @@
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -73,8 +72,6 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullpt
 
 /// The quantities of the result.
 ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
-/// A record with the title, and with the result under "contact".
-Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 
 }  // namespace gearwright

@@ -20,8 +20,6 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 Result<LoadTask> load_task(SolvedJob& job);
 
 LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
-/// A record with the title, and with the result under "load".
-Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.

@@ -10,6 +10,7 @@
 
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 namespace {
