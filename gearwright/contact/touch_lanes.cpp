@@ -197,12 +197,12 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
         t.te = out(O::te, i);
         t.s = in(I::s, i);
         t.z = in(I::z, i);
-        const auto& [xi_mid, width] = widths_[static_cast<std::size_t>(at.fields)];
-        t.s2 = xi_mid;
+        const std::array<double, 2>& of_flank2 = widths_[static_cast<std::size_t>(at.fields)];
+        t.s2 = of_flank2[0];
         // The multiplier of a bound of N is converted to the multiplier of the same bound of u.
         const auto price = [&](I kind, I mu) {
           const double k = in(kind, i);
-          return k > 1.5 && k < 2.5 ? in(mu, i) * out(O::by_n, i) * width : in(mu, i);
+          return k > 1.5 && k < 2.5 ? in(mu, i) * out(O::by_n, i) * of_flank2[1] : in(mu, i);
         };
         t.multiplier = {price(I::kind_a, I::mu_a), price(I::kind_b, I::mu_b)};
         t.evaluations = steps[i];
