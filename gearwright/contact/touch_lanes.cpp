@@ -25,7 +25,6 @@ bool all_of(bool a) { return a; }
 #undef GW_LEAF_INLINE
 
 constexpr int kMostSteps = 12;  // six are usual for a start in the middle of the line of contact
-constexpr double kLastStep = 1e-7;  // as in touch.cpp
 constexpr double kLongestStep = 0.6;
 
 // The angle of a flank, apart from arg(1 + i c ξ), as a polynomial.
