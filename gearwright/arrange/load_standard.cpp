@@ -61,11 +61,12 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-constexpr double kMuchLeft = 0.1;     // greatest difference from 1 of the factor that remains
-                                      // unexplained; above it, the effects of face width and
-                                      // bodies are also computed
-constexpr double kOverlap = 2.0;      // least overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;      // modules; a wider face takes long and changes nothing
+// The known effects explain a part of the ratio of the computed to the standard stiffness. If the
+// rest of this ratio differs from 1 by more than kMuchLeft, the effects of face width and bodies are
+// also computed.
+constexpr double kMuchLeft = 0.1;
+constexpr double kOverlap = 2.0;  // least overlap ratio of a helical face that is not narrow
+constexpr double kWidest = 12.0;  // modules; a wider face takes long and changes nothing
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;  // resolution of drafted()

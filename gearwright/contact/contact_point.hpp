@@ -63,7 +63,7 @@ struct ContactRidge {
 /// Converts angles of gear 2 to lengths if gear 2 is a rack. Results store the travel of a rack as
 /// the angle travel/r, by which the pinion rolls along the rack.
 struct RackTravel {
-  double radius = 0.0;  ///< r  mm; 0 if gear 2 is not a rack
+  double radius = 0.0;  ///< reference radius r of the pinion, mm; 0 if gear 2 is not a rack
   explicit operator bool() const { return radius > 0.0; }
   double of(Angle angle) const { return radius * angle.rad(); }  ///< mm
 };

@@ -80,7 +80,7 @@ class Profile {
 
   CurvePtr curve_;                        // none for the flank of a rack
   const Involute* involute_ = nullptr;    // the curve, if it is an involute
-  const RackTrochoid* circle_ = nullptr;  // the curve, if a circular arc of a rack cut it
+  const RackTrochoid* circle_ = nullptr;  // the curve, if it was cut by a circular arc of a rack
   double side_;
   double s_lo_, s_hi_, u_lo_, u_hi_;
   bool grows_;

@@ -52,9 +52,9 @@ struct PowerFlow {
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// The exact λ of each mesh without friction, per unit torque on `body`. λ is also the factor with
-/// which a motion of the mesh is transmitted to `body` [T13.20] while all other inputs and outputs
-/// are held.
+/// The exact load λ of each mesh without friction, per unit torque on `body`. If all other inputs
+/// and outputs are held, a motion of the teeth of a mesh turns `body` by λ times this motion
+/// [T13.20].
 ///
 /// Domain    one degree of freedom, independent meshes; `body` turns (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,

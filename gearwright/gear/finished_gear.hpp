@@ -31,8 +31,8 @@ std::optional<Angle> undercut_limit(const RackMotion& motion, const EdgeCircle& 
 /// Makes the gear from the arcs of its rack. make_gear() calls this function.
 ///
 /// Domain    check_limits() returns no error
-/// Errors    the error of `rack`; `teeth` for an internal gear; `profile_shift`, `root_fillet`,
-///           `tip_fillet`, which these teeth do not have; `tip_diameter`
+/// Errors    the error of `rack`; `teeth` for an internal gear; `profile_shift`, `root_fillet` or
+///           `tip_fillet` if it is given, because teeth of arcs have none; `tip_diameter`
 Result<Gear> make_arc_gear(const CylindricalSpec& spec, const Result<RackOfArcs>& rack);
 
 }  // namespace gearwright::detail

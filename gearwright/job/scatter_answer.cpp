@@ -108,7 +108,8 @@ class Grades {
     all_.push_back({table + "helix_waves", 1.0, share,
                     VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form},
                     source_});
-    // Only the long period depends on pitches. It is computed for single-helical pairs only.
+    // Pitch deviations affect only the error over the long period, which is computed only for pairs
+    // that are not double-helical.
     if (!job_.halves[0])
       all_.push_back({table + "pitch", 1.0, share,
                       VaryingPitch{which, f.total_pitch, f.single_pitch}, source_});

@@ -33,7 +33,7 @@ struct PointPlace {
 // The ellipse of a place under the current forces. The bodies bend under the load, so the flanks
 // conform more closely than without load, and the point of least gap moves slightly. [T12.25]
 struct Ellipse {
-  double middle = 0.0;     // mm, distance from the touch along the major axis
+  double middle = 0.0;     // mm, place of the middle on the major axis
   double curvature = 0.0;  // 1/mm, k1 + c2
   double relief = 0.0;     // mm, change of the gap g_i due to the bending
 };

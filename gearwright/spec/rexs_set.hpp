@@ -1,9 +1,9 @@
 // The planetary set of a REXS model. It has the gears, each as a member of [planetary], the held
 // bodies, the inputs and the output. Internal to spec/.
 //
-// A held body is connected to the casing by a coupling. A load that transmits torque is on an input
-// if it defines the torque or if its shaft defines the speed, otherwise on the output. If no body
-// is connected to the casing and two of three central bodies have a load, the third is held.
+// A held body is connected to the casing by a coupling. A body with a load is an input if the load
+// defines a torque or the shaft defines a speed. Otherwise, it is the output. If no body is
+// connected to the casing and two of three central bodies have a load, the third is held.
 #pragma once
 
 #include <array>
