@@ -53,8 +53,8 @@ ContactPair::ContactPair(const ContactGear& gear_1, const ContactGear& gear_2,
     : place_(mount) {
   const Gear& g1 = *gear_1.gear;
   const Gear& g2 = *gear_2.gear;
-  GW_EXPECTS(g1.side() > 0.0 && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
-  internal_ = g2.side() < 0.0;
+  GW_EXPECTS(!g1.internal() && g1.exists() && g2.exists() && g1.tooth && g2.tooth);
+  internal_ = g2.internal();
   alpha_n_ = g1.spec.normal_pressure_angle.rad();
   const double z1 = g1.spec.teeth;
   const double z2 = std::abs(g2.spec.teeth);
@@ -103,7 +103,7 @@ ContactPair::ContactPair(const ContactGear& pinion, const RackGeometry& rack,
     : place_(mount), internal_(false), ratio_(1.0), rotation_sign_(-1.0) {
   const Gear& g = *pinion.gear;
   const ContactErrors& e = mount.errors;
-  GW_EXPECTS(g.side() > 0.0 && g.exists() && g.tooth);
+  GW_EXPECTS(!g.internal() && g.exists() && g.tooth);
   GW_EXPECTS(mount.axis_angle == Angle() && !mount.fillets && mount.middle[1] == mount.middle[0] &&
              e.helix_twist[1] == 0.0 && e.cutter_lead[1] == Angle());
   const double r = g.reference_diameter / 2;
@@ -159,11 +159,11 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     const Arc& arc = arcs[i];
     const Profile profile(arc, side, twist[0]);
     if (arc.name == ArcName::root_fillet)
-      root_end_[which] = std::exp(g.side() < 0.0 ? profile.u_lo() : profile.u_hi());
+      root_end_[which] = std::exp(g.internal() ? profile.u_lo() : profile.u_hi());
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
     const End tip = i + 1 == arcs.size() ? End::tip : End::seam;
-    const bool root_first = profile.grows() == (g.side() > 0.0);
+    const bool root_first = profile.grows() != g.internal();
     p.s_lo_end = root_first ? root : tip;
     p.s_hi_end = root_first ? tip : root;
     p.s_lo = profile.s_lo();

@@ -111,7 +111,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
 
 std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterTask& task,
                                        const std::vector<std::vector<double>>& corners) {
-  const bool external = setup.gear(1).involute() && setup.gear(2).side() > 0.0;
+  const bool external = setup.gear(1).involute() && !setup.gear(2).internal();
   if (corners.empty() || !external || setup.place().axis_angle != Angle() || task.member.stagger)
     return std::nullopt;
   std::vector<Deviation> deviations;
