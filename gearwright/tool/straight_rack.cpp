@@ -109,133 +109,182 @@ double full_radius(const StraightRack& rack, Angle normal_pressure_angle) {
   return (std::numbers::pi / 4 * c - rack.dedendum * s + rack.protuberance) / (1 - s);
 }
 
-Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
-                                   Angle normal_pressure_angle) {
-  const double alpha = normal_pressure_angle.rad();
-  if (auto error = check_numbers(rack, alpha)) return *error;
-  const double s = std::sin(alpha);
-  const double c = std::cos(alpha);
+namespace {
 
-  const double greatest = full_radius(rack, normal_pressure_angle);
+// Computes the edge of one half tooth of the cutter piece by piece, from the tip to the bottom.
+class EdgeMaker {
+ public:
+  EdgeMaker(const StraightRack& rack, double m, Angle normal_pressure_angle)
+      : rack_(rack), m_(m), angle_(normal_pressure_angle), alpha_(angle_.rad()) {}
+
+  Result<StraightRackEdge> make() {
+    if (auto error = check_numbers(rack_, alpha_)) return *error;
+    if (auto error = add_tip()) return *error;
+    if (auto error = add_flank()) return *error;
+    if (auto error = add_bottom()) return *error;
+    return result_;
+  }
+
+ private:
+  std::optional<Error> set_rounding();
+  std::optional<Error> add_tip();
+  std::optional<Error> add_protuberance(Angle angle, const Vec2& begin);
+  std::optional<Error> add_flank();
+  std::optional<Error> add_bottom();
+
+  const StraightRack& rack_;
+  double m_;
+  Angle angle_;
+  double alpha_;
+  double s_ = std::sin(alpha_), c_ = std::cos(alpha_);
+  double quarter_ = std::numbers::pi * m_ / 4;  // half a tooth at the datum line
+  double rho_ = 0.0;                            // radius of the rounding at the tip, mm
+  bool full_ = false;                           // true if the rounding has the full radius
+  double y_end_ = 0.0;                          // y at the end of the flank
+  StraightRackEdge result_;
+  CutterEdge& edge_ = result_.edge;
+};
+
+std::optional<Error> EdgeMaker::set_rounding() {
+  const double greatest = full_radius(rack_, angle_);
   if (!(greatest > 0.0)) {
-    const double deepest = (std::numbers::pi / 4 * c + rack.protuberance) / s;
-    return refused("rack.dedendum", rack.dedendum, {deepest},
+    const double deepest = (std::numbers::pi / 4 * c_ + rack_.protuberance) / s_;
+    return refused("rack.dedendum", rack_.dedendum, {deepest},
                    fmt::format("the tooth of the cutter becomes pointed before it reaches this "
                                "depth; the limit at α_n = {}° is {{}}",
-                               format_number(normal_pressure_angle.deg())));
+                               format_number(angle_.deg())));
   }
-  StraightRackEdge result;
-  double rho = rack.root_fillet_radius;
-  if (rho > greatest) {
-    if (!rack.named) {
-      return refused("rack.root_fillet_radius", rho, {greatest},
+  rho_ = rack_.root_fillet_radius;
+  if (rho_ > greatest) {
+    if (!rack_.named) {
+      return refused("rack.root_fillet_radius", rho_, {greatest},
                      "does not fit between the flanks at the tip of the cutter; the greatest "
                      "possible radius (full radius) is {}");
     }
-    rho = greatest;
-    result.became_full_radius = true;
+    rho_ = greatest;
+    result_.became_full_radius = true;
   }
-  const bool full = rho == greatest;
-  rho *= m;
+  full_ = rho_ == greatest;
+  rho_ *= m_;
+  return std::nullopt;
+}
 
-  CutterEdge& edge = result.edge;
-  edge.tip_depth = rack.dedendum * m;
-  const double pr = rack.protuberance * m;
-  const double x_c = -edge.tip_depth + rho;
+// Adds the rounding at the tip and the protuberance.
+std::optional<Error> EdgeMaker::add_tip() {
+  if (auto error = set_rounding()) return error;
+  edge_.tip_depth = rack_.dedendum * m_;
+  const double pr = rack_.protuberance * m_;
+  const double x_c = -edge_.tip_depth + rho_;
   // The centre of a full radius lies exactly in the middle of the cutter's tooth. [T3.3]
-  const double y_c =
-      full ? std::numbers::pi * m / 2 : std::numbers::pi * m / 4 + (rho - pr - x_c * s) / c;
-  edge.tip_land_end = y_c;
+  const double y_c = full_ ? std::numbers::pi * m_ / 2 : quarter_ + (rho_ - pr - x_c * s_) / c_;
+  edge_.tip_land_end = y_c;
 
   // A small protuberance consists of the rounding only. At τ = α, the circle of the rounding lies
   // at the distance pr from the flank. If it intersects the flank, at ρ cos(α − τ) = ρ − pr, before
   // τ reaches α_pr, the protuberance has no straight line. [T3.4a]
-  double round_end = alpha;
+  double round_end = alpha_;
   bool proud_line = pr > 0.0;
   if (pr > 0.0) {
-    const double a = rack.protuberance_angle.rad();
-    const double meets = pr < 2 * rho ? alpha - std::acos(1.0 - pr / rho) : -kHalfPi;
+    const double a = rack_.protuberance_angle.rad();
+    const double meets = pr < 2 * rho_ ? alpha_ - std::acos(1.0 - pr / rho_) : -kHalfPi;
     proud_line = meets < a;
     round_end = proud_line ? a : meets;
   }
-  edge.arcs.push_back(circle(ArcName::root_fillet,
-                             {{x_c, y_c}, -rho, kRightAngle, Angle::radians(round_end)}, true));
+  edge_.arcs.push_back(circle(ArcName::root_fillet,
+                              {{x_c, y_c}, -rho_, kRightAngle, Angle::radians(round_end)}, true));
   if (proud_line) {
-    // The line of the protuberance is tangent to the rounding at τ = α_pr and ends at the flank.
-    // [T3.4]
-    const double a = round_end;
-    const double x_begin = x_c - rho * std::sin(a);
-    const double y_begin = y_c - rho * std::cos(a);
-    const double y_datum = y_begin + x_begin * std::tan(a);
-    const double x_end = (std::numbers::pi * m / 4 - y_datum) / (std::tan(alpha) - std::tan(a));
-    const double meeting = std::numbers::pi * m / 4 / std::tan(alpha);
-    if (!(x_end < meeting)) {
-      return refused(
-          "rack.protuberance", rack.protuberance,
-          fmt::format("at `protuberance_angle` = {} the line of the protuberance ends {} modules "
-                      "above the datum line, where no flank is left; a smaller protuberance or "
-                      "protuberance angle would help",
-                      format_number(rack.protuberance_angle.deg()), format_number(x_end / m)));
-    }
-    edge.arcs.push_back(
-        line(ArcName::root_fillet, {Angle::radians(a), y_datum, x_begin, x_end}, true));
-    edge.flank_begin_depth = -x_end;
-  } else {
-    edge.flank_begin_depth = -(x_c - rho * std::sin(round_end));
-    if (pr == 0.0) edge.flank_begin_depth = edge.tip_depth - rho * (1 - s);
+    const Vec2 begin(x_c - rho_ * std::sin(round_end), y_c - rho_ * std::cos(round_end));
+    return add_protuberance(Angle::radians(round_end), begin);
   }
+  edge_.flank_begin_depth = -(x_c - rho_ * std::sin(round_end));
+  if (pr == 0.0) edge_.flank_begin_depth = edge_.tip_depth - rho_ * (1 - s_);
+  return std::nullopt;
+}
 
-  // The end of the flank and the part that follows it. [T3.5]
-  const double rho_1 = rack.tip_fillet_radius * m;
-  if (rack.tool_addendum) {
-    edge.flank_end_height = *rack.tool_addendum * m;
-  } else if (rho_1 > 0.0) {
-    edge.flank_end_height = rack.addendum * m - rho_1 * (1 - s);
-  } else {
-    edge.flank_end_height = std::numeric_limits<double>::infinity();
-  }
-  if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
+// Adds the line of the protuberance, which is tangent to the rounding at τ = α_pr and ends at the
+// flank. [T3.4]
+std::optional<Error> EdgeMaker::add_protuberance(Angle angle, const Vec2& begin) {
+  const double slope = std::tan(angle.rad());
+  const double y_datum = begin.y() + begin.x() * slope;
+  const double x_end = (quarter_ - y_datum) / (std::tan(alpha_) - slope);
+  const double meeting = quarter_ / std::tan(alpha_);
+  if (!(x_end < meeting)) {
     return refused(
-        "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
+        "rack.protuberance", rack_.protuberance,
+        fmt::format("at `protuberance_angle` = {} the line of the protuberance ends {} modules "
+                    "above the datum line, where no flank is left; a smaller protuberance or "
+                    "protuberance angle would help",
+                    format_number(rack_.protuberance_angle.deg()), format_number(x_end / m_)));
+  }
+  edge_.arcs.push_back(line(ArcName::root_fillet, {angle, y_datum, begin.x(), x_end}, true));
+  edge_.flank_begin_depth = -x_end;
+  return std::nullopt;
+}
+
+// Adds the straight flank. [T3.5]
+std::optional<Error> EdgeMaker::add_flank() {
+  const double rho_1 = rack_.tip_fillet_radius * m_;
+  if (rack_.tool_addendum) {
+    edge_.flank_end_height = *rack_.tool_addendum * m_;
+  } else if (rho_1 > 0.0) {
+    edge_.flank_end_height = rack_.addendum * m_ - rho_1 * (1 - s_);
+  } else {
+    edge_.flank_end_height = std::numeric_limits<double>::infinity();
+  }
+  if (!(edge_.flank_end_height > -edge_.flank_begin_depth)) {
+    return refused(
+        "rack.tool_addendum", edge_.flank_end_height / m_, {-edge_.flank_begin_depth / m_},
         "the straight flank would end before its start at {} modules from the datum line");
   }
-  edge.arcs.push_back(line(ArcName::flank,
-                           {normal_pressure_angle, std::numbers::pi * m / 4,
-                            -edge.flank_begin_depth, edge.flank_end_height},
-                           !(pr > 0.0)));
-  const double y_end =
-      std::isinf(edge.flank_end_height) ? 0.0 : flank_y(m, alpha, edge.flank_end_height);
-  if (y_end < 0.0) {
-    return refused("rack.tool_addendum", edge.flank_end_height / m,
-                   {std::numbers::pi / 4 / std::tan(alpha)},
+  edge_.arcs.push_back(line(ArcName::flank,
+                            {angle_, quarter_, -edge_.flank_begin_depth, edge_.flank_end_height},
+                            !(rack_.protuberance > 0.0)));
+  if (!std::isinf(edge_.flank_end_height)) y_end_ = flank_y(m_, alpha_, edge_.flank_end_height);
+  if (y_end_ < 0.0) {
+    return refused("rack.tool_addendum", edge_.flank_end_height / m_,
+                   {std::numbers::pi / 4 / std::tan(alpha_)},
                    "the two flanks of the tooth space of the cutter meet below this height; at "
                    "most {} is allowed");
   }
+  return std::nullopt;
+}
+
+// Adds what follows the flank: the rounding at the bottom of the cutter, or the ramp of a
+// semi-topping cutter. [T3.5]
+std::optional<Error> EdgeMaker::add_bottom() {
+  const double rho_1 = rack_.tip_fillet_radius * m_;
   if (rho_1 > 0.0) {
-    const Vec2 center(edge.flank_end_height - rho_1 * s, y_end - rho_1 * c);
+    const Vec2 center(edge_.flank_end_height - rho_1 * s_, y_end_ - rho_1 * c_);
     if (center.y() < 0.0) {
       // If the end of the flank is given, the limit follows from the half width at this end.
       // Otherwise the height of the end itself depends on ρ_1*, and the limit accounts for this.
-      const double rho_max_1 = rack.tool_addendum ? y_end / (m * c)
-                                                  : (std::numbers::pi / 4 - rack.addendum * s / c) /
-                                                        (c - (1 - s) * s / c);
+      const double rho_max_1 =
+          rack_.tool_addendum
+              ? y_end_ / (m_ * c_)
+              : (std::numbers::pi / 4 - rack_.addendum * s_ / c_) / (c_ - (1 - s_) * s_ / c_);
       return refused(
-          "rack.tip_fillet_radius", rack.tip_fillet_radius, {rho_max_1},
+          "rack.tip_fillet_radius", rack_.tip_fillet_radius, {rho_max_1},
           "does not fit into the bottom of the cutter; the greatest possible radius is {}");
     }
-    edge.arcs.push_back(
-        circle(ArcName::tip_fillet, {center, rho_1, normal_pressure_angle, kRightAngle}, true));
-    edge.bottom_height = edge.flank_end_height + rho_1 * (1 - s);
-  } else if (rack.semi_topping_angle) {
-    const Angle a = *rack.semi_topping_angle;
-    const double y_datum = y_end + edge.flank_end_height * std::tan(a.rad());
-    edge.arcs.push_back(
+    edge_.arcs.push_back(circle(ArcName::tip_fillet, {center, rho_1, angle_, kRightAngle}, true));
+    edge_.bottom_height = edge_.flank_end_height + rho_1 * (1 - s_);
+  } else if (rack_.semi_topping_angle) {
+    const Angle a = *rack_.semi_topping_angle;
+    const double y_datum = y_end_ + edge_.flank_end_height * std::tan(a.rad());
+    edge_.arcs.push_back(
         line(ArcName::tip_fillet,
-             {a, y_datum, edge.flank_end_height, std::numeric_limits<double>::infinity()}, false));
-  } else if (rack.tool_addendum) {
-    edge.bottom_height = edge.flank_end_height;
+             {a, y_datum, edge_.flank_end_height, std::numeric_limits<double>::infinity()}, false));
+  } else if (rack_.tool_addendum) {
+    edge_.bottom_height = edge_.flank_end_height;
   }
-  return result;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
+                                   Angle normal_pressure_angle) {
+  return EdgeMaker(rack, m, normal_pressure_angle).make();
 }
 
 namespace {
