@@ -53,10 +53,14 @@ class WaveCrests {
   double s2() const { return s2_; }  ///< parameter of flank 2 at which searches can start
 
  private:
+  struct Quadratic {
+    std::array<double, 3> c{};  // [power of x]
+    double at(double x) const { return c[0] + x * (c[1] + x * c[2]); }
+  };
   // A function that is quadratic in x and in y, interpolated from its values at −1, 0 and 1.
   struct Biquadratic {
     std::array<std::array<double, 3>, 3> c{};  // [power of y][power of x]
-    std::array<double, 3> along_x(double y) const;
+    Quadratic along_x(double y) const;
   };
   struct Ridge {  // a point of a ridge, computed exactly
     double phi, te, roll2, bend, roll2_s, roll2_ss;
@@ -67,8 +71,33 @@ class WaveCrests {
     double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
     bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
-  std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
+  using Ridges = std::array<std::array<Ridge, 3>, 3>;  // [y + 1][x + 1]
+  // The part of flank 1 that meets flank 2, and the rotations of its ridges to first order.
+  struct Path {
+    double from = 0.0, to = 0.0;      // range of s
+    double phi = 0.0;                 // in the middle of the range, at z_mid_
+    double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
+  };
   bool make(const ContactPair& pair);
+  // The path without errors. If there is none because the patches never touch, apart() becomes
+  // true.
+  std::optional<Path> nominal_path(const ContactPair& pair);
+  void set_middle(const Path& path);
+  // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge
+  // cannot be computed, or if the path is empty.
+  bool adjust(GapField& field, Path& path);
+  // The exact ridge at a point, for smooth flanks; none if the search does not converge.
+  std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
+  std::optional<Ridge> ridge_at(GapField& field, const Path& path, double x, double y) const;
+  std::optional<Ridges> ridges_on(GapField& field, const Path& path) const;
+  static Biquadratic interpolate(const Ridges& ridges, double Ridge::*value);
+  // Sets the range of φ in which the flanks touch.
+  void set_rotations(const Ridges& ridges, const Path& path);
+  // Sets the amplitudes and phases of the waves, and the heights z at which T is examined.
+  void set_waves(const Ridges& ridges, const Path& path);
+  // Checks the quadratic functions half way between the nine exact ridges, where their error is
+  // greatest.
+  bool accurate(GapField& field, const Path& path) const;
   Node node(double phi, double z, double along_face, double least) const;
   double along_face(double z) const;  // rad: angle by which waves over the face lower T at z
 
