@@ -82,21 +82,19 @@ const KeyTable& scatter_keys() {
                  "by 5 %, and the tolerance to tighten first [T14.19]"),
        Key::flag("pattern", &S::pattern, "false",
                  "if true, the result contains the density of the contact pattern on both flanks, "
-                 "which is the share of samples in which the marking compound of [contact] shows "
-                 "contact at a point of the flank; it is computed from the first 256 / "
-                 "`replicates` samples of each replicate [T14.27]"),
+                 "which is the share of samples with contact at a point of the flank, as the "
+                 "marking compound of [contact] shows it; the density is computed from the first "
+                 "256 / `replicates` samples of each replicate [T14.27]"),
        Key::flag(
            "loaded", &S::loaded, "false",
-           "if true, loaded transmission error, pressure and face load factor are computed "
-           "for the first samples of each replicate, under the torques of [load] and at the "
-           "positions of [load], or at 16 positions; pitch deviations have no effect on these "
-           "quantities [T14.24]"),
-       Key::number(
-           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples), &S::loaded_samples,
-           "256",
-           "greatest number of samples of all replicates under load. Each replicate has the "
-           "greatest power of two of samples that this limit and `samples` allow, but at "
-           "least one"),
+           "if true, loaded transmission error, pressure and face load factor are computed for the "
+           "first samples of each replicate, under the torques and at the positions of [load] (by "
+           "default 16 positions); pitch deviations have no effect on these quantities [T14.24]"),
+       Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
+                   &S::loaded_samples, "256",
+                   "greatest number of samples under load, for all replicates together. Each "
+                   "replicate has the greatest power of two of samples that this limit and "
+                   "`samples` allow, but at least one"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "
@@ -224,9 +222,8 @@ const KeyTable& scatter_robust_keys() {
   using R = ScatterRobust;
   static const KeyTable table{
       "scatter_robust",
-      "Corrections for a percentile of the peak-to-peak transmission error, of rigid teeth or "
-      "under "
-      "load [T14.18]",
+      "Corrections that minimise a percentile of the peak-to-peak transmission error of rigid or "
+      "loaded teeth [T14.18]",
       {Key::word("corrections", correction_words(), &R::corrections,
                  "corrections of `[compensate]`",
                  "corrections that can be used, as in `[compensate]`; each correction is added to "
@@ -236,8 +233,8 @@ const KeyTable& scatter_robust_keys() {
        Key::word(
            "aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
            "\"transmission_error\"",
-           "quantity that is computed for each sample. It is the peak-to-peak transmission error "
-           "of rigid teeth or, for the worst of the torques of `[load]`, of loaded teeth [T14.25]"),
+           "quantity that is computed for each sample, which is the peak-to-peak transmission "
+           "error of rigid teeth, or of loaded teeth under the worst torque of `[load]` [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "percentile to minimise"),
        Key::number(
