@@ -210,7 +210,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   std::stable_sort(rows.begin(), rows.end(), by_place);
   for (std::size_t k = 1; k < rows.size(); ++k) {
     if (by_place(rows[k - 1], rows[k])) continue;
-    return at_line(rows[k].line, fmt::format("the point {}, {} is already in line {}",
+    return at_line(rows[k].line, fmt::format("diameter {} and z {} are already in line {}",
                                              rows[k].diameter, rows[k].z, rows[k - 1].line));
   }
   Topography t{lines_of(rows, &Row::diameter), lines_of(rows, &Row::z), {}};
