@@ -197,7 +197,7 @@ Result<StraightRackEdge> make_edge(const StraightRack& rack, double m,
   if (!(edge.flank_end_height > -edge.flank_begin_depth)) {
     return refused(
         "rack.tool_addendum", edge.flank_end_height / m, {-edge.flank_begin_depth / m},
-        "the straight flank would end before its start at {} modules from the datum line");
+        "the straight flank would end below its start, which is {} modules above the datum line");
   }
   edge.arcs.push_back(line(ArcName::flank,
                            {normal_pressure_angle, std::numbers::pi * m / 4,
