@@ -73,10 +73,10 @@ const KeyTable& compensate_keys() {
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
                  &CompensateInput::aim, "\"transmission_error\"",
-                 "the quantity to minimise. For rigid teeth it is the transmission error, with a "
-                 "central pattern. Under the torques of `[load]` it is the peak-to-peak loaded "
-                 "transmission error or the greatest pressure; the worst torque determines the "
-                 "result, and `centering_arcsec` has no effect"),
+                 "the quantity to minimise. `transmission_error` applies to rigid teeth and also "
+                 "centres the pattern. `loaded_transmission_error` (peak to peak) and `pressure` "
+                 "(greatest value) apply to teeth under the torques of `[load]`; the worst torque "
+                 "determines the result, and `centering_arcsec` has no effect"),
        Key::not_negative("centering_arcsec", "w", &CompensateInput::centering_arcsec,
                          "a tenth of the transmission error without corrections, but at least 0.1. "
                          "With this default, corrections that increase the transmission error by "

@@ -58,8 +58,7 @@ const KeyTable& drawing_keys() {
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),
-       Key::text("date", &D::date, "",
-                 "date in any form, in quotes; the program never fills in a date"),
+       Key::text("date", &D::date, "", "date in any form, in quotes"),
        Key::text("material", &D::material, "", "material, in words"),
        Key::text("heat_treatment", &D::heat_treatment, "",
                  "heat treatment, with hardness and depth")

@@ -61,8 +61,8 @@ Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
       "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
       "spacing of the planets. `nearest` places the planets at equal pitch if they can be "
       "assembled there, otherwise at the nearest possible positions; `equal` requires equal pitch; "
-      "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet to "
-      "fit; `opposite` places the planets in opposite pairs");
+      "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet so "
+      "that it meshes; `opposite` places the planets in opposite pairs");
 }
 
 }  // namespace

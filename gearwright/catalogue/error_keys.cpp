@@ -39,8 +39,9 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        [](E& e, const Gears&, double v) { e.axial = v; }, "displacement of gear 1 along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 0, v); },
-       "deviation over the face width at the reference cylinder of gear 1; the section at height z "
-       "is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does not change"},
+       "helix slope deviation over the face width at the reference cylinder of gear 1; the section "
+       "at height z is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does "
+       "not change"},
       {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); },
        "as `helix_slope1_um`, but for gear 2"},

@@ -211,8 +211,8 @@ const KeyTable& cutter_keys() {
                                        "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; its module and angles are needed only if the gear and its mating gear "
-        "have different ones";
+        "A pinion cutter; its module and angles are needed only if they differ from the values of "
+        "the gear and its mating gear";
     return t;
   }();
   return table;
@@ -274,7 +274,7 @@ const KeyTable& tip_fillet_keys() {
       "A circular arc, tangent to the flank, in place of the tip that the rack cuts",
       {only_kind(),
        Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius),
-                     "one of `radius_mm`, `l_mm` and `clearance_mm` is needed",
+                     "determined by `l_mm`, `corner_radius_mm` or `clearance_mm`",
                      "radius of the fillet, which is centred on the tooth"),
        Key::number("l_mm", "l_J", {}, tip_fillet(Fillet::l), "",
                    "position along the flank of the rack at which the fillet begins")

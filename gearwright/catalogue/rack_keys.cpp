@@ -95,9 +95,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
                    "distance of the arc centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
-                   "pressure angle on the drawing, which is only checked; there is an error if the "
-                   "arc has no point with this angle, and a warning (`pressure_angle`) if the "
-                   "angle at which the pair touches differs by more than 0.05° [T7.9]"),
+                   "pressure angle on the drawing, used only as a check; there is an error if the "
+                   "arc has no point with this angle, and a warning (`pressure_angle`) if the pair "
+                   "touches at an angle that differs by more than 0.05° [T7.9]"),
        Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "0.9 for F, 0 for P",
                    "addendum of the tooth above the pitch cylinder"),
        Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "0.3 for F, 1.05 for P",

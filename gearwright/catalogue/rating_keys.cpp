@@ -255,10 +255,10 @@ const KeyTable& rating_plastic_keys() {
                    "coefficient of friction of the flanks")
            .with_fields({"friction"})
            .with_also({"friction", "mu"}),
-       Key::not_negative(
-           "housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
-           "0 for an open, about 0.015 to 0.045 for a partly open and 0.06 for a closed housing",
-           "thermal resistance of the housing")
+       Key::not_negative("housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
+                         "0, an open housing",
+                         "thermal resistance of the housing, about 0.015 to 0.045 if it is partly "
+                         "open and 0.06 if it is closed")
            .with_needs({"housing_area_m2"}),
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
                      "surface of the housing that gives off heat"),

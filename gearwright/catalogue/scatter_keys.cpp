@@ -77,14 +77,14 @@ const KeyTable& scatter_keys() {
                  "if true, the greatest peak-to-peak transmission error and the least play within "
                  "all ranges are found by a search [T14.15]"),
        Key::flag("loosening", &S::loosening, "false",
-                 "if true, the result contains the factor by which each tolerance can grow until "
-                 "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
-                 "by 5 %, and the tolerance to tighten first [T14.19]"),
+                 "if true, the result contains the tolerance to tighten first and, for each "
+                 "tolerance, the factor by which it can grow before the greatest of `percentiles` "
+                 "of the peak-to-peak transmission error grows by 5 % [T14.19]"),
        Key::flag("pattern", &S::pattern, "false",
-                 "if true, the result contains the density of the contact pattern on both flanks, "
-                 "which is the share of samples with contact at a point of the flank, as the "
-                 "marking compound of [contact] shows it; the density is computed from the first "
-                 "256 / `replicates` samples of each replicate [T14.27]"),
+                 "if true, the result contains the density of the contact pattern on both flanks. "
+                 "At each point of a flank, the density is the share of samples in which the "
+                 "marking compound of [contact] shows contact. It is computed from the first 256 / "
+                 "`replicates` samples of each replicate [T14.27]"),
        Key::flag(
            "loaded", &S::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
@@ -161,8 +161,8 @@ const KeyTable& scatter_gear_keys() {
       "scatter_gear",
       "Ranges of the teeth of a gear, each added to the value of the gear",
       {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
-                  "range of the normal tooth thickness of an involute gear, which affects the play "
-                  "and the mean of the transmission error [T14.13]"),
+                  "range of the normal tooth thickness of an involute gear; the thickness affects "
+                  "the play and the mean of the transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
@@ -212,9 +212,9 @@ const KeyTable& scatter_correlation_keys() {
         .kind = KeyKind::number,
         .range = KeyRange::inside(-1, 1),
         .required = true,
-        .meaning =
-            "correlation of the scores of the inputs, which are the standard normal values "
-            "with the same probability. The rank correlation of the inputs is 6/π asin(ρ/2)"}}};
+        .meaning = "correlation of the normal scores of the inputs; the normal score of a value is "
+                   "the standard normal value of the same probability. The rank correlation of the "
+                   "inputs is 6/π asin(ρ/2)"}}};
   return table;
 }
 
@@ -230,11 +230,11 @@ const KeyTable& scatter_robust_keys() {
                  "the value in the spec")
            .with_list(KeyList{.most = correction_entries().size(), .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
-       Key::word(
-           "aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
-           "\"transmission_error\"",
-           "quantity that is computed for each sample, which is the peak-to-peak transmission "
-           "error of rigid teeth, or of loaded teeth under the worst torque of `[load]` [T14.25]"),
+       Key::word("aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
+                 "\"transmission_error\"",
+                 "quantity that is computed for each sample. It is the peak-to-peak transmission "
+                 "error of rigid teeth or, with `loaded_transmission_error`, of loaded teeth under "
+                 "the worst torque of `[load]` [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "percentile to minimise"),
        Key::number(
