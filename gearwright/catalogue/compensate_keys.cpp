@@ -61,35 +61,34 @@ const KeyTable& compensate_keys() {
       "Corrections that the verb compensate can make, and the errors that they must compensate",
       {Key::word(
            "corrections", correction_words(), &CompensateInput::corrections,
-           "for circular-arc pairs `tool_setting_mm` and `cutter_lead1_deg`, for others "
+           "`tool_setting_mm` and `cutter_lead1_deg` for circular-arc pairs, otherwise "
            "`gear1.lead_slope_um` and `gear1.lead_crowning_um`",
-           "`tool_setting_mm` (Δb_F of the rack F, at most 5 mm and at most a tenth of a module), "
-           "`cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and, for either gear, "
-           "`gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` (0 to 50), "
-           "`gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
+           "names of corrections: `tool_setting_mm` (Δb_F of rack F, at most 5 mm and at most a "
+           "tenth of a module), `cutter_lead1_deg` and `cutter_lead2_deg` (within ±0.5), and, for "
+           "gear 1 and likewise for gear 2, `gear1.lead_slope_um` (±100), `gear1.lead_crowning_um` "
+           "(0 to 50), `gear1.profile_slope_um` (±50), `gear1.profile_crowning_um` (0 to 50), and "
            "`gear1.tip_relief_um`, `gear1.root_relief_um` and `gear1.end_relief_um` (0 to 50) if "
            "the spec has such a relief. Each correction is added to the value in the spec")
            .with_list(KeyList{.most = correction_entries().size(), .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
        Key::word("aim", {"transmission_error", "loaded_transmission_error", "pressure"},
                  &CompensateInput::aim, "\"transmission_error\"",
-                 "the quantity to minimise: the transmission error of rigid teeth with a central "
-                 "pattern or, under the torques of `[load]`, the peak-to-peak transmission error "
-                 "of loaded teeth or the greatest pressure. Under load, the worst torque "
+                 "the quantity to minimise. `transmission_error` applies to rigid teeth and also "
+                 "centres the pattern. `loaded_transmission_error` (peak to peak) and `pressure` "
+                 "(greatest value) apply to teeth under the torques of `[load]`; the worst torque "
                  "determines the result, and `centering_arcsec` has no effect"),
-       Key::not_negative(
-           "centering_arcsec", "w", &CompensateInput::centering_arcsec,
-           "a tenth of the transmission error without corrections, at least 0.1. With this "
-           "default, corrections that increase the transmission error by 0.01 arcsec or more are "
-           "excluded",
-           "cost of a pattern at the end of the face [T8.24]. For circular arcs, whose contact "
-           "moves along the face, it is the cost of a pattern at the end of the profile. If the "
-           "key is given, corrections may increase the transmission error. If the total "
-           "improvement is less than 0.001 arcsec, every correction is 0"),
+       Key::not_negative("centering_arcsec", "w", &CompensateInput::centering_arcsec,
+                         "a tenth of the transmission error without corrections, but at least 0.1. "
+                         "With this default, corrections that increase the transmission error by "
+                         "0.01 arcsec or more are excluded",
+                         "penalty for a pattern at the end of the face [T8.24], or at the end of "
+                         "the profile for circular arcs, whose contact moves along the face. If "
+                         "the key is given, corrections may increase the transmission error. If "
+                         "the total improvement is less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
-                 "ranges of up to five errors for which the corrections must work, each [least, "
-                 "greatest]")}};
+                 "ranges [least, greatest] of up to five errors; the corrections must work at "
+                 "every corner of the ranges")}};
   return table;
 }
 

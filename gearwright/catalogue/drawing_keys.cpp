@@ -58,8 +58,7 @@ const KeyTable& drawing_keys() {
        Key::text("number", &D::number, "", "drawing number")
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),
-       Key::text("date", &D::date, "",
-                 "date in any form, in quotes; the program never fills in a date"),
+       Key::text("date", &D::date, "", "date in any form, in quotes"),
        Key::text("material", &D::material, "", "material, in words"),
        Key::text("heat_treatment", &D::heat_treatment, "",
                  "heat treatment, with hardness and depth")
@@ -72,18 +71,18 @@ const KeyTable& drawing_keys() {
                "surface texture of the flanks, in a symbol of ISO 21920-1; the text may begin with "
                "MRR (material is removed), NMR (no material is removed) or APA (any process)"),
        texture("face_roughness", &D::face_roughness, "a blank symbol",
-               "surface texture of both faces, in the same form"),
+               "surface texture of both faces, in the form of `flank_roughness`"),
        texture("bore_roughness", &D::bore_roughness, "a blank symbol",
-               "surface texture of the bore, in the same form"),
+               "surface texture of the bore, in the form of `flank_roughness`"),
        Key::text("edges", &D::edges, "", "edges of undefined shape by ISO 13715"),
        Key::text("general_tolerances", &D::general_tolerances, "",
-                 "tolerances of dimensions without a tolerance, by ISO 22081 or ISO 2768"),
+                 "general tolerances by ISO 22081 or ISO 2768"),
        Key::text(
            "bore_fit", &D::bore_fit, "no limits",
-           "fit of the bore by ISO 286, H1 to H12; the drawing shows the limits of the diameter")
+           "fit of the bore by ISO 286 (H1 to H12); the drawing shows the limits of the diameter")
            .with_form("a fit such as \"H7\""),
        Key::text("keyway_fit", &D::keyway_fit, "no limits",
-                 "fit of the width of the keyway by DIN 6885, JS9, N9 or P9; the drawing shows the "
+                 "fit of the keyway width by DIN 6885 (JS9, N9 or P9); the drawing shows the "
                  "limits of width and depth")
            .with_form("a fit such as \"JS9\""),
        Key::text("note", &D::note, "", "additional notes for the workshop")

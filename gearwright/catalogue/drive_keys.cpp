@@ -61,8 +61,8 @@ Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
       "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
       "spacing of the planets. `nearest` places the planets at equal pitch if they can be "
       "assembled there, otherwise at the nearest possible positions; `equal` requires equal pitch; "
-      "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet to "
-      "fit; `opposite` places the planets in opposite pairs");
+      "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet so "
+      "that it meshes; `opposite` places the planets in opposite pairs");
 }
 
 }  // namespace
@@ -93,22 +93,22 @@ const KeyTable& planetary_keys() {
               gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
        formed("face_width_mm", "b", kMembers, "10 m_n",
-              "face width; a planet that meshes with two rings or two suns is twice as wide plus a "
-              "gap",
+              "face width; a planet that meshes with two rings or two suns has twice this width "
+              "plus a gap",
               KeyRange::positive()),
        formed("tip_diameter_mm", "d_a", kMembers,
-              "tip diameter of the basic rack with its clearance; for a ring, a diameter with "
-              "clearance to the flanks of its planets",
+              "tip diameter of the basic rack, reduced if the tip clearance is too small; for a "
+              "ring, a diameter at which its tips touch only the flanks of the planets",
               "tip diameter", KeyRange::positive()),
        formed("bore_mm", "", kMembers, "no bore",
-              "diameter of the bore in the CAD files; a number applies to all gears except rings, "
-              "and a number for a ring is the outside diameter of its rim",
+              "diameter of the bore in the CAD files; a single number applies to all gears except "
+              "rings; in a table, the number for a ring is the outside diameter of its rim",
               KeyRange::positive())
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
               "centre distance", KeyRange::positive()),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
-              "efficiency of the meshes with the carrier at rest", KeyRange::above(0, 1)),
+              "efficiency of the meshes when the carrier is at rest", KeyRange::above(0, 1)),
        Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
                          "coefficient of friction of the flanks"),
        fixed_key(),
@@ -153,8 +153,9 @@ const KeyTable& stage_keys() {
               "thickness allowances"),
        formed("bore_mm", "", "a number, or a list of two numbers; in a set, as in [planetary]",
               "no bore",
-              "diameters of the bores in the CAD files; a number applies to both gears except a "
-              "ring, and the second number for a ring is the outside diameter of its rim",
+              "diameters of the bores in the CAD files; a single number applies to both gears "
+              "except a ring; if the second gear is a ring, the second number is the outside "
+              "diameter of its rim",
               KeyRange::positive())
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
@@ -252,7 +253,7 @@ const KeyTable& drive_mesh_keys() {
                      "backlash-free distance", "centre distance"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "computed from `friction_coefficient` and the teeth",
-                   "efficiency of the mesh with the frame at rest"),
+                   "efficiency of the mesh when its frame is at rest"),
        Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction,
                          "the value for the whole drive", "coefficient of friction of the flanks"),
        Key::number(

@@ -46,8 +46,8 @@ Key face_width() {
   Key k = of_set("face_width_mm");
   k.form += ", or a band [least, greatest]";
   k.meaning =
-      "face width; within a band, each rated design takes the least whole number of millimetres, "
-      "or multiple of 0.05 in in a spec in inch, with the required safeties";
+      "face width; within a band, each rated design has the least width with the required "
+      "safeties, in steps of 1 mm, or of 0.05 in if the spec is in inch";
   return k;
 }
 
@@ -59,9 +59,9 @@ const KeyTable& drive_search_keys() {
       "The input of a search for drives",
       {Key::word("kind", {kDriveKindNames.begin(), kDriveKindNames.end()}, &Problem::kind,
                  kRequired,
-                 "kind of the drive: a set with sun, planet and ring; a set with `sun`, stepped "
-                 "planets and `ring2`; a set with two rings, and with a sun if `sun_teeth` is "
-                 "given; a set with two suns; or a train of pairs"),
+                 "kind of the drive: `planetary` (sun, planet and ring), `stepped` (`sun`, stepped "
+                 "planets and `ring2`), `wolfrom` (two rings, and a sun if `sun_teeth` is given), "
+                 "`two_suns` (two suns) or `train` (train of pairs)"),
        Key::number("ratio", "i", {}, &Problem::ratio, kRequired,
                    "signed ratio n_in/n_out; a band includes its ends")
            .with_list(kBand)
@@ -86,17 +86,18 @@ const KeyTable& drive_search_keys() {
             "17 to 40", "numbers of teeth of the pinions of a train"),
        band("wheel_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::wheel, "17 to 150",
             "numbers of teeth of the wheels of a train"),
-       Key::number("coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
-                   "1, or `planets` for two rings on one planet gear, or no limit for a train",
-                   "greatest difference between the sums of teeth of meshes with a common centre "
-                   "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
-                   "for this difference"),
+       Key::number(
+           "coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
+           "1; for two rings on one planet gear, the number of planets; for a train, no limit",
+           "greatest difference between the sums of teeth of meshes with a common centre "
+           "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
+           "for this difference"),
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
        Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding, "no limit",
-                   "greatest specific sliding at the ends of the path of every mesh; the profile "
-                   "shifts of a small set without undercut have about 3 to 5"),
+                   "greatest permitted specific sliding at both ends of the path of contact of "
+                   "every mesh; a small set without undercut has about 3 to 5"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,
                  "all",
                  "allowed classes of phasing; with `sequential` and `counter` there is no torque "
@@ -123,8 +124,8 @@ const KeyTable& drive_search_keys() {
                    "with each module")
            .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
-                     "greatest diameter over the planets and over the root circles of the rings, "
-                     "to which the rim of a ring adds; for a train, the greatest sum of the "
+                     "greatest permitted diameter over the planets and over the root circles of "
+                     "the rings, without the rims; for a train, greatest permitted sum of the "
                      "centre distances; both are computed without profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),

@@ -29,26 +29,29 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        "error of the centre distance; axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "f_Σβ as an angle by which axis 1 turns about the centre line and the shaft angle "
-       "increases; > 0 towards +y"},
+       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line and the shaft "
+       "angle increases; > 0 towards +y"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
-       "f_Σδ as an angle by which axis 1 tilts in the plane of the axes; > 0 towards +x, that is "
-       "towards gear 2"},
+       "angle of the deviation f_Σδ, by which axis 1 tilts in the plane of the axes; > 0 towards "
+       "+x, which is towards gear 2"},
       {"axial_mm", "Δz", "axial position of gear 1", ErrorKind::axial, 0,
-       [](E& e, const Gears&, double v) { e.axial = v; }, "gear 1 moves along +z"},
+       [](E& e, const Gears&, double v) { e.axial = v; }, "displacement of gear 1 along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,
        [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 0, v); },
-       "deviation over the face width at the reference cylinder of gear 1; the section at height z "
-       "is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does not change"},
+       "helix slope deviation over the face width at the reference cylinder of gear 1; the section "
+       "at height z is rotated by z f_Hβ/(r b), counter-clockwise seen from +z, and its shape does "
+       "not change"},
       {"helix_slope2_um", "f_Hβ2", "helix slope of gear 2", ErrorKind::helix_slope2, 2,
-       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); }, "as for gear 1"},
+       [](E& e, const Gears& g, double v) { set_helix_slope(e, g, 1, v); },
+       "as `helix_slope1_um`, but for gear 2"},
       {"cutter_lead1_deg", "Δλ1", "lead angle of gear 1", std::nullopt, 1,
        [](E& e, const Gears&, double v) { e.cutter_lead[0] = Angle::degrees(v); },
        "error of the lead angle λ = 90° − |β| with which gear 1 is cut; the lead and the "
        "transverse section change, but the pitch radius does not [T8.14]"},
       {"cutter_lead2_deg", "Δλ2", "lead angle of gear 2", std::nullopt, 2,
-       [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); }, "as for gear 1"},
+       [](E& e, const Gears&, double v) { e.cutter_lead[1] = Angle::degrees(v); },
+       "as `cutter_lead1_deg`, but for gear 2"},
   }};
   return entries;
 }
@@ -114,7 +117,7 @@ KeyPlace range(std::size_t i) {
 }
 
 std::optional<KeyFault> check_map(ContactMapInput& map, const KeyGiven&) {
-  if (map.key[0] == map.key[1]) return KeyFault{"y", "must be an error other than x"};
+  if (map.key[0] == map.key[1]) return KeyFault{"y", "must not be the same error as x"};
   for (const std::size_t i : {0, 1}) {
     const KeyRange& allowed = error_keys().keys[map.key[i]].range;
     for (const double v : map.range[i])
@@ -139,7 +142,7 @@ const KeyTable& contact_keys() {
       {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
        Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
-                   "number of pitches in the result, each with the results of the first pitch. "
+                   "number of pitches in the result; every pitch repeats the results of the first. "
                    "Positions times pitches must be at most 10⁶"),
        Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",

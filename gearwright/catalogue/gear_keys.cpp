@@ -125,7 +125,7 @@ const KeyTable& gear_keys() {
        Key::number(
            "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
            "see *Shift and centre distance*",
-           "profile shift in normal modules; > 0 thickens the tooth, also of an internal gear")
+           "profile shift in normal modules; > 0 thickens the tooth, also for an internal gear")
            .with_also({"shift", "profile_shift_coefficient", "addendum_modification",
                        "addendum_modification_coefficient", "correction"}),
        Key::number("thickness_allowance_mm", "E_sn", {},
@@ -154,9 +154,9 @@ const KeyTable& gear_keys() {
                   "AGMA-25", "AGMA-stub"},
         .tables = {straight_rack_keys, arc_rack_keys, double_arc_rack_keys, rack_of_arcs_keys},
         .fallback = "\"ISO53-A\"",
-        .meaning = "the rack that cuts the gear, which is a rack of ISO 53, a rack of double "
-                   "circular arcs of GB/T 12759, a rack of AGMA with its pressure angle (full "
-                   "depth of 14.5°, 20° or 25°, or stub of 20°), or a table",
+        .meaning = "the rack that cuts the gear; it is a rack of ISO 53, a double-circular-arc "
+                   "rack of GB/T 12759, an AGMA rack (full depth with 14.5°, 20° or 25°, or stub "
+                   "with 20°), or a table",
         .also = {"profile", "basic_rack", "tool", "hob", "standard"}},
        {.key = "cut_by",
         .kind = KeyKind::table,
@@ -191,8 +191,8 @@ const KeyTable& gear_keys() {
        Key::number("quality", "",
                    KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
                    {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
-                   "flank tolerance class (grade) of ISO 1328-1; another place for `quality` of "
-                   "`tolerance`")
+                   "flank tolerance class (grade) of ISO 1328-1; can be given instead of `quality` "
+                   "of `tolerance`")
            .with_fields({"tolerance.quality"})
            .with_also({"grade", "accuracy_grade"}),
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
@@ -211,8 +211,8 @@ const KeyTable& cutter_keys() {
                                        "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; its module and angles are needed only if they differ from those of the "
-        "gear and its mating gear";
+        "A pinion cutter; its module and angles are needed only if they differ from the values of "
+        "the gear and its mating gear";
     return t;
   }();
   return table;
@@ -223,7 +223,7 @@ const KeyTable& blank_keys() {
     KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
                                     "rack", "material", "modifications"});
     t.name = "blank";
-    t.meaning = "Values of a gear that a search does not determine";
+    t.meaning = "Gear data that a search does not determine";
     return t;
   }();
   return table;
@@ -274,21 +274,21 @@ const KeyTable& tip_fillet_keys() {
       "A circular arc, tangent to the flank, in place of the tip that the rack cuts",
       {only_kind(),
        Key::positive("radius_mm", "r_t", tip_fillet(Fillet::radius),
-                     "one of `radius_mm`, `l_mm` and `clearance_mm` is needed",
+                     "determined by `l_mm`, `corner_radius_mm` or `clearance_mm`",
                      "radius of the fillet, which is centred on the tooth"),
        Key::number("l_mm", "l_J", {}, tip_fillet(Fillet::l), "",
                    "position along the flank of the rack at which the fillet begins")
            .with_excludes({"radius_mm"}),
-       Key::number(
-           "clearance_mm", "",
-           Range::not_negative(", because the tip would cut into the root of the mating gear"),
-           &GearInput::tip_clearance, "0.2 m_n + 0.05",
-           "tip clearance to the root of the mating gear, on parallel axes [T6.7]")
+       Key::number("clearance_mm", "",
+                   Range::not_negative(
+                       ", because the tip would otherwise cut into the root of the mating gear"),
+                   &GearInput::tip_clearance, "0.2 m_n + 0.05",
+                   "tip clearance to the root of the mating gear, on parallel axes [T6.7]")
            .with_excludes({"radius_mm", "l_mm"}),
        Key::positive("corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",
-                     "radius of both tip corners instead of a fillet, tangent to the flank and to "
-                     "the tip circle in the transverse section; for a cutter this is ρ_a0, which "
-                     "cuts the root fillet [T6.17]")
+                     "radius of the rounding of both tip corners, instead of a fillet; the "
+                     "rounding is tangent to the flank and to the tip circle in the transverse "
+                     "section, and on a cutter (ρ_a0) it cuts the root fillet [T6.17]")
            .with_excludes({"radius_mm", "l_mm", "clearance_mm"})
            .with_also({"rho_a", "rho_a0", "tip_radius", "corner", "rounding"})},
       complete_tip_fillet};

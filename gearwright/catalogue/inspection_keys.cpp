@@ -16,8 +16,8 @@ const KeyTable& measure_keys() {
        Key::number(
            "span_teeth", "k", KeyRange::between(1, 1e5), &MeasureInput::span_teeth,
            "the number of teeth for which the contacts are nearest to the V circle d + 2 x m_n",
-           "number of teeth between the anvils of a span measurement, or of tooth spaces for an "
-           "internal gear")
+           "number of teeth (tooth spaces for an internal gear) between the anvils of a span "
+           "measurement")
            .with_also({"span", "teeth", "k", "number_of_teeth_spanned"}),
        Key::positive(
            "ball_diameter_mm", "D_M", &MeasureInput::ball_diameter,
@@ -55,7 +55,7 @@ const KeyTable& tolerance_keys() {
            .with_excludes({"thickness_series"}),
        Key::number("over_balls_mm", "", {}, &ToleranceInput::over_balls, "",
                    "least and greatest dimension over balls, or between balls for an internal "
-                   "gear, which determine the allowances; the diameter of the balls is "
+                   "gear; these dimensions determine the allowances; the diameter of the balls is "
                    "`ball_diameter_mm` of `[gearN.measure]`")
            .with_list(kLowerAndUpper)
            .with_excludes({"thickness_series", "span_mm"}),
@@ -67,8 +67,8 @@ const KeyTable& tolerance_keys() {
            .with_fields({"tip_deviations"})
            .with_also({"a_da", "tip_diameter_tolerance", "tip_tolerance", "tip_allowance"}),
        Key::text("tip_diameter_fit", &ToleranceInput::tip_fit, "",
-                 "deviations of the tip diameter by ISO 286, h1 to h12 or js1 to js12, for an "
-                 "internal gear H1 to H12 or JS1 to JS12; the drawing shows the fit and the limits")
+                 "fit of the tip diameter by ISO 286 (h1 to h12 or js1 to js12; for an internal "
+                 "gear, H1 to H12 or JS1 to JS12); the drawing shows the fit and the limits")
            .with_form("a fit such as \"h9\"")
            .with_fields({"tip_fit"})
            .with_excludes({"tip_diameter_deviations_mm"})
@@ -95,10 +95,10 @@ const KeyTable& measured_keys() {
       {{.key = "span_mm",
         .symbol = "W_k",
         .kind = KeyKind::any,
-        .form =
-            "a table of readings by the number of teeth, for example { 3 = 19.751, 4 = 27.131 }",
-        .meaning = "span for each number k of teeth, or of tooth spaces for an internal gear, for "
-                   "example `{ 3 = 19.751, 4 = 27.131 }`"},
+        .form = "a table with one reading for each number of teeth, for example { 3 = 19.751, 4 = "
+                "27.131 }",
+        .meaning = "span over k teeth (tooth spaces for an internal gear) for each k, for example "
+                   "`{ 3 = 19.751, 4 = 27.131 }`"},
        Key::positive("span_uncertainty_mm", "", &I::span_uncertainty, "0.02",
                      "uncertainty of each span"),
        {.key = "over_balls_mm",

@@ -17,7 +17,8 @@ const KeyTable& load_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "load",
-      "Teeth under torque: the verb `load`, and for drives the verbs `drive`, `rate` and `run`",
+      "Teeth under torque, for the verb `load` and, with drives, for the verbs `drive`, `rate` and "
+      "`run`",
       {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
                    "torque on gear 1; a list of torques gives the Harris map; for a drive, one "
                    "torque on its input, by default the torque of the drive")
@@ -43,9 +44,9 @@ const KeyTable& load_keys() {
                  "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
        Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
                    &LoadInput::deflection_slope, "0",
-                   "additional approach of the flanks that is linear along the common face, from "
-                   "housing and bearings or from shafts without `[gearN.shaft]`; it is added to "
-                   "the deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
+                   "additional approach of the flanks, linear along the common face, caused by "
+                   "housing and bearings or by shafts without `[gearN.shaft]`; it is added to the "
+                   "deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
        Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
                    "0",
                    "additional approach of the flanks that is parabolic along the face; the key "
@@ -77,22 +78,24 @@ const KeyTable& load_probe_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "load_probe",
-      "Compliance of one tooth under a unit line force on tooth 0, normal to its flank at y > 0",
+      "Compliance of tooth 0 under a unit line force, normal to its flank at y > 0",
       {Key::number("gear", "", Range::between(1, 2), &LoadProbeInput::gear, "1",
                    "number of the gear"),
        Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired,
-                     "diameter of the load on the flank"),
-       Key::number("z_mm", "", {}, &LoadProbeInput::z,
-                   "the load covers the whole face of a wide gear, in plane strain",
-                   "loaded part of the face; positions are measured from the middle of the face")
+                     "diameter at which the load acts on the flank"),
+       Key::number(
+           "z_mm", "", {}, &LoadProbeInput::z,
+           "the load covers the whole face of a wide gear, in plane strain",
+           "start and end of the loaded part of the face, measured from the middle of the face")
            .with_list(
                {.least = 2,
                 .most = 2,
                 .order = {true, "must be the start and the end of the load, in rising order"}}),
        Key::positive("half_width_mm", "a", &LoadProbeInput::half_width, "0.05 m_n",
                      "half width of the Hertz strip under the load"),
-       Key::number("read_z_mm", "", {}, &LoadProbeInput::read_z, "",
-                   "position along the face at which the displacement is computed; with `z_mm`")
+       Key::number(
+           "read_z_mm", "", {}, &LoadProbeInput::read_z, "",
+           "positions along the face at which the displacement is computed; only with `z_mm`")
            .with_list(KeyList{1, kMostReadings})},
       check_probe};
   return table;

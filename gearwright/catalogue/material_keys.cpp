@@ -30,7 +30,7 @@ Key by_temperature(std::string_view key, std::string_view symbol,
     return std::string();
   };
   return Key::positive(key, symbol, KeyPlace::by<MaterialInput, std::vector<double>>(set),
-                       "the value of the key without list", meaning)
+                       "the single value of the key without `_by_temperature`", meaning)
       .with_list({kMinSteps, kMaxSteps})
       .with_form("a list with one value for each of `temperatures_C`")
       .with_needs({"temperatures_C"})

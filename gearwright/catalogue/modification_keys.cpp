@@ -38,16 +38,17 @@ const std::array<ModificationEntry, kModifications.size()>& modification_entries
       {member_of(M::root_relief), "C_αf", "root relief", "_start_mm", "from diameter",
        "amount C; the removal grows from 0 at the start diameter to C at d_Ff"},
       {member_of(M::profile_crowning), "C_α", "profile crowning", "", "",
-       "parabola over the usable flank, with 0 in the middle and C at both ends; negative if "
-       "hollow"},
+       "parabola over the usable flank, with 0 in the middle and C at both ends; C is negative for "
+       "a hollow flank"},
       {member_of(M::profile_slope), "C_Hα", "profile slope", "", "",
-       "linear over the usable flank, with 0 in the middle and greater by C at d_Fa than at d_Ff; "
-       "can be negative"},
+       "linear over the usable flank; the removal is 0 in the middle and greater by C at d_Fa than "
+       "at d_Ff; C can be negative"},
       {member_of(M::lead_crowning), "C_β", "helix crowning", "", "",
-       "parabola over the face, with 0 in the middle and C at both ends; negative if hollow"},
+       "parabola over the face, with 0 in the middle and C at both ends; C is negative for a "
+       "hollow flank"},
       {member_of(M::lead_slope), "C_Hβ", "helix slope modification", "", "",
-       "C z/b, with 0 in the middle and greater by C at the +z end than at the other end; can be "
-       "negative"},
+       "linear over the face; the removal C z/b is 0 in the middle and greater by C at the +z end "
+       "than at the other end; C can be negative"},
       {member_of(M::end_relief), "C_βI = C_βII", "end relief", "_length_mm", "over",
        "amount C; at each end of the face, the removal is 0 at the distance l from the end and "
        "grows to C at the end"},
@@ -66,7 +67,7 @@ const KeyTable& modification_keys() {
       const KeyRange amount =
           m.relief
               ? KeyRange::not_negative(
-                    ", because a relief removes material; only crownings can be negative (hollow)")
+                    ", because a relief removes material; crownings and slopes can be negative")
               : KeyRange();
       add(t.keys, {.key = kept(name + "_um"),
                    .symbol = m.symbol,
@@ -75,19 +76,21 @@ const KeyTable& modification_keys() {
                    .fields = {m.relief ? name + ".amount" : name}});
       if (!m.relief) continue;
       const bool length = m.reach == "_length_mm";
-      add(t.keys, {.key = kept(name + std::string(m.reach)),
-                   .range = KeyRange::positive(),
-                   .fallback = length ? std::string_view()
-                                      : "start of a short relief, so that the reliefs of both "
-                                        "gears leave one base pitch of the path of contact",
-                   .meaning = length ? "length l, from b/1000 to b/2"
-                                     : "start diameter, on the usable flank",
-                   .fields = {name + ".reach"}});
+      add(t.keys,
+          {.key = kept(name + std::string(m.reach)),
+           .range = KeyRange::positive(),
+           .fallback = length ? std::string_view()
+                              : "start of a short relief, so that the reliefs of both gears leave "
+                                "one base pitch of the path of contact unmodified",
+           .meaning =
+               length ? "length l, from b/1000 to b/2" : "start diameter, on the usable flank",
+           .fields = {name + ".reach"}});
       add(t.keys, {.key = kept(name + "_shape"),
                    .kind = KeyKind::word,
                    .words = {"linear", "parabolic"},
                    .fallback = "\"linear\"",
-                   .meaning = "shape of the relief, C q or C q², with q from 0 to 1",
+                   .meaning = "shape of the relief; the removal is C q (linear) or C q² "
+                              "(parabolic), with q from 0 to 1",
                    .fields = {name + ".shape"}});
     }
     add(t.keys, {.key = "topography",

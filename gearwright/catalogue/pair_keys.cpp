@@ -40,15 +40,14 @@ const KeyTable& pair_keys() {
            "shaft angle Σ = β_w1 + β_w2, for internal pairs β_w1 − β_w2; two right-hand "
            "external gears have Σ > 0, and two left-hand external gears Σ < 0")
            .with_also({"axis_angle", "crossing_angle"}),
-       Key::number(
-           "backlash_mm", "j_n", no_pressing(),
-           KeyPlace::mean_and_ends<PairInput>(
-               [](auto& p) -> auto& { return p.backlash; },
-               [](auto& p) -> auto& { return p.backlash_ends; }),
-           "backlash of the given allowances and centre distance",
-           "backlash in the normal section at the pitch point, j_bn/cos α_wn, for which the "
-           "teeth are thinned; instead of `thickness_allowance_mm`; two numbers are the "
-           "least and the greatest backlash")
+       Key::number("backlash_mm", "j_n", no_pressing(),
+                   KeyPlace::mean_and_ends<PairInput>(
+                       [](auto& p) -> auto& { return p.backlash; },
+                       [](auto& p) -> auto& { return p.backlash_ends; }),
+                   "backlash of the given allowances and centre distance",
+                   "backlash in the normal section at the pitch point, j_bn/cos α_wn; instead of "
+                   "`thickness_allowance_mm`; the teeth are thinned to give this backlash; two "
+                   "numbers are the least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
            .with_also({"backlash", "play", "normal_backlash", "jn"}),
@@ -136,8 +135,8 @@ const KeyTable& fit_keys() {
                    &FitInput::working_normal_pressure_angle, "",
                    "working normal pressure angle of the designs"),
        Key::flag("few_teeth", &FitInput::few_teeth, "false",
-                 "if true, the pinion has few teeth, and a cutter with the same profile and longer "
-                 "teeth generates the wheel or internal gear"),
+                 "if true, the pinion has few teeth, and a cutter with the profile of the pinion "
+                 "and longer teeth generates the wheel or internal gear"),
        of_few_teeth("least_tip_land_mm", "", &FitInput::min_tip_land, "0",
                     "least normal tooth thickness at both tips"),
        of_few_teeth("least_gap_mm", "", &FitInput::min_gap, "0",

@@ -95,9 +95,9 @@ const KeyTable& arc_rack_keys() {
        Key::number("center_b", "b*", any_length(), &ArcRack::center_b, kRequired,
                    "distance of the arc centre from the pitch plane"),
        Key::number("pressure_angle_deg", "ψ_c", {}, &ArcRack::pressure_angle, "not checked",
-                   "pressure angle on the drawing, which is only checked; there is an error if the "
-                   "arc has no point with this angle, and a warning (`pressure_angle`) if the "
-                   "angle at which the pair touches differs by more than 0.05° [T7.9]"),
+                   "pressure angle on the drawing, used only as a check; there is an error if the "
+                   "arc has no point with this angle, and a warning (`pressure_angle`) if the pair "
+                   "touches at an angle that differs by more than 0.05° [T7.9]"),
        Key::number("addendum", "h_a*", any_length(), &ArcRack::addendum, "0.9 for F, 0 for P",
                    "addendum of the tooth above the pitch cylinder"),
        Key::number("dedendum", "h_f*", any_length(), &ArcRack::dedendum, "0.3 for F, 1.05 for P",
@@ -119,7 +119,7 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("concave_radius", "ρ_f*", some_length(), &DoubleArcRack::concave_radius,
                    kRequired, "radius of the concave arc"),
        Key::number("concave_height", "x_f*", any_length(), &DoubleArcRack::concave_height,
-                   kRequired, "height of the arc centre above the datum line"),
+                   kRequired, "height of the centre of the concave arc above the datum line"),
        Key::number("space_width", "e_f*", some_length(), &DoubleArcRack::space_width, kRequired,
                    "width of the tooth space at the contact on the concave arc"),
        Key::number("pressure_angle_deg", "α", Range::inside(0, 90, ", usually 24"),
@@ -132,9 +132,9 @@ const KeyTable& double_arc_rack_keys() {
        Key::number("convex_radius", "ρ_a*", some_length(), &DoubleArcRack::convex_radius, "1.3",
                    "radius of the convex arc"),
        Key::number("convex_height", "x_a*", any_length(), &DoubleArcRack::convex_height, "0.0163",
-                   "height of the arc centre above the datum line"),
+                   "height of the centre of the convex arc above the datum line"),
        Key::number("convex_offset", "l_a*", any_length(), &DoubleArcRack::convex_offset, "0.6289",
-                   "distance of the arc centre beyond the middle of the tooth"),
+                   "distance of the centre of the convex arc beyond the middle of the tooth"),
        Key::number("step_height", "h_ja*", some_length(), &DoubleArcRack::step_height, "0.16",
                    "height above the datum line at which the step begins"),
        Key::number("step_depth", "h_jf*", some_length(), &DoubleArcRack::step_depth, "0.2",
@@ -180,9 +180,9 @@ const KeyTable& rack_arc_keys() {
                    "radius of the arc; > 0 cuts a convex part of the tooth, < 0 cuts a concave "
                    "part, and 0 is a corner"),
        Key::number("begin_deg", "τ", {}, &RackArc::begin, kRequired,
-                   "normal angle at the end on the root side"),
+                   "normal angle at the root-side end of the arc"),
        Key::number("end_deg", "τ", {}, &RackArc::end, kRequired,
-                   "normal angle at the end on the tip side")}};
+                   "normal angle at the tip-side end of the arc")}};
   return table;
 }
 

@@ -157,8 +157,8 @@ const KeyTable& rating_keys() {
                KeyPlace::by<R, std::array<double, 2>>(set_quality),
                "`quality` of the gears; not required if the dynamic and transverse load factors "
                "are given",
-               "accuracy grades of ISO 1328-1; the edition of 1995 applies to ISO 6336 of 2006, "
-               "and otherwise the edition of 2013")
+               "accuracy grades of ISO 1328-1; the edition of 1995 applies if `standard` is `\"ISO "
+               "6336:2006\"`, otherwise the edition of 2013")
            .with_form("one whole number, or a list of two whole numbers for gear 1 and gear 2")
            .with_also({"accuracy", "grade", "iso1328"}),
        of_both("flank_roughness_um", "Rz_H", Range::between(0.01, 1000),
@@ -190,9 +190,10 @@ const KeyTable& rating_keys() {
                    "0.85",
                    "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
                    "manufacture and lubrication"),
-       factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
-              "from `[rating.mounting]` or the shafts of the gears; 1.4 in a search without them",
-              "face load factor of the flank, which replaces the computed value"),
+       factor(
+           "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
+           "from `[rating.mounting]` or the shafts of the gears; 1.4 in a search that has neither",
+           "face load factor of the flank, which replaces the computed value"),
        Key::not_negative(
            "misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment}, "√(f_Hβ1² + f_Hβ2²)",
            "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]`"),
@@ -207,10 +208,10 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min,
-                     "not required, so that 1 is used", "required safety of the flanks")
+                     "no required value; 1 is used", "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min,
-                     "not required, so that 1 is used", "required safety of the roots")
+                     "no required value; 1 is used", "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &R::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
@@ -254,10 +255,10 @@ const KeyTable& rating_plastic_keys() {
                    "coefficient of friction of the flanks")
            .with_fields({"friction"})
            .with_also({"friction", "mu"}),
-       Key::not_negative(
-           "housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
-           "0 for an open, about 0.015 to 0.045 for a partly open and 0.06 for a closed housing",
-           "thermal resistance of the housing")
+       Key::not_negative("housing_resistance_m2K_per_W", "R_λG", &P::housing_resistance,
+                         "0, an open housing",
+                         "thermal resistance of the housing, about 0.015 to 0.045 if it is partly "
+                         "open and 0.06 if it is closed")
            .with_needs({"housing_area_m2"}),
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
                      "surface of the housing that gives off heat"),

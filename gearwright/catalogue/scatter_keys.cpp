@@ -77,26 +77,24 @@ const KeyTable& scatter_keys() {
                  "if true, the greatest peak-to-peak transmission error and the least play within "
                  "all ranges are found by a search [T14.15]"),
        Key::flag("loosening", &S::loosening, "false",
-                 "if true, the result contains the factor by which each tolerance can grow until "
-                 "the greatest of `percentiles` of the peak-to-peak transmission error has grown "
-                 "by 5 %, and the tolerance to tighten first [T14.19]"),
+                 "if true, the result contains the tolerance to tighten first and, for each "
+                 "tolerance, the factor by which it can grow before the greatest of `percentiles` "
+                 "of the peak-to-peak transmission error grows by 5 % [T14.19]"),
        Key::flag("pattern", &S::pattern, "false",
-                 "if true, the result contains the density of the contact pattern on both flanks, "
-                 "which is the share of samples in which the marking compound of [contact] shows "
-                 "contact at a point of the flank; it is computed from the first 256 / "
+                 "if true, the result contains the density of the contact pattern on both flanks. "
+                 "At each point of a flank, the density is the share of samples in which the "
+                 "marking compound of [contact] shows contact. It is computed from the first 256 / "
                  "`replicates` samples of each replicate [T14.27]"),
        Key::flag(
            "loaded", &S::loaded, "false",
-           "if true, loaded transmission error, pressure and face load factor are computed "
-           "for the first samples of each replicate, under the torques of [load] and at the "
-           "positions of [load], or at 16 positions; pitch deviations have no effect on these "
-           "quantities [T14.24]"),
-       Key::number(
-           "loaded_samples", "", KeyRange::between(1, kMaxScatterSamples), &S::loaded_samples,
-           "256",
-           "greatest number of samples of all replicates under load. Each replicate has the "
-           "greatest power of two of samples that this limit and `samples` allow, but at "
-           "least one"),
+           "if true, loaded transmission error, pressure and face load factor are computed for the "
+           "first samples of each replicate, under the torques and at the positions of [load] (by "
+           "default 16 positions); pitch deviations have no effect on these quantities [T14.24]"),
+       Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
+                   &S::loaded_samples, "256",
+                   "greatest number of samples under load, for all replicates together. Each "
+                   "replicate has the greatest power of two of samples that this limit and "
+                   "`samples` allow, but at least one"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
            "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "
@@ -163,8 +161,8 @@ const KeyTable& scatter_gear_keys() {
       "scatter_gear",
       "Ranges of the teeth of a gear, each added to the value of the gear",
       {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
-                  "range of the normal tooth thickness of an involute gear, which affects the play "
-                  "and the mean of the transmission error [T14.13]"),
+                  "range of the normal tooth thickness of an involute gear; the thickness affects "
+                  "the play and the mean of the transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
@@ -214,9 +212,9 @@ const KeyTable& scatter_correlation_keys() {
         .kind = KeyKind::number,
         .range = KeyRange::inside(-1, 1),
         .required = true,
-        .meaning =
-            "correlation of the scores of the inputs, which are the standard normal values "
-            "with the same probability. The rank correlation of the inputs is 6/π asin(ρ/2)"}}};
+        .meaning = "correlation of the normal scores of the inputs; the normal score of a value is "
+                   "the standard normal value of the same probability. The rank correlation of the "
+                   "inputs is 6/π asin(ρ/2)"}}};
   return table;
 }
 
@@ -224,20 +222,19 @@ const KeyTable& scatter_robust_keys() {
   using R = ScatterRobust;
   static const KeyTable table{
       "scatter_robust",
-      "Corrections for a percentile of the peak-to-peak transmission error, of rigid teeth or "
-      "under "
-      "load [T14.18]",
+      "Corrections that minimise a percentile of the peak-to-peak transmission error of rigid or "
+      "loaded teeth [T14.18]",
       {Key::word("corrections", correction_words(), &R::corrections,
                  "corrections of `[compensate]`",
                  "corrections that can be used, as in `[compensate]`; each correction is added to "
                  "the value in the spec")
            .with_list(KeyList{.most = correction_entries().size(), .noun = "correction"})
            .with_form("a list of names, [\"gear1.lead_crowning_um\"]"),
-       Key::word(
-           "aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
-           "\"transmission_error\"",
-           "quantity that is computed for each sample. It is the peak-to-peak transmission error "
-           "of rigid teeth or, for the worst of the torques of `[load]`, of loaded teeth [T14.25]"),
+       Key::word("aim", {"transmission_error", "loaded_transmission_error"}, &R::aim,
+                 "\"transmission_error\"",
+                 "quantity that is computed for each sample. It is the peak-to-peak transmission "
+                 "error of rigid teeth or, with `loaded_transmission_error`, of loaded teeth under "
+                 "the worst torque of `[load]` [T14.25]"),
        Key::number("percentile", "", KeyRange::inside(0, 100), &R::percentile, "95",
                    "percentile to minimise"),
        Key::number(

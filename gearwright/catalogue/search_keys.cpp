@@ -184,12 +184,12 @@ std::vector<Key> limit_keys() {
             "least tip clearance, in modules"),
       limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
             "0.02, but 0 with `interference = \"flag\"`",
-            "least distance of a tip from the start of the mating flank along the line of action, "
+            "least distance along the line of action from a tip to the start of the mating flank, "
             "in modules [T9.9]"),
       Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
                 "`\"exclude\"` excludes designs in which a tip passes the start of the flank of "
-                "the mating gear [T9.9], and profile shifts with a tip inside its own reference "
-                "circle; `\"flag\"` lists and marks designs with interference")
+                "the mating gear [T9.9], and profile shifts that put the tip circle of a gear "
+                "inside its reference circle; `\"flag\"` lists and marks designs with interference")
           .with_fields({"limits.avoid_interference"}),
       Key::flag(
           "avoid_interference", {}, "value of `interference`",
@@ -206,17 +206,16 @@ std::vector<Key> limit_keys() {
             "least permitted safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
       Key::flag("coprime", &P::coprime, "false",
-                "tooth numbers without a common factor (hunting tooth), if true")};
+                "if true, only tooth numbers without a common factor (hunting tooth) are allowed")};
 }
 
 std::vector<Key> design_keys() {
   return {
-      Key::word(
-          "mounting", {"extended", "tight"}, {},
-          "\"tight\" for internal pairs and for drawn designs, otherwise \"extended\"",
-          "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` is "
-          "free of backlash; if it is given without tolerances and without a band of face widths, "
-          "designs have nominal teeth and are not drawn"),
+      Key::word("mounting", {"extended", "tight"}, {},
+                "\"tight\" for internal pairs and for drawn designs, otherwise \"extended\"",
+                "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` "
+                "is free of backlash; if this key is given without tolerances and without a band "
+                "of face widths, designs have nominal teeth and are not drawn"),
       Key::flag("shorten_tips", &P::shorten_tips, "false",
                 "if true, tips are shortened by the amount by which a backlash-free centre "
                 "distance reduces the tip clearance"),
@@ -239,18 +238,17 @@ std::vector<Key> design_keys() {
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &P::face_step, "1",
                     "step of the face width; face widths within a band are multiples of this step; "
-                    "0.05 in if it is not given in a spec in inch")
+                    "if the spec is in inch, the default is 0.05 in")
           .with_fields({"face_step"}),
       Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),
-      Key::number(
-          "backlash_mm", "j_n", Range::not_negative(),
-          {&P::allowances, &SearchAllowances::backlash}, "backlash by `thickness_series`",
-          "least and greatest backlash of every design in the normal section, j_bn/cos α_wn, for "
-          "which the teeth are thinned")
+      Key::number("backlash_mm", "j_n", Range::not_negative(),
+                  {&P::allowances, &SearchAllowances::backlash}, "backlash by `thickness_series`",
+                  "least and greatest backlash of every design in the normal section, j_bn/cos "
+                  "α_wn; the teeth are thinned to give this backlash")
           .with_list(kBand)
           .with_form("a backlash in mm, or a band [least, greatest]")
           .with_excludes({"thickness_series"})

@@ -46,7 +46,7 @@ const KeyTable& spec_keys() {
       "the keys show",
       {Key::text("title", &SpecTables::title, "", "title of listings and of the report"),
        Key::word("units", {"mm", "inch"}, KeyPlace::unused(), "\"mm\"",
-                 "units of the lengths of the spec and of its answers; see Units"),
+                 "unit of the lengths in the spec and in the results; see Units"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
        table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),

@@ -42,12 +42,11 @@ std::optional<Error> mates_error(const std::array<std::optional<DoubleHelical>, 
   const double common = (std::min(b_1, b_2) - std::max(one->gap, two->gap)) / 2;
   const double narrower = std::min(b_1 - one->gap, b_2 - two->gap) / 2;
   if (common >= narrower * (1 - kSameLength)) return std::nullopt;
-  return refused(
-      gear_field(2, "double_helical.gap"), two->gap,
-      fmt::format(
-          "the halves are not opposite each other, because only {:.6g} mm of the {:.6g} mm of the "
-          "narrower half overlap with the other half; the wider gap must be on the narrower gear",
-          common, narrower));
+  return refused(gear_field(2, "double_helical.gap"), two->gap,
+                 fmt::format("the halves are not opposite each other, because only {:.6g} mm of "
+                             "the narrower half ({:.6g} mm wide) overlap with the mating half; the "
+                             "wider gap must be on the narrower gear",
+                             common, narrower));
 }
 
 }  // namespace gearwright

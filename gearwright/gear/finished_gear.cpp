@@ -198,7 +198,7 @@ void find_tip_bulge(Gear& gear) {
        fmt::format(
            "The tip projects by {:.4g} mm beyond the involute above a diameter of {:.4f} mm, where "
            "the flank of the cutter ends. Mating gears other than the cutter may collide with this "
-           "projection. A `tip_diameter` of at {} that value removes the projection.",
+           "projection. A `tip_diameter` of at {} that diameter removes the projection.",
            bulge.amount, bulge.from_diameter, gear.internal() ? "least" : "most"));
 }
 

@@ -71,14 +71,16 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::overlap, "overlap", kProblem,
      "the outlines overlap, and no other code explains the overlap", "the teeth overlap"},
     {C::root_safety, "root_safety", kCaution,
-     "a safety factor against root breakage is below the required one; below 1 the level is red",
+     "a safety factor against root breakage is below the required value; if it is below 1, the "
+     "level is red",
      "the safety against root breakage is too small"},
     {C::flank_safety, "flank_safety", kCaution,
-     "a safety factor against pitting is below the required one; below 1 the level is red",
+     "a safety factor against pitting is below the required value; if it is below 1, the level is "
+     "red",
      "the safety against pitting is too small"},
     // The gears run, but not as intended.
     {C::samples_jam, "samples_jam", kCaution,
-     "verb scatter: the gears jam in some samples; the message gives the least play among them",
+     "verb scatter: the gears jam in some samples; the message gives the least play of all samples",
      "the gears jam at some deviations within the tolerances",
      "Give thickness allowances or a series of DIN 3967, or narrower tolerances."},
     {C::samples_lose_contact, "samples_lose_contact", kCaution,
@@ -105,7 +107,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip enters a root fillet"},
     {C::fillet_contact, "fillet_contact", kCaution,
      "verb contact under errors: a tip meets the root fillet of the mating gear before the flanks "
-     "meet; the message gives the amount, the position and the side of the backlash",
+     "meet; the message gives the amount, the position and the flanks (working or non-working)",
      "a tip meets a root fillet"},
     {C::edge_carries, "edge_carries", kCaution,
      "verbs load and compensate: an edge of a tooth carries load, and the pressure there is a "
@@ -114,7 +116,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "Give tip relief and lead crowning; on parallel axes the verb propose computes them and shows "
      "their effect."},
     {C::edge_contact, "edge_contact", kCaution,
-     "an edge is in contact; the message gives the share of the rotation", "an edge touches"},
+     "an edge is in contact; the message gives the share of the rotation with edge contact",
+     "an edge touches"},
     {C::no_tip_clearance, "no_tip_clearance", kCaution,
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
      "a tip without clearance to the root of the mating gear"},
@@ -125,7 +128,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the axes cross at less than 1°; the message gives the helix angle that parallel axes need",
      "the axes cross at a small angle"},
     {C::face_width, "face_width", kCaution,
-     "crossed axes: the lines of action run beyond the face; the message gives f′",
+     "crossed axes: the lines of action run beyond the face; the message gives the required face "
+     "width f′",
      "a face is too narrow for the line of action"},
     {C::undercut, "undercut", kCaution,
      "the profile shift x_E is less than the minimum without undercut", "undercut", "",
@@ -247,7 +251,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the gear in the message, or the output of a drive, cannot drive"},
+     "with this friction, the gear named in the message, or the output of a drive, cannot drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -255,8 +259,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
-     "the height or the number of teeth of a rack is not given; the message gives the value for "
-     "pictures and files"},
+     "the height or the number of teeth of a rack is not given; the message gives the value that "
+     "pictures and files use"},
     {C::default_cutter, "default_cutter", kNote,
      "an internal gear has no `cut_by`, so a default cutter generates its fillets; the message "
      "gives the number of teeth of the cutter"},
@@ -320,8 +324,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "computed",
      "the torques in a closed loop of meshes depend on compliance"},
     {C::no_backlash, "no_backlash", kNote,
-     "the teeth have no backlash at this centre distance; the gears of a textbook are computed in "
-     "this way, but gears that are made need a backlash",
+     "the teeth have no backlash at this centre distance; textbook gears are computed in this way, "
+     "but manufactured gears need backlash",
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
      "verbs rate and run, for a drive with [load]: K_γ of the planets under load is greater than "

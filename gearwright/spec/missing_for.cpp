@@ -139,11 +139,10 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
     missing.push_back(
         absent_input("scatter.errors",
                      "; the verb scatter needs a range for at least one number. Give, for example, "
-                     "[scatter.errors] with crossing_deg = [-0.02, 0.02], or [scatter.bearings] "
-                     "with span_mm and radius_mm, or [scatter.gear1] with thickness_allowance_mm = "
-                     "[-0.02, 0.02] or modifications, or a grade (quality = 6), "
-                     "or [scatter] and a tolerance of the drawing, for example "
-                     "center_distance_tolerance = \"JS7\" in [pair]"));
+                     "crossing_deg = [-0.02, 0.02] in [scatter.errors], span_mm and radius_mm in "
+                     "[scatter.bearings], thickness_allowance_mm = [-0.02, 0.02] or modifications "
+                     "in [scatter.gear1], a grade (quality = 6), or [scatter] and a tolerance of "
+                     "the drawing, such as center_distance_tolerance = \"JS7\" in [pair]"));
   if (rated) add(missing, missing_for_rating(spec));
   return missing;
 }

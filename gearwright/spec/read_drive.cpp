@@ -209,7 +209,9 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
     if (!tree.contains(table)) continue;
     if (first)
       throw SpecError{
-          {table, "", fmt::format("only one drive is allowed, and the spec has [{}]", first)}};
+          {table, "",
+           fmt::format("cannot be combined with [{}], because a spec describes only one drive",
+                       first)}};
     first = table;
   }
   for (const char* table : {"planetary", "drive"})

@@ -169,8 +169,8 @@ void read_graph_meshes(TableReader& t, DriveGraph& graph) {
 // the torque of a body that turns once per pitch.
 void read_rack_loads(TableReader& t, DriveGraph& graph) {
   t.refuse("speed_rpm",
-           "applies to a body that turns, and the input is a rack; give speed_m_per_s");
-  t.refuse("torque_Nm", "applies to a body that turns, and the input is a rack; give force_N");
+           "applies to a body that turns, but the input is a rack; give speed_m_per_s");
+  t.refuse("torque_Nm", "applies to a body that turns, but the input is a rack; give force_N");
   const auto pitch = rack_pitch(graph, graph.inputs.front());
   const auto one = [&](const std::string& key) -> std::optional<double> {
     const std::vector<double> values = read_list(t, key);

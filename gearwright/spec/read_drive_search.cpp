@@ -63,12 +63,13 @@ DriveSearchProblem read_drive_search(const Json& search) {
     if (!key.place) t.any(std::string(key.key));
   t.finish();
   if (p.modules.empty() && p.size_max < kInfinity)
-    t.fail("size_max_mm", "needs normal_module_mm, because sizes without a module are in modules");
+    t.fail("size_max_mm",
+           "needs normal_module_mm, because without a module all sizes are in modules");
   if (p.modules.empty() && t.given("sliding_max"))
-    t.fail("sliding_max", "needs normal_module_mm, because there are no teeth without a module");
+    t.fail("sliding_max", "needs normal_module_mm, because without a module no teeth are computed");
   if (p.modules.empty() && t.given("thickness_series"))
     t.fail("thickness_series",
-           "needs normal_module_mm, because there are no teeth without a module");
+           "needs normal_module_mm, because without a module no teeth are computed");
   if (!t.given("thickness_series") && !p.modules.empty() &&
       !search.contains("thickness_allowance_mm"))
     p.series = kUsualSeries;

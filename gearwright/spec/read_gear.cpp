@@ -72,7 +72,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   if (gear.has("thickness_allowance_mm")) {
     gear.fail("thickness_allowance_mm",
               "cannot be combined with [" + gear.name("basic") +
-                  "], which gives the thickness of the tooth as cut; leave it out");
+                  "], which gives the thickness of the tooth as cut; leave out this key");
   }
   const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
                               in.base_helix_angle.rad()};

@@ -19,7 +19,7 @@ void read_spans(TableReader& t, IdentifyProblem& p) {
   if (!node) return;
   if (!node->is_object())
     t.fail("span_mm",
-           "must be a table of readings by the number of teeth, for example { 3 = 19.751 }");
+           "must be a table with one reading for each number of teeth, for example { 3 = 19.751 }");
   for (const auto& [key, value] : node->items()) {
     int k = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), k);
@@ -64,7 +64,7 @@ void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& 
   for (const char* key :
        {"transverse_pressure_angle_deg", "lead_angle_deg", "hand", "profile_shift_pair", "form"})
     t.refuse(key,
-             "does not apply to an unknown gear; if they are known, give the angles as "
+             "does not apply to an unknown gear; if the angles are known, give "
              "normal_pressure_angle_deg and helix_angle_deg");
   if (gear.contains("rack")) {
     p.rack = read_straight_rack(t);
@@ -82,8 +82,8 @@ void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& 
     p.thickness_allowance = kept.cylindrical.thickness_allowance;
   if (p.profile_shift && p.thickness_allowance)
     t.fail("thickness_allowance_mm",
-           "cannot be combined with profile_shift for an unknown gear, because the readings then "
-           "determine one of them; leave one of them out");
+           "cannot be combined with profile_shift for an unknown gear, because the readings and "
+           "one of the two keys determine the other; leave out one of the two");
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ void check_used(TableReader& t, const std::string& key, const std::string& amoun
   const std::string right = std::string(kFlankSides[0]) + key;
   const std::string left = std::string(kFlankSides[1]) + key;
   if (t.has(right) && t.has(left) && t.has(key))
-    t.fail(key,
-           fmt::format("has no effect, because {} and {} are given; leave it out", right, left));
+    t.fail(key, fmt::format("has no effect, because {} and {} are given; leave out this key", right,
+                            left));
   for (const std::string& one : {key, right, left}) {
     if (!t.has(one) || amount.empty()) continue;
     const bool used = std::any_of(kFlanks.begin(), kFlanks.end(), [&](std::size_t flank) {
@@ -210,7 +210,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
   std::stable_sort(rows.begin(), rows.end(), by_place);
   for (std::size_t k = 1; k < rows.size(); ++k) {
     if (by_place(rows[k - 1], rows[k])) continue;
-    return at_line(rows[k].line, fmt::format("the point {}, {} is already in line {}",
+    return at_line(rows[k].line, fmt::format("diameter {} and z {} are already in line {}",
                                              rows[k].diameter, rows[k].z, rows[k - 1].line));
   }
   Topography t{lines_of(rows, &Row::diameter), lines_of(rows, &Row::z), {}};
@@ -225,7 +225,7 @@ Result<Topography> topography_from_csv(std::string_view csv) {
     if (k == rows.size() || rows[k].diameter != d || rows[k].z != z) {
       return Error{"", "",
                    fmt::format("a grid of {} diameters and {} heights z needs a row for each of "
-                               "its {} points, but there is no row for {}, {}",
+                               "its {} points, but there is no row for diameter {} and z {}",
                                t.diameters.size(), columns, t.diameters.size() * columns, d, z)};
     }
     t.removed.push_back(rows[k].removed / kUmPerMm);

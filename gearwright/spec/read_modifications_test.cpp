@@ -147,10 +147,10 @@ TEST(TopographyCsv, refusals_say_where) {
   EXPECT_TRUE(topography_from_csv(good));
   EXPECT_TRUE(says("", "two diameters"));
   EXPECT_TRUE(says("42,0,0\n43,0,0\n", "two heights"));
-  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,1,0\n", "there is no row for 46, -1"));
-  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,-1,0\n", "there is no row for 46, 1"));
-  EXPECT_TRUE(says("42,1,0\n46,-1,0\n46,1,0\n", "there is no row for 42, -1"));
-  EXPECT_TRUE(says(good + "46,1.0,3\n", "line 5: the point 46, 1 is already in line 4"));
+  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,1,0\n", "there is no row for diameter 46 and z -1"));
+  EXPECT_TRUE(says("42,-1,0\n42,1,0\n46,-1,0\n", "there is no row for diameter 46 and z 1"));
+  EXPECT_TRUE(says("42,1,0\n46,-1,0\n46,1,0\n", "there is no row for diameter 42 and z -1"));
+  EXPECT_TRUE(says(good + "46,1.0,3\n", "line 5: diameter 46 and z 1 are already in line 4"));
   EXPECT_TRUE(says("42;-1;0\n", "line 1: \"42;-1;0\""));
   EXPECT_TRUE(says("d,z,c\n" + good, "line 1"));
   EXPECT_TRUE(says(good + "diameter_mm,z_mm,removed_um\n", "line 5"));

@@ -91,17 +91,15 @@ void check_teeth(TableReader& t, SearchProblem& p) {
            "pairs");
   if (p.ratio[0] >= 0.0 && p.ratio[1] < 1.0)
     t.fail("ratio",
-           "must contain values of 1 or more, because the ratio is z2/z1 and gear 2 has "
-           "more teeth");
+           "must contain values of 1 or more, because the ratio is z2/z1, and z2 is at least z1");
   if (p.ratio[0] < 0.0 && p.ratio[0] >= -1.0)
     t.fail("ratio",
            "must contain values below -1, because an internal gear has more teeth than its pinion");
   const double most = std::max(std::abs(p.ratio[0]), std::abs(p.ratio[1])) * p.pinion_teeth[1];
   if (!(most <= kMaxSearchTeeth)) {
-    t.fail("ratio",
-           fmt::format("allows wheels of {1:.6g} teeth together with pinion_teeth up to {0}, but "
-                       "at most {2} teeth are allowed; narrow one of the two bands",
-                       p.pinion_teeth[1], most, kMaxSearchTeeth));
+    t.fail("ratio", fmt::format("gives wheels of {1:.6g} teeth for pinions of {0} teeth, but at "
+                                "most {2} teeth are allowed; narrow ratio or pinion_teeth",
+                                p.pinion_teeth[1], most, kMaxSearchTeeth));
   }
   if (!t.has("target_ratio")) p.target_ratio = (p.ratio[0] + p.ratio[1]) / 2.0;
 }
@@ -194,8 +192,8 @@ Blank read_blank(const Json* node, const std::string& path) {
       const std::string name(key.key);
       if (blank_keys().find(name) || !node->contains(name)) continue;
       TableReader(gear_keys(), *node, path)
-          .fail(name, fmt::format("cannot be combined with [search] unless the gear has a number "
-                                  "of teeth; without it, [{}] may contain only {}",
+          .fail(name, fmt::format("cannot be combined with [search] unless the gear has the key "
+                                  "teeth; without teeth, [{}] may contain only {}",
                                   path, fmt::join(blank_keys().names(), ", ")));
     }
   }
@@ -285,7 +283,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
     throw SpecError{
         {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
-         fmt::format("both gears of a search need the same pressure angle, and gear1 has {}",
+         fmt::format("both gears of a search need the same pressure angle, but gear1 has {}",
                      alpha)}};
   }
   p.normal_pressure_angle = Angle::degrees(alpha);

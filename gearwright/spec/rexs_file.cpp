@@ -146,7 +146,7 @@ std::vector<const RexsComponent*> RexsModel::of_type(std::string_view type) cons
 
 Result<RexsModel> read_rexs(std::string_view xml) {
   if (too_deep(xml))
-    return no_rexs(fmt::format("the elements are nested more than {} deep", kDeepest));
+    return no_rexs(fmt::format("the elements are nested more than {} levels deep", kDeepest));
   Tree tree;
   try {
     std::istringstream in{std::string(xml)};
@@ -159,10 +159,9 @@ Result<RexsModel> read_rexs(std::string_view xml) {
   if (!model) return no_rexs("the file is not REXS, because its root element is not `model`");
   RexsModel read{attribute_of(*model, "version"), attribute_of(*model, "applicationId")};
   if (!read.version.starts_with("1.") && !read.version.starts_with("2.0"))
-    return no_rexs(
-        fmt::format("the file has the REXS version \"{}\"; versions 1.0 to 1.7 and 2.0 "
-                    "are read",
-                    read.version));
+    return no_rexs(fmt::format(
+        "the file has the REXS version \"{}\"; versions 1.0 to 1.7 and 2.0 are supported",
+        read.version));
   if (const auto components = model->get_child_optional("components"))
     for (const auto& [tag, element] : *components)
       if (tag == "component") read.components.push_back(component_of(element));

@@ -16,7 +16,7 @@ using Gears = std::vector<const Component*>;
 
 Error not_read(std::string_view what, const Component& c, std::string_view why) {
   return {"", "",
-          fmt::format("{} {} is not read, because {}; describe such a drive by [drive]", what,
+          fmt::format("{} {} cannot be read, because {}; describe such a drive by [drive]", what,
                       rexs_name(c), why)};
 }
 
@@ -107,10 +107,11 @@ class SetFinder {
     for (std::size_t k = 0; k < kinds.size(); ++k) {
       const Gears& copies = kinds[k].second;
       if (k >= names.size() || copies.size() != kinds[0].second.size())
-        return not_read("gear", *copies[0],
-                        fmt::format("it differs from planet {}, and the planets of [planetary] are "
-                                    "equal, stepped with two gears, or in pairs with an idler",
-                                    rexs_name(*kinds[0].second[0])));
+        return not_read(
+            "gear", *copies[0],
+            fmt::format("it differs from planet {}, but [planetary] supports only equal planets, "
+                        "which may be stepped with two gears or paired with an idler",
+                        rexs_name(*kinds[0].second[0])));
       set_.gears[names[k]] = copies[0];
       for (const Component* gear : copies) member_[gear] = names[k];
     }
@@ -134,14 +135,15 @@ class SetFinder {
         name += "2";
       if (met.size() > 1 || set_.gears.count(name) > 0 ||
           (base == "ring" && met.count("idler") > 0))
-        return not_read("gear", c,
-                        "[planetary] has at most a sun and a ring for each gear of a planet, or "
-                        "two of them for a planet with one gear, and no ring for an idler");
+        return not_read(
+            "gear", c,
+            "[planetary] allows one sun and one ring for each gear of a stepped planet, two suns "
+            "and two rings for a planet with one gear, and no ring for an idler");
       const Component* const shaft = shaft_of(c);
       if (shaft && !on_shaft.emplace(shaft, &c).second)
         return not_read("gear", c,
                         "it is on the same shaft as gear " + rexs_name(*on_shaft[shaft]) +
-                            ", and each central gear of [planetary] is a body of its own");
+                            ", but each central gear of [planetary] must be a separate body");
       set_.gears[name] = &c;
       member_[&c] = name;
     }

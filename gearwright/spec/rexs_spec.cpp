@@ -295,7 +295,7 @@ class Reader {
       for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg"})
         if (table.value(key, 0.0) != first.value(key, 0.0))
           return no_spec(fmt::format(
-              "gear {} has another {} than gear {}, but all gears of [planetary] must have the "
+              "gear {} has a different {} from gear {}, but all gears of [planetary] must have the "
               "same value; describe such a drive by [drive]",
               rexs_name(*gear),
               std::string_view(key).starts_with("normal_module") ? "module" : "pressure angle",

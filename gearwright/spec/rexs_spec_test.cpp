@@ -181,7 +181,7 @@ TEST(Rexs, WhatIsNotReadIsNamed) {
   EXPECT_NE(with(gear("6", 20), stage("20", "6", "2") + on("s1", "6")).find("gear \"g6\""),
             std::string::npos);
   EXPECT_NE(with(gear("6", 20) + gear("7", 40), stage("20", "6", "7") + on("s1", "7"))
-                .find("stage cylindrical_stage 20 is not read"),
+                .find("stage cylindrical_stage 20 cannot be read"),
             std::string::npos);
   EXPECT_NE(with(gear("6", 25), stage("20", "1", "6") + on("s2", "6")).find("gear \"g1\""),
             std::string::npos);

@@ -122,8 +122,8 @@ void check_speeds(const JobSpec& spec) {
   const auto &own = spec.pair.speed_rpm, &rated = spec.rating.input.speed;
   if (own && rated && std::abs(*own - *rated) > kSameInput * *own)
     throw SpecError{{"rating.speed_rpm", format_number(*rated),
-                     fmt::format("contradicts pair.speed_rpm = {}, which is the speed of gear 1 "
-                                 "too; leave out one of the two",
+                     fmt::format("contradicts pair.speed_rpm = {}, which is also the speed of gear "
+                                 "1; leave out one of the two",
                                  format_number(*own))}};
 }
 
@@ -147,8 +147,8 @@ void share_shafts(const Json& tree, JobSpec& spec) {
           "the pinion, which alone determines the face load factor");
     if (spec.rating.input.mounting)
       refuse(
-          "cannot be combined with [rating.mounting], which describes the shaft of the pinion "
-          "too; leave one of them out");
+          "cannot be combined with [rating.mounting], which also describes the shaft of the "
+          "pinion; leave out one of the two");
     shafts.of[i] = gear->shaft;
   }
   if (shafts.any()) spec.rating.input.shafts = shafts;
@@ -161,8 +161,8 @@ void refuse_planets(const Json& tree) {
   for (const char* key : {"floating", "pin_error_um"})
     if (load->contains(key))
       throw SpecError{{std::string("load.") + key, shown((*load)[key]),
-                       "applies to the planets of a drive, and the spec has none of [planetary], "
-                       "[[stage]] and [drive]"}};
+                       "applies to the planets of a drive, but the spec has no drive ([planetary], "
+                       "[[stage]] or [drive])"}};
 }
 
 // Reads a rack as gear 2. [pair] may then contain only the centre distance, the speed and the

@@ -33,7 +33,7 @@ constexpr int kDeepest = 32;  // greatest depth of nested tables; a spec has thr
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 
 Error too_deep() {
-  return syntax_error(fmt::format("the spec has more than {} nested tables", kDeepest));
+  return syntax_error(fmt::format("the spec has tables nested more than {} levels deep", kDeepest));
 }
 
 // Appends a member to an object without a check for duplicates, which would take quadratic time. In
@@ -275,7 +275,8 @@ Result<Json> parse_spec(std::string_view text, SpecFormat format) {
       return std::move(builder.tree);
     }
     if (const auto line = deep_line(text))
-      return syntax_error(fmt::format("line {} has more than {} nested tables", *line, kDeepest));
+      return syntax_error(
+          fmt::format("line {} has tables nested more than {} levels deep", *line, kDeepest));
     return to_json(toml::parse(text));
   } catch (const SpecError& e) {
     return e.error;

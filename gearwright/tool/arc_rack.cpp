@@ -131,7 +131,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     return refused(
         "rack.dedendum", rack.dedendum,
         fmt::format("the flank would end before it begins, because its arc ends {} modules above "
-                    "the datum line and starts at {} modules",
+                    "the datum line and starts {} modules above this line",
                     format_number(top), format_number(point_at(flank, flank.begin).x())));
   }
   if (!(rack.addendum <= top)) {

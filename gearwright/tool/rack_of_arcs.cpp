@@ -129,7 +129,7 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
                     format_number(rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
-    return Error{"rack.arcs", "", "is empty; an edge needs at least one arc, which cuts the flank"};
+    return Error{"rack.arcs", "", "is empty; an edge needs at least one arc that cuts the flank"};
   auto joined_arcs = joined(rack);
   if (!joined_arcs) return joined_arcs.error();
   std::vector<RackArc> chain = std::move(joined_arcs).take();
@@ -158,9 +158,9 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
     if (end.y() * m + thinner < -kSameRackPoint * m) {
       return refused(
           "rack.addendum", rack.addendum,
-          fmt::format(
-              "the two sides of the space of the cutter overlap by {} modules at the height {}",
-              format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
+          fmt::format("the two sides of the tooth space of the cutter overlap by {} modules at the "
+                      "height {}",
+                      format_number(-2 * (end.y() + thinner / m)), format_number(end.x())));
     }
     if (arc.cuts == ArcName::flank && arc.radius != 0.0) {
       if (!flank_begin) flank_begin = begin.x() * m;

@@ -234,7 +234,7 @@ std::optional<Error> EdgeMaker::add_flank() {
   if (!(edge_.flank_end_height > -edge_.flank_begin_depth)) {
     return refused(
         "rack.tool_addendum", edge_.flank_end_height / m_, {-edge_.flank_begin_depth / m_},
-        "the straight flank would end before its start at {} modules from the datum line");
+        "the straight flank would end below its start, which is {} modules above the datum line");
   }
   edge_.arcs.push_back(line(ArcName::flank,
                             {angle_, quarter_, -edge_.flank_begin_depth, edge_.flank_end_height},
