@@ -141,7 +141,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
 // Analyses a pinion and its rack.
 Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
-  if (input.map) return Error{"contact.map", "", "is not available for a rack; it needs two gears"};
+  if (input.map) return Error{"contact.map", "", "needs two gears, but gear 2 is a rack"};
   auto contacts = contact(*job.rack, errors_of(job), rack_options(job, progress));
   if (!contacts) return contacts.error();
   RackContact found = std::move(contacts).take();

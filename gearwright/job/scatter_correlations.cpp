@@ -26,9 +26,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
     for (const std::size_t t : block) names.push_back('"' + tolerances[t].name + '"');
     return Error{
         "scatter.groups", "",
-        fmt::format("correlated inputs must be in one group, because the indices of one of "
-                    "them alone do not exist; give correlated = [{}] in [scatter.groups], "
-                    "or indices = false",
+        fmt::format("correlated inputs must be in one group, because one of them alone has no "
+                    "indices; give correlated = [{}] in [scatter.groups], or indices = false",
                     fmt::join(names, ", "))};
   }
   return std::nullopt;

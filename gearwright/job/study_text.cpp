@@ -98,7 +98,7 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                                   [&](const Json& row) { return loses_contact(spec, row); });
   if (lost == 0) return "";
   return fmt::format("The last {} contact in more than {:g} % of the samples.",
-                     lost == 1 ? "of them loses" : fmt::format("{} of them lose", lost),
+                     lost == 1 ? "design loses" : fmt::format("{} designs lose", lost),
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 
