@@ -38,8 +38,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     const DriveMesh& mesh = graph.meshes[m];
     const DriveGear &a = graph.gear(mesh, 0), &b = graph.gear(mesh, 1);
     if (a.rack || b.rack)
-      return not_loaded("does not apply to a drive with a rack, which has no loaded contact",
-                        mesh.name);
+      return not_loaded(
+          "does not apply to a drive with a rack, whose loaded contact is not computed", mesh.name);
     if (a.double_helical || b.double_helical)
       return not_loaded(
           "does not apply to drives with double-helical gears; extract the mesh as a pair with "
