@@ -342,8 +342,7 @@ class FewTeethSearch {
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!pair->beyond_flank.empty())
       return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
-    if (!(pair->contact_ratio_true() > 0.0))
-      return stopped(13, "the condition that the teeth touch");
+    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "teeth that do not touch");
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
@@ -359,8 +358,8 @@ class FewTeethSearch {
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
     if (face < *needed)
       return stopped(14,
-                     fmt::format("the face width, which is {:.2f} mm instead of {:.2f} mm, as a "
-                                 "contact ratio of {} requires",
+                     fmt::format("the face width, which is {:.2f} mm instead of the {:.2f} mm that "
+                                 "a contact ratio of {} requires",
                                  face, std::ceil(*needed * 100) / 100, p_.contact_ratio),
                      *needed - face);
     pinion.face_width = face;
