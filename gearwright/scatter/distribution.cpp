@@ -23,7 +23,7 @@ Result<Distribution> Distribution::of(const DistributionSpec& spec) {
     if (!(spec.cpk > 0.0) || !std::isfinite(spec.cpk))
       return refused("cpk", spec.cpk,
                      "must be > 0; the standard deviation is the distance between the mean and the "
-                     "nearer end of the range, divided by 3 C_pk. The usual value is 1.33. For a "
+                     "nearer end of the range, divided by 3 C_pk. The usual C_pk is 1.33. For a "
                      "process of unknown capability, give distribution = \"uniform\"");
     const double half = 0.5 * (h - l);
     if (!(std::abs(spec.offset) < half) && h > l)
