@@ -40,7 +40,7 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
   if (const auto value = at_temperature(list, celsius)) return *value;
   return refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
                  {list.front()[0], list.back()[0]},
-                 std::string("°C is the temperature of the ") + what +
+                 std::string("is the temperature in °C of the ") + what +
                      ", but the values of this plastic are given from {} to {} °C only");
 }
 
