@@ -62,7 +62,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
         {WarningCode::fillets_not_asked,
          "Contact of tips with root fillets under these errors was not checked. If the lead of the "
          "cutter is changed, this check is available only for roots cut by a rack, not for roots "
-         "cut by a pinion cutter and not for circular fillets."});
+         "cut by a pinion cutter or for circular fillets."});
     return;
   }
   // Only one pitch is examined. All pitches are equal, and positions in several pitches might have

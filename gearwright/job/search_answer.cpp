@@ -82,7 +82,7 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
   }
   return fmt::format(
-      "A change of only one of these keys does not help: {}. Centre distances were changed by a "
+      "Changing only one of these keys does not help: {}. Centre distances were changed by a "
       "factor of at most 2, ratios by at most half of their value, and other keys, such as the "
       "modules or the helix angles, not at all.",
       fmt::join(keys, ", "));
