@@ -48,7 +48,7 @@ Factor given_or_one(const std::optional<double>& factor) {
   return factor ? Factor{*factor, "", kGivenFactor}
                 : Factor{1.0, "VDI 2736-2",
                          "not given, so 1 is used; the guideline gives 1 to 1.25 for the product "
-                         "of these factors"};
+                         "of the load factors"};
 }
 
 // Marks as absent the factors of ISO 6336 that the guideline does not contain.
