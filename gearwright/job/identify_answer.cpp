@@ -134,10 +134,9 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
     const char* const why =
         problem.profile_shift || problem.thickness_allowance ? "as the spec gives"
         : g.shift_of_tip && g.tip == TipReading::as_drawn    ? "because the tip agrees with this x"
-        : problem.tip.value
-            ? "because such an allowance is more usual than this x_E"
-            : "because such an allowance is more usual than this x_E; the tip diameter would "
-              "confirm it";
+        : problem.tip.value ? "because such an allowance is more usual than this x_E"
+                            : "because such an allowance is more usual than this x_E; a measured "
+                              "tip diameter would confirm this";
     facts.push_back(
         fmt::format("The spec describes x_E = {:.4f} by x = {:.4f} and the thickness allowance "
                     "{:.4f} mm, {}.",

@@ -58,7 +58,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
       return c.first == first && c.second == second;
     };
     if (std::any_of(correlations.begin(), correlations.end(), same))
-      return Error{field, "", "the correlation of these two inputs is given twice; remove one"};
+      return Error{field, "",
+                   "the correlation of these two inputs is given twice; remove one of the two"};
     correlations.push_back({first, second, given.value});
   }
   if (auto error = check_correlations(tolerances, correlations)) {
