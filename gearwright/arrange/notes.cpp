@@ -62,10 +62,9 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
       WarningCode::profile_shifts_chosen,
       fmt::format("For the centre distance a = {} mm these profile shifts were chosen: {}.{}",
                   format_number(*given.pair.center_distance), chosen_shifts(given),
-                  standard
-                      ? " Gears without profile shift have this centre distance, too; for them, "
-                        "give `gear1.profile_shift` = 0."
-                      : ""),
+                  standard ? " Gears without profile shift have this centre distance, too; for "
+                             "such gears, give `gear1.profile_shift` = 0."
+                           : ""),
       0};
 }
 
