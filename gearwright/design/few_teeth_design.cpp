@@ -274,7 +274,7 @@ class FewTeethSearch {
     auto cutter = make_gear(spec);
     if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().quoted());
     if (!cutter->exists() || !cutter->tooth->form_radius || !cutter->tooth->rounded_tip)
-      return stopped(2, "the pinion's tooth, which ends before its tip fillet");
+      return stopped(2, "a pinion tooth that ends before its tip fillet");
     double distance = 0.0;
     double mounted = 0.0;
     if (p_.center_distance) {
@@ -299,8 +299,7 @@ class FewTeethSearch {
 
   Made finished(const CylindricalSpec& spec, const Gear& cutter, const Gear& whole, double distance,
                 double mounted) const {
-    if (!whole.exists() || !whole.tooth->form_radius)
-      return stopped(5, "the wheel, which would have no teeth");
+    if (!whole.exists() || !whole.tooth->form_radius) return stopped(5, "a wheel without teeth");
     if (whole.undercut) return stopped(6, "undercut of the wheel");
     if (has_cusp(cutter, whole, distance)) return stopped(7, "a cusp at the wheel's tip");
     CylindricalSpec pinion = spec;
