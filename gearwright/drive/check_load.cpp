@@ -18,8 +18,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
   const DriveGraph& graph = drive.graph;
   if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
     return not_loaded(
-        "does not apply to a drive with several inputs; fix one of them, or extract one mesh as a "
-        "pair with drive --take");
+        "does not apply to a drive with several inputs; fix all inputs except one, or extract one "
+        "mesh as a pair with drive --take");
   if (!drive.motion.redundant.empty())
     return not_loaded(
         "does not apply to a drive with a closed loop of meshes, whose torques depend on the "
