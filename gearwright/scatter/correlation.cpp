@@ -114,7 +114,7 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
       if (tolerances[t].coordinates() != 1)
         return Error{field(i) + ".between", tolerances[t].name,
                      "cannot be correlated, because it is not a single number; only errors, tooth "
-                     "thicknesses and modifications can"};
+                     "thicknesses and modifications can be correlated"};
   const Matrix r = matrix_of(tolerances.size(), correlations);
   if (cholesky(r)) return std::nullopt;
   std::optional<std::size_t> best;

@@ -17,8 +17,9 @@ double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::
 Result<Distribution> Distribution::of(const DistributionSpec& spec) {
   const auto [l, h] = spec.range;
   if (!std::isfinite(l) || !std::isfinite(h) || !(l <= h))
-    return refused("range", h,
-                   "must be at least the lower end of its range; give the lower end first");
+    return refused(
+        "range", h,
+        "the upper end of a range must be at least its lower end; give the lower end first");
   if (spec.kind == Kind::normal) {
     if (!(spec.cpk > 0.0) || !std::isfinite(spec.cpk))
       return refused("cpk", spec.cpk,
