@@ -121,7 +121,7 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
   if (c.out || c.shard || c.resume || c.chunk)
     return usage(
         "--out, --shard, --resume and --chunk are for searches for pairs only; a search for drives "
-        "prints its answer, and the complete answer with --json");
+        "prints its answer, or the complete answer with --json");
   const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
                                                 static_cast<std::size_t>(c.take.value_or(1)));
   const auto answer = answer_drive_search(spec, top, c.threads);

@@ -13,10 +13,9 @@
 namespace gearwright::apps {
 
 void add_study_options(CLI::App* sub, StudyCommand& c) {
-  sub->add_option(
-      "--designs", c.designs,
-      "Rank the designs of a search: its --out folder, its search.json or the output of "
-      "search --json; without it, the search of the spec is run");
+  sub->add_option("--designs", c.designs,
+                  "The search whose designs are ranked: its --out folder, its search.json or the "
+                  "output of search --json (default: the search of the spec is run)");
   sub->add_option("--top", c.top,
                   "Number of the best designs of a search that are studied (default: all)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
@@ -25,10 +24,9 @@ void add_study_options(CLI::App* sub, StudyCommand& c) {
       "Folder for the study of a search: scatter.json, scatter.csv, scatter.html and the "
       "finished designs");
   sub->add_flag("--resume", c.resume, "Continue the study of a search in the folder --out");
-  sub->add_option(
-      "--shard", c.shard,
-      "i/N, study every Nth design of a search, starting with the ith; all shards share "
-      "one --out");
+  sub->add_option("--shard", c.shard,
+                  "Study every Nth design of a search, starting with design i (i/N); all shards "
+                  "use the same --out");
   sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
 }
@@ -82,7 +80,7 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
                    c.designs ? "is missing; --designs needs the spec of the search that found the "
                                "designs, with [scatter] added"
                              : "--out, --top, --shard and --resume are for the designs of a "
-                               "search; for one pair, run writes files"});
+                               "search; for one pair, the verb run writes files"});
   if (const auto error = only_in_mm(*spec, "the study of the designs of a search"))
     return failed(*error);
   options.designs = c.designs;

@@ -129,7 +129,7 @@ void bind_made(py::class_<Self>& type, const Make& make) {
           "Every quantity by key, each in the unit that its key names, as in JSON")
       .def_property_readonly(
           "spec", [](const Self& s) { return to_python(s.spec()); },
-          "The values from which it was made, by key")
+          "The values from which the object was made, by key")
       .def_property_readonly(
           "warnings",
           [](const Self& s) {

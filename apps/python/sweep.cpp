@@ -128,12 +128,13 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
 }  // namespace
 
 void bind_sweep(py::class_<PairValue>& pair) {
-  pair.def("sweep", &sweep, py::arg("threads") = 0,
-           "Computes the pair once per value of the arrays, which replace its own numbers, for "
-           "example sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": shifts}). "
-           "Returns a structured array with a row for each value and a column for each quantity, "
-           "named by its key. If a pair does not exist, its row is NaN and contains the message in "
-           "`error`. The computation uses all cores and releases the GIL");
+  pair.def(
+      "sweep", &sweep, py::arg("threads") = 0,
+      "Computes the pair once for each value of the arrays. The values replace numbers of the "
+      "pair, for example in sweep(center_distance=distances) or sweep(gear1={\"profile_shift\": "
+      "shifts}). Returns a structured array with a row for each value and a column for each "
+      "quantity, named by its key. If a pair does not exist, its row is NaN and contains the "
+      "message in `error`. The computation uses all cores and releases the GIL");
 }
 
 }  // namespace gearwright::python

@@ -49,7 +49,7 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   };
   const auto fail = [&](const char* member, double given, double value) {
     return refused(gear_field(which, member), given, {value},
-                   "contradicts `cut_by`, which makes it {}; leave one of them out");
+                   "contradicts `cut_by`, which determines the value {}; leave out one of the two");
   };
   const CylindricalSpec& s = made.spec;
   if (differs(gear.cut_by->module, s.normal_module))

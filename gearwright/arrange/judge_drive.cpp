@@ -229,8 +229,8 @@ std::string running(const Drive& drive) {
   const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
   const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
   return text + fmt::format(
-                    " There is no backlash. A thickness allowance of {} mm on all gears gives "
-                    "{:.3f} mm in the mesh {}; {}.",
+                    " There is no backlash. A thickness allowance of {} mm on all gears gives a "
+                    "backlash of {:.3f} mm in the mesh {}; {}.",
                     format_number(allowance), least + per_allowance * (mean - allowance), name,
                     recommendation(recommended));
 }

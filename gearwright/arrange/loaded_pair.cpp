@@ -86,8 +86,8 @@ Error not_for_shaft(int which, bool of_half) {
   return {
       gear_field(which, "shaft"), "",
       of_half
-          ? "applies under load to single-helical gears only; leave it out, and give the "
-            "slope and the bow of its deflection in `load`"
+          ? "applies under load to single-helical gears only; leave it out, and give the slope and "
+            "the bow of the deflection in `load`"
           : "applies under load only to teeth with line contact, but these teeth have point "
             "contact; leave it out, and give the displacement of the gears in `errors` instead"};
 }
@@ -140,11 +140,12 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
                                       torque),
                           0});
     if (t.max_width_ratio > kHertzRatio)
-      warnings.push_back({WarningCode::beyond_hertz,
-                          fmt::format("At {} N m the width of the contact is {:.2f} of its radius "
-                                      "of curvature, which is outside the range of Hertz’ theory.",
-                                      torque, t.max_width_ratio),
-                          0});
+      warnings.push_back(
+          {WarningCode::beyond_hertz,
+           fmt::format("At {} N m the half width of the contact is {:.2f} times the radius of "
+                       "relative curvature, which is outside the range of Hertz’ theory.",
+                       torque, t.max_width_ratio),
+           0});
   }
 }
 

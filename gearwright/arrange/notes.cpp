@@ -60,12 +60,11 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
       !given.gears[0]->profile_shift && !given.gears[1]->profile_shift && std::abs(sum) < kNoSum;
   return Warning{
       WarningCode::profile_shifts_chosen,
-      fmt::format("For the centre distance a = {} mm the program chose these profile shifts: {}.{}",
+      fmt::format("For the centre distance a = {} mm these profile shifts were chosen: {}.{}",
                   format_number(*given.pair.center_distance), chosen_shifts(given),
-                  standard
-                      ? " Gears without profile shift have this centre distance, too; for them, "
-                        "give `gear1.profile_shift` = 0."
-                      : ""),
+                  standard ? " Gears without profile shift have this centre distance, too; for "
+                             "such gears, give `gear1.profile_shift` = 0."
+                           : ""),
       0};
 }
 

@@ -129,10 +129,9 @@ bool lacks_relief_start(const GivenPair& given) {
 
 Error missing_relief_start(const GivenPair& given) {
   return *first_without_start(given, [](int, bool, const Relief&, const std::string& field) {
-    return std::optional(absent_input(
-        field,
-        "; give it, because its default follows from the contact ratio with a second gear, which "
-        "is absent or a rack"));
+    return std::optional(absent_input(field,
+                                      "; give it, because its default depends on the contact ratio "
+                                      "with gear 2, and gear 2 is absent or a rack"));
   });
 }
 

@@ -300,7 +300,7 @@ Result<std::string> figure_file(const Figure& figure, const std::string& ending)
   if (ending != ".dxf") return Error{"path", ending, "must end in .svg, .pdf or .dxf"};
   if (!figure.plane || (figure.x.unit != "mm" && figure.x.unit != "in"))
     return Error{"path", ending,
-                 "needs a figure of a plane, and this one has axes; save it as .pdf or .svg"};
+                 "needs a figure of a plane, but this figure has axes; save it as .pdf or .svg"};
   const double mm = figure.x.unit == "in" ? kMmPerInch : 1.0;
   const auto axis = [&](std::string_view name) {
     const std::size_t begin = svg.find(name) + name.size();

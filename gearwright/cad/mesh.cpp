@@ -197,11 +197,11 @@ class GearMesh {
     GW_EXPECTS(body().face_width > 0.0 && body().outline.teeth != 0);
     const int teeth = body().outline.teeth;
     if (body().outline.arcs.empty())
-      return not_a_body(teeth, "its teeth are severed or its root lies beyond the axis");
+      return not_a_body(teeth, "the teeth are severed or the root lies beyond the axis");
     const Vec2 root = body().outline.arcs.front().begin_point;
     const auto [ray_s, ray_c] = sincos_turn(1, 2LL * copies_);
     if (!(root.dot(Vec2(ray_c, ray_s)) > 0.0))
-      return not_a_body(teeth, "its root lies beyond the axis");
+      return not_a_body(teeth, "the root lies beyond the axis");
     if (auto error = hole_error(body().bore, body().hole_limits(root.norm()), kWallMin_mm))
       return error;
     const double r = root.norm();

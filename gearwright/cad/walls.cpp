@@ -191,7 +191,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body) {
 
   const Vec2& root = body.outline.arcs.front().begin_point;
   if (!(root.dot(Vec2(half.cos, half.sin)) > 0.0)) {
-    return not_a_body(body.outline.teeth, "its root lies beyond the axis");
+    return not_a_body(body.outline.teeth, "the root lies beyond the axis");
   }
   const Extent extent = look_at(body.outline, space);
   if (extent.tooth_crossed) return not_a_body(body.outline.teeth, "the flanks of a tooth cross");

@@ -38,14 +38,15 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
 }  // namespace
 
 Error nothing_touches(const ContactSetup& setup) {
-  return {"errors", "", "no teeth touch; " + why_nothing_touches(setup, setup.place().errors),
+  return {"errors", "",
+          "no teeth touch, because " + why_nothing_touches(setup, setup.place().errors),
           FailureKind::nothing_touches};
 }
 
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors) {
   return {"compensate.range", name,
-          "no teeth touch under these errors; " + why_nothing_touches(setup, errors)};
+          "no teeth touch under these errors, because " + why_nothing_touches(setup, errors)};
 }
 
 bool any_modification(const std::array<FlankModifications, 2>& flanks) {

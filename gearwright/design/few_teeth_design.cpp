@@ -274,7 +274,7 @@ class FewTeethSearch {
     auto cutter = make_gear(spec);
     if (!cutter) return stopped(2, "the pinion's fillets: " + cutter.error().quoted());
     if (!cutter->exists() || !cutter->tooth->form_radius || !cutter->tooth->rounded_tip)
-      return stopped(2, "the pinion's tooth, which ends before its tip fillet");
+      return stopped(2, "a pinion tooth that ends before its tip fillet");
     double distance = 0.0;
     double mounted = 0.0;
     if (p_.center_distance) {
@@ -299,8 +299,7 @@ class FewTeethSearch {
 
   Made finished(const CylindricalSpec& spec, const Gear& cutter, const Gear& whole, double distance,
                 double mounted) const {
-    if (!whole.exists() || !whole.tooth->form_radius)
-      return stopped(5, "the wheel, which would have no teeth");
+    if (!whole.exists() || !whole.tooth->form_radius) return stopped(5, "a wheel without teeth");
     if (whole.undercut) return stopped(6, "undercut of the wheel");
     if (has_cusp(cutter, whole, distance)) return stopped(7, "a cusp at the wheel's tip");
     CylindricalSpec pinion = spec;
@@ -342,8 +341,7 @@ class FewTeethSearch {
       return stopped(12, "interference: " + pair->interference.front().message);
     if (!pair->beyond_flank.empty())
       return stopped(12, "contact beyond the flank: " + pair->beyond_flank.front().message);
-    if (!(pair->contact_ratio_true() > 0.0))
-      return stopped(13, "the condition that the teeth touch");
+    if (!(pair->contact_ratio_true() > 0.0)) return stopped(13, "teeth that do not touch");
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
@@ -359,8 +357,8 @@ class FewTeethSearch {
     if (!p_.face_width) face = std::max(std::ceil(*needed * 10) / 10, p_.normal_module);
     if (face < *needed)
       return stopped(14,
-                     fmt::format("the face width, which is {:.2f} mm instead of {:.2f} mm, as a "
-                                 "contact ratio of {} requires",
+                     fmt::format("the face width, which is {:.2f} mm instead of the {:.2f} mm that "
+                                 "a contact ratio of {} requires",
                                  face, std::ceil(*needed * 100) / 100, p_.contact_ratio),
                      *needed - face);
     pinion.face_width = face;

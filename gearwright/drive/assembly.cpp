@@ -218,8 +218,8 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     const std::string others = teeth_that_assemble(graph, group);
     return Error{"drive.spacing", "equal",
                  fmt::format("{} planets cannot be assembled at equal pitch, because a turn has {} "
-                             "places, and {} is not a divisor of this number. One of these changes "
-                             "would help: {}{} planets; spacing \"nearest\"",
+                             "possible places, and {} is not a divisor of this number. One of "
+                             "these changes would help: {}{} planets; spacing \"nearest\"",
                              n, made.places, n, others.empty() ? "" : others + "; ",
                              counts_that_assemble(made.places, n))};
   }

@@ -18,8 +18,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
   const DriveGraph& graph = drive.graph;
   if (graph.inputs.size() != 1 || drive.motion.freedom != 1)
     return not_loaded(
-        "does not apply to a drive with several inputs; fix one of them, or extract one mesh as a "
-        "pair with drive --take");
+        "does not apply to a drive with several inputs; fix all inputs except one, or extract one "
+        "mesh as a pair with drive --take");
   if (!drive.motion.redundant.empty())
     return not_loaded(
         "does not apply to a drive with a closed loop of meshes, whose torques depend on the "
@@ -38,8 +38,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     const DriveMesh& mesh = graph.meshes[m];
     const DriveGear &a = graph.gear(mesh, 0), &b = graph.gear(mesh, 1);
     if (a.rack || b.rack)
-      return not_loaded("does not apply to a drive with a rack, which has no loaded contact",
-                        mesh.name);
+      return not_loaded(
+          "does not apply to a drive with a rack, whose loaded contact is not computed", mesh.name);
     if (a.double_helical || b.double_helical)
       return not_loaded(
           "does not apply to drives with double-helical gears; extract the mesh as a pair with "

@@ -189,10 +189,9 @@ void find_facts(Drive& drive) {
       continue;
     }
     if (!set.assembly.equal && set.group.count > 1)
-      say(WarningCode::unequal_spacing,
-          fmt::format("{} copies of {} are unequally spaced, because they must be at the {} places "
-                      "of a turn where their teeth mesh.",
-                      set.group.count, planet, set.assembly.places));
+      say(WarningCode::unequal_spacing, fmt::format("{} copies of {} are unequally spaced, because "
+                                                    "their teeth mesh only at {} places of a turn.",
+                                                    set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,

@@ -142,10 +142,10 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
     const bool given = graph.gear(mesh, 0).shift && graph.gear(mesh, 1).shift;
     made.faults.push_back(
         {Fault::Kind::no_pair,
-         fmt::format("{} the mesh {} at a centre distance of {:.4f} mm {} profile shifts of {:.4f} "
+         fmt::format("{} the mesh {} at a centre distance of {:.4f} mm{} profile shifts of {:.4f} "
                      "and {:.4f}: {}.",
                      given ? "It is impossible to mount" : "No profile shift is possible for",
-                     mesh.name, *made.distance[m], given ? "with" : "that would need",
+                     mesh.name, *made.distance[m], given ? " with" : ", which would need",
                      *made.shift[mesh.gears[0]], *made.shift[mesh.gears[1]], why)});
   }
 }

@@ -52,8 +52,7 @@ std::string locking_meshes(const DriveGraph& graph) {
 Error too_large() {
   return {"drive.gear", "",
           "the numbers of teeth lead to ratios that need more than 127 bits; use fewer stages, or "
-          "compute "
-          "each stage alone"};
+          "compute each stage alone"};
 }
 
 Error locked(const DriveGraph& graph) {

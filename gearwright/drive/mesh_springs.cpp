@@ -60,8 +60,8 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
     }
     if (nodes.empty())
       return Error{"load", "",
-                   fmt::format("has no result at rotation1 = {}° of this mesh: the teeth do not "
-                               "touch, or their forces do not converge",
+                   fmt::format("has no result at rotation1 = {}° of this mesh, because the teeth "
+                               "do not touch or their forces do not converge",
                                format_number(request.rotations[i].deg()))};
     made.springs.emplace_back(std::move(nodes));
     made.leads.push_back(lead * contact.torques.front().positions[i].unloaded_te.rad());

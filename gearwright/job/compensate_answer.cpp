@@ -206,9 +206,10 @@ std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   if (list.empty()) return std::nullopt;
   return Warning{
       WarningCode::correction_at_bound,
-      fmt::format("These corrections are at the end of the searched range: {}. Larger corrections "
-                  "might be better, but such errors are too large for flank modifications.",
-                  list),
+      fmt::format(
+          "These corrections are at the end of the searched range: {}. Larger corrections might be "
+          "better, but errors that need them are too large for flank modifications.",
+          list),
       0};
 }
 

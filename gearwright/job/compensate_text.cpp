@@ -25,7 +25,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   };
   out +=
       quantity_listing(units, compensate_quantities().table(), {compensate_quantities().of(a)}, {});
-  head("All corrections together, for the worst of the errors");
+  head("All corrections together, chosen for the worst of the errors");
   for (const FoundCorrection& c : a.corrections) {
     row(c.words, fmt::format("{:>11} {}{}", text_in(units, unit_of(c.key), c.value, 4),
                              unit_text(units, unit_of(c.key)),
@@ -39,8 +39,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
                     least_gain(a.aim)));
   if (a.nothing_to_correct && !job.spec.errors.any())
     out += wrapped(
-        "  The spec has no [errors], whose effect the corrections reduce. Give, for example, "
-        "[errors] with crossing_deg = 0.05.");
+        "  The spec has no [errors]. Give this table, for example with crossing_deg = 0.05.");
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
     head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());

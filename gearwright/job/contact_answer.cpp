@@ -62,7 +62,7 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
         {WarningCode::fillets_not_asked,
          "Contact of tips with root fillets under these errors was not checked. If the lead of the "
          "cutter is changed, this check is available only for roots cut by a rack, not for roots "
-         "cut by a pinion cutter and not for circular fillets."});
+         "cut by a pinion cutter or for circular fillets."});
     return;
   }
   // Only one pitch is examined. All pitches are equal, and positions in several pitches might have
@@ -141,7 +141,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
 // Analyses a pinion and its rack.
 Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
-  if (input.map) return Error{"contact.map", "", "is not available for a rack; it needs two gears"};
+  if (input.map) return Error{"contact.map", "", "needs two gears, but gear 2 is a rack"};
   auto contacts = contact(*job.rack, errors_of(job), rack_options(job, progress));
   if (!contacts) return contacts.error();
   RackContact found = std::move(contacts).take();

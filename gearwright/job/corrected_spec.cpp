@@ -18,8 +18,8 @@ const char* needs(const WorkshopCorrection& c) {
     return "is a setting of the circular-arc rack F, but this rack cuts neither gear";
   if (c.is(CutterSetting::cutter_lead)) return "needs a helical gear cut by a rack";
   if (*c.modification() == Modification::end_relief)
-    return "needs end_relief_length_mm in the modifications of the gear, because this key "
-           "determines the position of the relief; the amount of the relief may be 0";
+    return "needs the length of the relief, end_relief_length_mm, in the modifications of the "
+           "gear; the amount of the relief may be 0";
   return "needs the start of the relief in the modifications of the gear, for example "
          "tip_relief_start_mm; the amount of the relief may be 0";
 }

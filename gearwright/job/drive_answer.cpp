@@ -299,8 +299,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
   if (spec.contains("load") && drive.flow->driver[mesh] == 1) spec["contact"]["driver"] = 2;
 
   std::vector<std::string> notes{
-      fmt::format("This pair is the mesh {} of the drive. Numbers have all their digits, so that "
-                  "the results of the pair and of the drive agree to the last bit.",
+      fmt::format("This pair is the mesh {} of the drive. All digits of the numbers are written, "
+                  "so that the results of the pair and of the drive agree to the last bit.",
                   printable(m.name))};
   if (job.verdict.level == Level::red) notes.push_back(job.verdict.headline);
   if (locks) notes.emplace_back("The pair has no load, because the input cannot drive the output.");

@@ -25,8 +25,8 @@ Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& fo
   const bool named = !options.only.empty();
   if (named && options.wants("drawing"))
     return Error{"drive", "",
-                 "has no drawing; drive SPEC --take N writes mesh N as a pair, whose run writes a "
-                 "drawing of its gears"};
+                 "has no drawing; drive SPEC --take N writes mesh N as a pair, and the verb run "
+                 "draws the gears of this pair"};
   std::vector<FileKind> kinds{FileKind::step, FileKind::glb, FileKind::threemf};
   if (named) kinds.push_back(FileKind::stl);
   if (named || (job.layout && job.layout->sections.size() == 1))
@@ -58,8 +58,8 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
   const std::size_t planes = job.layout->sections.size();
   if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
     return Error{"drive", "",
-                 fmt::format("has gears in {} planes across its axes, so no {} can contain their "
-                             "outlines; STEP, GLB and 3MF files contain the whole drive",
+                 fmt::format("has gears in {} planes, but the outlines in a {} lie in one plane; "
+                             "STEP, GLB and 3MF files contain the whole drive",
                              planes, kind == FileKind::dxf ? "DXF file" : "SVG file")};
   return make_file(kind, kind == FileKind::threemf ? laid_out(bodies) : bodies, path, options);
 }
@@ -79,10 +79,9 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
         std::none_of(gears.begin(), gears.end(), [](const DriveGear& g) { return g.rack; });
     report.places = drawn && job.places ? &*job.places : nullptr;
     report.layout = drawn && job.layout ? &*job.layout : nullptr;
-    report.why_no_layout =
-        drawn ? job.why_no_layout
-              : "Drives with a rack are not drawn in section. The files STEP, GLB and 3MF contain "
-                "the drive with its rack.";
+    report.why_no_layout = drawn ? job.why_no_layout
+                                 : "Drives with a rack are not drawn in section. The STEP, GLB and "
+                                   "3MF files contain the drive with its rack.";
     report.verdict = job.verdict;
     report.files = report_files(files);
     report.spec_text = job.spec.text;

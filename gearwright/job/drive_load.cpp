@@ -41,14 +41,15 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
                  "must be one number for a drive, the torque on its input"};
   if (!own && given.empty())
     return absent_input("load.torques",
-                        "; a drive under load needs a torque: torque_Nm on the input of the drive, "
-                        "or in [load]");
+                        "; a drive under load needs a torque. Give torque_Nm on the input of the "
+                        "drive or in [load]");
   if (own && !given.empty() &&
       std::abs(std::abs(*own) - given.front()) > kSameTorque * std::abs(*own))
-    return Error{"load.torques", format_number(given.front()),
-                 fmt::format("contradicts the {} N m on the input of the drive; leave one of them "
-                             "out",
-                             format_number(*own))};
+    return Error{
+        "load.torques", format_number(given.front()),
+        fmt::format(
+            "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
+            format_number(*own))};
   return given.empty() ? std::abs(*own) : given.front();
 }
 

@@ -35,9 +35,8 @@ std::string advice(const FoundDrives& f) {
   left_out[static_cast<std::size_t>(DriveFault::safety)] += f.designs.hopeless;
   if (f.designs.beyond_limit > 0)
     return fmt::format(
-        "No drive was found among the {} computed sets, but {} sets were not computed, so there "
-        "may "
-        "be a drive. Narrow the band of the ratio or the bands of numbers of teeth.",
+        "No drive was found among the {} computed sets, but {} sets were not computed, so a drive "
+        "may exist. Narrow the band of the ratio or the bands of numbers of teeth.",
         f.designs.computed, f.designs.beyond_limit);
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
@@ -91,11 +90,13 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
   if (designs.hopeless > 0)
-    text += fmt::format("{} trains cannot have the safeties by an estimate from rated trains.\n",
-                        designs.hopeless);
+    text += fmt::format(
+        "{} trains were ruled out, because their safeties, estimated from rated trains, are too "
+        "small.\n",
+        designs.hopeless);
   if (designs.beyond_limit > 0)
     text += fmt::format(
-        "{} sets were not computed, because the limit is {} computed sets of each module.\n",
+        "{} sets were not computed, because at most {} sets of each module are computed.\n",
         designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
   if (!f.problem.series.empty())

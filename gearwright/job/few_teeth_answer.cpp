@@ -63,7 +63,7 @@ std::optional<Error> out_of_place(const JobSpec& spec) {
                  "is determined by gear 1; leave it out"};
   if (wheel.face_width_given)
     return Error{"gear2.face_width", shown(teeth.face_width),
-                 "is the face width of gear 1; leave it out"};
+                 "is always equal to the face width of gear 1; leave it out"};
   if (spec.pair.shorten_tips || spec.pair.mounting == Mounting::extended)
     return Error{spec.pair.shorten_tips ? "pair.shorten_tips" : "pair.mounting",
                  spec.pair.shorten_tips ? "true" : "extended",

@@ -139,7 +139,7 @@ std::optional<Error> beyond(const SolvedJob& job) {
                    "writes the report and the files"};
     return Error{table, "",
                  "needs two gears, but gear 2 is a rack; without this table, run writes the report "
-                 "and the files. The verbs load and rate describe a wheel that can replace a rack"};
+                 "and the files. In load and rate, a gear 2 with teeth = 200 can replace a rack"};
   }
   return std::nullopt;
 }

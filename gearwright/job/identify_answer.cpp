@@ -96,17 +96,17 @@ std::string tip_fact(const IdentifiedGear& g, double measured) {
     case TipReading::none:
     case TipReading::as_drawn: return "";
     case TipReading::worn:
-      return fmt::format("The tip is worn, because it measures {:.3f} mm instead of {}.", measured,
-                         nominal);
+      return fmt::format("The tip diameter is {:.3f} mm instead of {}, so the tip is worn.",
+                         measured, nominal);
     case TipReading::shortened:
       return fmt::format(
-          "The tip is shortened or badly worn, because it measures {:.3f} mm instead "
-          "of {}; the spec has the measured tip diameter.",
+          "The tip diameter is {:.3f} mm instead of {}, so the tip is shortened or badly worn; the "
+          "spec has the measured tip diameter.",
           measured, nominal);
     case TipReading::longer:
       return fmt::format(
-          "The tip is longer than the rack gives, because it measures {:.3f} mm "
-          "instead of {}; the spec has the measured tip diameter.",
+          "The tip diameter is {:.3f} mm, greater than the {} that the rack gives; the spec has "
+          "the measured tip diameter.",
           measured, nominal);
   }
   return "";
@@ -127,17 +127,16 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
     facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
   if (g.thickness_allowance != 0.0 && !spec.contains("thickness_allowance_mm")) {
     facts.push_back(
-        fmt::format("The spec has x = {:.4f}, and its backlash or tolerance determines the "
-                    "thickness allowance, which is {:.4f} mm by the readings.",
+        fmt::format("The spec has x = {:.4f}. Its backlash or tolerance determines the thickness "
+                    "allowance, which is {:.4f} mm according to the readings.",
                     g.profile_shift, g.thickness_allowance));
   } else if (g.thickness_allowance != 0.0) {
     const char* const why =
         problem.profile_shift || problem.thickness_allowance ? "as the spec gives"
         : g.shift_of_tip && g.tip == TipReading::as_drawn    ? "because the tip agrees with this x"
-        : problem.tip.value
-            ? "because such an allowance is more usual than this x_E"
-            : "because such an allowance is more usual than this x_E; the tip diameter would "
-              "confirm it";
+        : problem.tip.value ? "because such an allowance is more usual than this x_E"
+                            : "because such an allowance is more usual than this x_E; a measured "
+                              "tip diameter would confirm this";
     facts.push_back(
         fmt::format("The spec describes x_E = {:.4f} by x = {:.4f} and the thickness allowance "
                     "{:.4f} mm, {}.",

@@ -37,10 +37,9 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
     error.field = "pair.shaft_angle";
     error.value = format_number(job.pair->shaft_angle().deg());
     error.rule =
-        "crosses the axes, so that the teeth touch at points. Proposals are made for involute "
-        "teeth "
-        "on parallel axes, whose reliefs and crownings follow from the load along the contact "
-        "lines";
+        "crosses the axes, so that the teeth touch at points. Proposals are made only for involute "
+        "teeth on parallel axes, because reliefs and crownings follow from the load along the "
+        "contact lines";
     return error;
   }
   return std::nullopt;
@@ -152,8 +151,8 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
       best == 0 ? std::string(
-                      "No proposal without a greater transmission error is better than the spec as "
-                      "given.")
+                      "Among the proposals with at most the transmission error of the spec as "
+                      "given, none is better than this spec.")
       : !scored
           ? fmt::format(
                 "The spec as given has no result under this load. {}Among the proposals, this one "
@@ -162,8 +161,8 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
           : fmt::format(
                 "{}Among the proposals with at most the transmission error of the spec as given, "
                 "this one has the least sum of transmission error ({}″) and pressure ({} N/mm²{}), "
-                "each relative to the spec as given. A proposal with more changes must be better "
-                "by 1 %.",
+                "each relative to the spec as given. A proposal with more changes is recommended "
+                "only if it is better by 1 %.",
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");

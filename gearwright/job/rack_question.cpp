@@ -71,8 +71,8 @@ Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion
     const double m_max = m_cos / std::cos(kMaxRackAngle * kRadPerDeg);
     if (m > m_max) {
       return bad(format_number(m, m_max) + ",",
-                 fmt::format("at this base pitch the pressure angle would be {}°; at most {}° is "
-                             "allowed, which requires a module of at most {}\u00a0mm",
+                 fmt::format("at this base pitch the pressure angle would be {}°, but at most {}° "
+                             "is allowed; the module must be at most {}\u00a0mm",
                              format_number(deg(of_module), kMaxRackAngle), kMaxRackAngle,
                              format_number(m_max, m)));
     }

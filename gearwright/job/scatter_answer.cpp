@@ -296,8 +296,8 @@ std::optional<Error> other_driver(const JobSpec& spec) {
   const int driver = spec.load.driver;
   if (driver == spec.contact.driver) return std::nullopt;
   return Error{"load.driver", std::to_string(driver),
-               fmt::format("must equal the driver of [contact], which is {}, for a scatter under "
-                           "load; give driver = {} in [contact] if gear {} drives",
+               fmt::format("must equal driver = {} of [contact] in a scatter under load; give "
+                           "driver = {} in [contact] if gear {} drives",
                            spec.contact.driver, driver, driver)};
 }
 
@@ -414,10 +414,10 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
   for (Warning& w : sample_warnings(answer.scatter)) job.warnings.push_back(std::move(w));
   const PairInput& pair = job.completed.pair;
   if (input.bearings && (pair.distance_tolerance || pair.distance_deviations))
-    job.warnings.push_back(
-        {WarningCode::not_read,
-         "The tolerance of the centre distance is not varied, because the bores of "
-         "[scatter.bearings] determine the centre distance. A greater radius_mm includes it."});
+    job.warnings.push_back({WarningCode::not_read,
+                            "The tolerance of the centre distance is not varied, because the bores "
+                            "of [scatter.bearings] determine the centre distance. To include the "
+                            "tolerance, give a greater radius_mm."});
   if (input.robust) {
     auto made_robust = robust_task(answer.setup, *input.robust);
     if (!made_robust) return made_robust.error();

@@ -26,9 +26,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
     for (const std::size_t t : block) names.push_back('"' + tolerances[t].name + '"');
     return Error{
         "scatter.groups", "",
-        fmt::format("correlated inputs must be in one group, because the indices of one of "
-                    "them alone do not exist; give correlated = [{}] in [scatter.groups], "
-                    "or indices = false",
+        fmt::format("correlated inputs must be in one group, because one of them alone has no "
+                    "indices; give correlated = [{}] in [scatter.groups], or indices = false",
                     fmt::join(names, ", "))};
   }
   return std::nullopt;
@@ -59,7 +58,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
       return c.first == first && c.second == second;
     };
     if (std::any_of(correlations.begin(), correlations.end(), same))
-      return Error{field, "", "the correlation of these two inputs is given twice; remove one"};
+      return Error{field, "",
+                   "the correlation of these two inputs is given twice; remove one of the two"};
     correlations.push_back({first, second, given.value});
   }
   if (auto error = check_correlations(tolerances, correlations)) {

@@ -102,8 +102,8 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
         given, "the folder has no search.json; name the --out folder of a finished search");
   if (path.extension() == ".parquet" || path.extension() == ".csv")
     return refused_list(given,
-                        "name the folder of the search or its search.json instead, whose "
-                        "designs have the numbers of `search --take`");
+                        "name the folder of the search or its search.json instead, which list the "
+                        "designs in the order of `search --take`");
   const std::string text = text_of_file(path);
   const auto other = [&] {
     return refused_list(given,

@@ -324,10 +324,10 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   }
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
-    out += fmt::format("  Tighten {} first, because half of this tolerance gives {} ″.\n",
+    out += fmt::format("  Tighten {} first, because halving this tolerance gives {} ″.\n",
                        key_in(units, a.task.tolerances[i].name), arcsec(l.by_tolerance[i].halved));
   } else {
-    out += "  No tolerance lowers the percentile if it is halved.\n";
+    out += "  Halving any one tolerance does not lower the percentile.\n";
   }
   return out;
 }

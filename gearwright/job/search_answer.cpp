@@ -70,7 +70,7 @@ std::string face_load_line(const SearchRun& run) {
   if (!run.default_face_load) return {};
   return fmt::format(
       "K_Hβ = {:g} is a default. Give face_load_factor or [rating.mounting] in [rating]; for a "
-      "taken pair, [gear1.shaft] and [gear2.shaft] are another way to compute it.",
+      "pair written by --take, K_Hβ can also be computed from [gear1.shaft] and [gear2.shaft].",
       *run.default_face_load);
 }
 
@@ -82,7 +82,7 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
     if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(std::move(key));
   }
   return fmt::format(
-      "A change of only one of these keys does not help: {}. Centre distances were changed by a "
+      "Changing only one of these keys does not help: {}. Centre distances were changed by a "
       "factor of at most 2, ratios by at most half of their value, and other keys, such as the "
       "modules or the helix angles, not at all.",
       fmt::join(keys, ", "));
@@ -170,7 +170,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "interference",
       "safety against pitting at the profile shifts of the design",
       "safety against root breakage at the profile shifts of the design",
-      "verdict on the drawing of the pair at all tolerance ends"};
+      "verdict of the pair, drawn at all tolerance ends"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)

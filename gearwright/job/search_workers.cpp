@@ -87,7 +87,8 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (run.answer.counts.feasible > 0) return true;
   if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
-        "the smallest change that would help is not searched if there are more than {} candidates",
+        "the smallest change that would help is not searched for if there are more than {} "
+        "candidates",
         kMaxForChange);
     return true;
   }

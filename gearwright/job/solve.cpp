@@ -139,13 +139,11 @@ std::string_view finder_of(const JobSpec& spec, const Error& error) {
 
 std::optional<Error> two_gears_error(const JobSpec& spec) {
   if (!spec.rack) return std::nullopt;
-  return Error{"gear2.form", "rack",
-               "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, "
-               "outline, export and run compute a rack and its pinion. A gear 2 with teeth = 200 "
-               "can replace the rack if its bore leaves the height of the bar under the teeth. In "
-               "rate, its flank stress is then too high by about the factor √(1 + z1/200), and its "
-               "load cycles are those of a wheel; for P passes over each tooth of the rack, rate "
-               "the rack with life_h = P·200/(60 n1 z1)"};
+  return Error{
+      "gear2.form", "rack",
+      "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, outline, "
+      "export and run compute a rack and its pinion. For load and rate, a gear 2 with teeth = 200 "
+      "can replace the rack; docs/spec.md gives its bore, its flank stress and its life"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

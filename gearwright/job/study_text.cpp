@@ -41,7 +41,7 @@ constexpr StudyColumn kColumns[] = {
     {"center_distance_mm", "a", "/center_distance_mm", 4, 1, "mm", "centre distance"},
     {"face_width_mm", "", "/face_width_mm", -1, 1, "mm", ""},
     {"percentile_arcsec", "%", "/peak_to_peak_arcsec/percentiles/%", 4, 1, "″",
-     "percentile of the peak-to-peak transmission error, which ranks the designs"},
+     "ranking percentile of the peak-to-peak transmission error"},
     {"percentile_lower_arcsec", "from", "/peak_to_peak_arcsec/lower/%", 4, 1, "″",
      "lower end of the confidence interval of the percentile"},
     {"percentile_upper_arcsec", "to", "/peak_to_peak_arcsec/upper/%", 4, 1, "″",
@@ -98,7 +98,7 @@ std::string lost_words(const JobSpec& spec, const StudyRun& run) {
                                   [&](const Json& row) { return loses_contact(spec, row); });
   if (lost == 0) return "";
   return fmt::format("The last {} contact in more than {:g} % of the samples.",
-                     lost == 1 ? "of them loses" : fmt::format("{} of them lose", lost),
+                     lost == 1 ? "design loses" : fmt::format("{} designs lose", lost),
                      100.0 - spec.scatter.percentiles[ranking_percentile(spec)]);
 }
 

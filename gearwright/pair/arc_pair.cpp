@@ -243,9 +243,8 @@ void warn_about_pair(ArcPair& pair) {
   if (pair.contacts.empty()) {
     warn(pair, WarningCode::unequal_lead,
          fmt::format("The gears do not have matching leads (modules {}\u00a0mm and {}\u00a0mm, "
-                     "helix angles {}° "
-                     "and {}°). They have no contact point that moves along the teeth, and results "
-                     "that depend on it are omitted.",
+                     "helix angles {}° and {}°). They have no contact point that moves along the "
+                     "teeth, and results that depend on such a point are omitted.",
                      s_1.normal_module, s_2.normal_module, s_1.helix_angle.deg(),
                      s_2.helix_angle.deg()));
   }

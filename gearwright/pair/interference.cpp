@@ -27,7 +27,7 @@ void past_the_flank(InvolutePair& p, WarningCode code, int gear, double amount,
   if (p.gears[gear - 1].undercut) {
     p.warnings.push_back({WarningCode::contact_lost_to_undercut,
                           fmt::format("The tip of gear {} reaches {:.4f} mm {} of gear {}, where "
-                                      "contact is lost, because undercut has removed the flank.",
+                                      "undercut has removed the flank and contact is lost.",
                                       mate, -amount, where, gear),
                           gear});
     return;

@@ -129,10 +129,9 @@ void find_faults(RackPair& p) {
   if (!p.contact_root_diameter && p.pinion.undercut) {
     const double reach = p.pinion.reference_diameter / 2 * std::sin(alpha_t(p.pinion));
     warn(p, WarningCode::contact_lost_to_undercut, 1,
-         fmt::format(
-             "The tip of the rack reaches {:.4f} mm past the base tangent point of the pinion, "
-             "where contact is lost, because undercut has removed the flank.",
-             p.approach - reach));
+         fmt::format("The tip of the rack reaches {:.4f} mm past the base tangent point of the "
+                     "pinion, where undercut has removed the flank and contact is lost.",
+                     p.approach - reach));
   } else if (!p.contact_root_diameter) {
     warn(p, WarningCode::base_tangent, 1,
          "The tip of the rack reaches past the base tangent point of the pinion. More profile "

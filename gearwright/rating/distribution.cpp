@@ -80,7 +80,7 @@ FaceLoad face_load(const Factor& f_sh, double f_ma, const std::array<Material, 2
   const double f_betay = f_betax - running_in_misalignment(materials, f_betax, velocity);
   out.f_sh = f_sh;
   out.F_betax = Factor{f_betax, "ISO 6336-1, 7.5.2, (52)",
-                       f_x >= least ? "1.33 f_sh + f_ma" : "the least, F_βx min"};
+                       f_x >= least ? "1.33 f_sh + f_ma" : "the least value, F_βx min"};
   out.F_betay = Factor{f_betay, "ISO 6336-1, 7.5.2", ""};
   const double r = f_betay * c_gamma_beta / (2 * mean_load);
   out.K_Hbeta = r >= 1.0 ? Factor{2 * std::sqrt(r), "ISO 6336-1, 7.5.1, (41)",

@@ -176,9 +176,9 @@ Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double ela
   double c = s.c_th.value * kC_M * s.C_R * s.C_B * std::cos(pair.beta) * elasticity;
   const bool soft = specific_load < kSoftBelow;
   if (soft) c *= std::pow(specific_load / kSoftBelow, 0.25);
-  s.c_prime = {
-      c, "ISO 6336-1, 9.3.1",
-      soft ? "F_t K_A/b < 100 N/mm, multiplied by (F_t K_A/b/100)^0.25" : "F_t K_A/b ≥ 100 N/mm"};
+  s.c_prime = {c, "ISO 6336-1, 9.3.1",
+               soft ? "F_t K_A/b < 100 N/mm, so c' is multiplied by (F_t K_A/b/100)^0.25"
+                    : "F_t K_A/b ≥ 100 N/mm"};
   s.c_gamma_alpha = {c * (0.75 * pair.epsilon_alpha + 0.25), "ISO 6336-1, 9.3.2",
                      pair.epsilon_alpha >= 1.2
                          ? "ε_α ≥ 1.2"

@@ -40,7 +40,7 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
   if (const auto value = at_temperature(list, celsius)) return *value;
   return refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
                  {list.front()[0], list.back()[0]},
-                 std::string("°C is the temperature of the ") + what +
+                 std::string("is the temperature in °C of the ") + what +
                      ", but the values of this plastic are given from {} to {} °C only");
 }
 
@@ -48,7 +48,7 @@ Factor given_or_one(const std::optional<double>& factor) {
   return factor ? Factor{*factor, "", kGivenFactor}
                 : Factor{1.0, "VDI 2736-2",
                          "not given, so 1 is used; the guideline gives 1 to 1.25 for the product "
-                         "of these factors"};
+                         "of the load factors"};
 }
 
 // Marks as absent the factors of ISO 6336 that the guideline does not contain.

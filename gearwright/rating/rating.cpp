@@ -206,7 +206,7 @@ std::optional<Error> Rater::root() {
     r.Y_DT[i] = deep_tooth_factor(pair, grade);
     r.Y_ST[i] = {2.0, "ISO 6336-3, clause 5", "of the reference test gears"};
     r.Y_M[i] = {in.reversed ? kReversed : 1.0, "ISO 6336-3, annex B",
-                in.reversed ? "bending both ways" : "bending one way"};
+                in.reversed ? "bending in both directions" : "bending in one direction"};
     r.Y_NT[i] = life.factor;
     r.Y_delta_relT[i] = at_life(notch_sensitivity_factor(m, *section), life);
     r.Y_R_relT[i] = at_life(surface_factor(m, Rz), life);

@@ -114,7 +114,7 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
       if (tolerances[t].coordinates() != 1)
         return Error{field(i) + ".between", tolerances[t].name,
                      "cannot be correlated, because it is not a single number; only errors, tooth "
-                     "thicknesses and modifications can"};
+                     "thicknesses and modifications can be correlated"};
   const Matrix r = matrix_of(tolerances.size(), correlations);
   if (cholesky(r)) return std::nullopt;
   std::optional<std::size_t> best;
@@ -130,17 +130,17 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
     change = std::abs(value - correlations[i].value);
   }
   const char* const why =
-      "no inputs have these correlations, because their matrix is not positive "
-      "definite";
+      "no inputs can have these correlations, because their matrix is not positive definite";
   if (!best)
     return Error{"correlations", "",
                  fmt::format("{}; multiply all correlations by at most {:.2f}", why,
                              common_factor(tolerances.size(), correlations))};
   const ToleranceCorrelation& c = correlations[*best];
-  return Error{field(*best) + ".value", fmt::format("{}", c.value),
-               fmt::format("{}; the nearest value of the correlation of {} and {} that is possible "
-                           "with the other correlations is {:.4f}",
-                           why, tolerances[c.first].name, tolerances[c.second].name, nearest)};
+  return Error{
+      field(*best) + ".value", fmt::format("{}", c.value),
+      fmt::format(
+          "{}; with the other correlations, the nearest possible value for {} and {} is {:.4f}",
+          why, tolerances[c.first].name, tolerances[c.second].name, nearest)};
 }
 
 std::vector<std::vector<std::size_t>> correlated_blocks(

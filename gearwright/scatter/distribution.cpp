@@ -17,13 +17,14 @@ double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::
 Result<Distribution> Distribution::of(const DistributionSpec& spec) {
   const auto [l, h] = spec.range;
   if (!std::isfinite(l) || !std::isfinite(h) || !(l <= h))
-    return refused("range", h,
-                   "must be at least the lower end of its range; give the lower end first");
+    return refused(
+        "range", h,
+        "the upper end of a range must be at least its lower end; give the lower end first");
   if (spec.kind == Kind::normal) {
     if (!(spec.cpk > 0.0) || !std::isfinite(spec.cpk))
       return refused("cpk", spec.cpk,
                      "must be > 0; the standard deviation is the distance between the mean and the "
-                     "nearer end of the range, divided by 3 C_pk. The usual value is 1.33. For a "
+                     "nearer end of the range, divided by 3 C_pk. The usual C_pk is 1.33. For a "
                      "process of unknown capability, give distribution = \"uniform\"");
     const double half = 0.5 * (h - l);
     if (!(std::abs(spec.offset) < half) && h > l)

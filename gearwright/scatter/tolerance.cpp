@@ -131,7 +131,7 @@ std::optional<Error> check_ends(const ContactSetup& setup,
         if (wave_of(flank, *w).waves > 0)
           return Error{t.name, "",
                        "cannot vary, because a flank has at most one wave in this direction, and "
-                       "the modifications of the gear contain one; leave out one of the two"};
+                       "the modifications of the gear contain one; leave out one of the two waves"};
     for (const double end : t.side(0)) {
       Deviation d = as_drawn(setup);
       add(d, setup, t, std::array{end, 0.0, 0.0});

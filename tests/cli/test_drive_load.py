@@ -126,7 +126,7 @@ class Messages(unittest.TestCase):
                 ("load", pair + 'floating = "sun"\n', "load.floating", "[planetary]"),
                 ("load", pair + "pin_error_um = 5\n", "load.pin_error_um", "planets of a drive"),
                 ("drive", SET.replace("torque_Nm = 60", "") + DRAFT, "load.torque_Nm", "torque_Nm on the input"),
-                ("drive", SET + DRAFT + "torque_Nm = 50\n", "load.torque_Nm = 50", "contradicts the 60 N m"),
+                ("drive", SET + DRAFT + "torque_Nm = 50\n", "load.torque_Nm = 50", "contradicts the torque of 60 N m"),
                 ("drive", SET + DRAFT + "torque_Nm = [60, 70]\n", "load.torque_Nm", "must be one number"),
                 ("drive", SET + DRAFT + 'floating = "sum"\n', "load.floating", "sun"),
                 ("drive", SET + DRAFT + 'floating = "planet"\n', "load.floating", "the central gears"),

@@ -154,7 +154,7 @@ class Chosen(Asked):
         answer = self.answer("pair", self.SPEC.format("", ""))
         x = [g["profile_shift"] for g in answer["gears"]]
         self.assertNotEqual(x, [0, 0])
-        words = f"For the centre distance a = 79 mm the program chose these profile shifts: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
+        words = f"For the centre distance a = 79 mm these profile shifts were chosen: gear1.profile_shift = {x[0]:.6g} and gear2.profile_shift = {x[1]:.6g}."
         self.assertEqual(self.notes(answer, "profile_shifts_chosen"), [(None, words)])
         out = Run("pair", self.SPEC.format("", "")).out
         self.assertIn("note: " + words, " ".join(out.split()))

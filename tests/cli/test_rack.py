@@ -86,7 +86,7 @@ class ARack(unittest.TestCase):
     def test_what_a_rack_cannot_be_is_said(self):
         for verb, extra, *words in (
                 ("load", "", "gear2.form", "The verbs gear, pair, contact, outline, export and run",
-                 "teeth = 200", "load cycles"),
+                 "teeth = 200", "docs/spec.md"),
                 ("contact", "[errors]\nhelix_slope2_um = 5\n", "errors.helix_slope2_um", "rack"),
                 ("contact", "[contact.map]\nx = \"crossing_deg\"\nx_range = [-0.1, 0.1]\n"
                  "y = \"center_distance_mm\"\ny_range = [0, 0.1]\n", "contact.map", "two gears"),

@@ -245,7 +245,7 @@ def test_plots(tmp_path):
     assert p.figures[1].save(tmp_path / "whole.dxf").read_bytes().count(b"LWPOLYLINE") >= p.gear2.teeth
     assert figure.save(tmp_path / "error.pdf").read_bytes().startswith(b"%PDF-1.4")
     assert "<style>" in figure.save(tmp_path / "error.svg").read_text(encoding="utf-8")
-    with pytest.raises(ValueError, match="this one has axes"):
+    with pytest.raises(ValueError, match="this figure has axes"):
         figure.save(tmp_path / "error.dxf")
     sliding = {one["name"]: one["points"] for one in p.figures[2].data["curves"]}
     assert len(sliding) == 2 and p.figures[2].plot().get_xlabel().endswith("mm")

@@ -28,7 +28,7 @@ def _value(record: Mapping[str, Any], name: str) -> Any:
 
 
 class Part:
-    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad, and items are by key"""
+    """A part of a drive, for example a body or a mesh. Attributes are in mm and rad; items have the units of their keys"""
 
     def __init__(self, record: Mapping[str, Any]) -> None:
         self._record = dict(record)

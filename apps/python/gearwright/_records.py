@@ -8,7 +8,7 @@ from typing import Any
 
 
 class Record:
-    """Quantities of the catalogue. Attributes are in mm and rad, and items are by key"""
+    """Quantities of the catalogue. Attributes are in mm and rad; items have the units of their keys"""
 
     __slots__ = ("_attributes", "_items", "_keys")
 
