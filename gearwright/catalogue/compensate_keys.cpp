@@ -87,8 +87,8 @@ const KeyTable& compensate_keys() {
                          "the total improvement is less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
-                 "ranges [least, greatest] of up to five errors; the corrections must work at "
-                 "every corner of the ranges")}};
+                 "ranges [least, greatest] of up to five errors; the corrections must hold "
+                 "everywhere within these ranges")}};
   return table;
 }
 
