@@ -73,9 +73,9 @@ const Quantities<std::array<Value, 2>>& two_gears_mm() {
 const Quantities<CrossedPlace>& place_quantities() {
   using P = CrossedPlace;
   return define("place", [](Quantities<P>& q) {
-    q.term("center_distance_mm", "free of backlash", &P::center_distance);
-    q.term("shaft_angle_deg", "there", &P::shaft_angle);
-    q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle);
+    q.term("center_distance_mm", "without backlash", &P::center_distance);
+    q.term("shaft_angle_deg", "in this position", &P::shaft_angle);
+    q.term("working_normal_pressure_angle_deg", "in this position", &P::normal_pressure_angle);
   });
 }
 

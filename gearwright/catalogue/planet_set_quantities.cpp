@@ -92,7 +92,7 @@ const Quantities<PlanetSet>& phasing_quantities() {
        return phases(p.ring_phases);
      }).list({0});
     q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
-             "of a planet [T13.17]", &P::sun_ring_phase);
+             "at the same planet [T13.17]", &P::sun_ring_phase);
     q.record<resultant_quantities>(
          "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
          [](const P& p) -> const auto& { return p.phasing.resultants; })

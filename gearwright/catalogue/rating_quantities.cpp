@@ -181,7 +181,8 @@ void add_inputs(Quantities<V>& q) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
-  q.add(Type::text, "material", "material", "", "name of the material, or kind if there is no name",
+  q.add(Type::text, "material", "material", "",
+        "name of the material, or its kind if it has no name",
         [](const V& v) {
           ValueList names;
           for (const Material& m : v.input.materials)
@@ -265,10 +266,11 @@ void add_spectrum(Quantities<V>& q) {
       .per_gear()
       .digits(3);
   q.under(kSizing);
-  q.number("torque_holding_Nm", "greatest torque", "T_1",
-           "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, "
-           "or with safeties of 1 if these keys are absent; null if there is no such torque",
-           &V::torque_holding);
+  q.number(
+      "torque_holding_Nm", "greatest torque", "T_1",
+      "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
+      "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque",
+      &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width for the same safeties, up to 40 modules; null if there is no such "
            "face width",
