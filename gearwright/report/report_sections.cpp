@@ -228,7 +228,7 @@ std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures) {
   constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
   std::string text = fmt::format(
-      "<p>The results above are those of the whole gears. One gear can move along its axis, so "
+      "<p>The results above are for the whole gears. One gear can move along its axis, so "
       "{}.{}</p>\n",
       shared, pictures.size() == 1 ? fmt::format(" {}", alike) : "");
   for (std::size_t i = 0; i < pictures.size(); ++i)
