@@ -214,7 +214,7 @@ const Quantities<RasterView>& raster_quantities() {
              [](const R& r) { return r.raster->height; });
     q.number("gap_mm", "gap", "",
              "least normal gap during the mesh at each point; null at points that the mating gear "
-             "never passes",
+             "never reaches",
              [](const R& r) {
                ValueList rows;
                for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {

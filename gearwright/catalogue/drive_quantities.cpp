@@ -317,14 +317,14 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
       });
     };
     forces("tangential_force_N", "tangential force", "F_t",
-           "force of one copy of the mesh on its first gear, at the working pitch circle, > 0 "
+           "force on the first gear in one copy of the mesh, at the working pitch circle; > 0 "
            "counter-clockwise seen from +z [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.tangential; });
     forces("separating_force_N", "separating force", "F_r",
-           "radial force of one copy of the mesh on both gears [T13.29]; null without torque_Nm",
+           "radial force on each gear in one copy of the mesh [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.separating; });
     forces("axial_force_N", "axial force", "F_z",
-           "force of one copy of the mesh on its first gear, along +z [T13.29]; null without "
+           "force on the first gear in one copy of the mesh, along +z [T13.29]; null without "
            "torque_Nm",
            [](const MeshForces& f) { return f.axial; });
     q.record<pair_quantities>(

@@ -77,10 +77,11 @@ void add_candidate(Quantities<G>& q) {
   q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
            &G::diametral_pitch);
   q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle);
-  q.term("helix_angle_deg", "> 0 right hand, which is assumed if no reading determines the hand",
+  q.term("helix_angle_deg",
+         "> 0 right hand; a right hand is assumed if no reading determines the hand",
          &G::helix_angle);
   q.number("profile_shift", "profile shift coefficient", "x_E",
-           "profile shift of the actual teeth, which includes the thickness allowance",
+           "profile shift of the actual teeth, including the thickness allowance",
            &G::generating_shift);
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
   q.term(

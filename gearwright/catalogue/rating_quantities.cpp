@@ -76,7 +76,7 @@ const std::vector<FactorEntry>& entries() {
       {kGeneral, "c_prime", "single stiffness", "c'", kStiff, 5, of_stiffness<&Stiffness::c_prime>},
       {kGeneral, "c_gamma_alpha", "mesh stiffness", "c_γα", kStiff, 5,
        of_stiffness<&Stiffness::c_gamma_alpha>},
-      {kGeneral, "c_gamma_beta", "mesh stiffness, for the face load", "c_γβ", kStiff, 5,
+      {kGeneral, "c_gamma_beta", "mesh stiffness for the face load factor", "c_γβ", kStiff, 5,
        of_stiffness<&Stiffness::c_gamma_beta>},
       {kGeneral, "m_red", "reduced mass", "m_red", Unit::kg_per_mm, 5, maybe<&R::m_red>},
       {kGeneral, "n_E1_rpm", "resonance speed of the pinion", "n_E1", Unit::per_minute, 1,

@@ -276,7 +276,7 @@ const Quantities<SpreadView>& spread_quantities() {
     q.number("greatest", "greatest value of all samples", "", "",
              [](const S& s) { return s.entry->shown(s.spread->greatest); });
     q.add(Type::map, "samples", "samples", "",
-          "sample next to each percentile, with `errors` as in a spec and the increments of the "
+          "sample nearest to each percentile, with `errors` as in a spec and the increments of the "
           "other inputs",
           &S::samples);
   });
