@@ -75,8 +75,8 @@ const char* aim_words(CompensateAim aim) {
       return "The objective is the greatest pressure on the flanks at the worst torque.";
     case CompensateAim::transmission_error: break;
   }
-  return "The objective is the transmission error and, if it is equal, the contact nearest to the "
-         "middle of the flank.";
+  return "The objective is the transmission error and, for equal transmission errors, the contact "
+         "nearest to the middle of the flank.";
 }
 
 // Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
