@@ -24,10 +24,10 @@ constexpr const char* kIntroduction =
     "  gearwright gear pair.toml             diameters, thicknesses, limits of each gear\n"
     "  gearwright pair pair.toml --json      the mounted pair, as JSON\n"
     "  gearwright contact pair.toml          transmission error and contact under [errors]\n"
-    "  gearwright compensate pair.toml       corrections that cancel those errors\n"
+    "  gearwright compensate pair.toml       corrections that cancel the [errors]\n"
     "  gearwright load pair.toml             teeth under torque: sharing, stiffness, stresses\n"
     "  gearwright rate pair.toml             strength by ISO 6336: factors, stresses, safeties\n"
-    "  gearwright measure pair.toml          the calliper's settings\n"
+    "  gearwright measure pair.toml          span, balls, pins, tooth thickness, tolerances\n"
     "  gearwright fit wish.toml              gears for a centre distance and a shaft angle\n"
     "  gearwright search wish.toml --out found  all designs within limits, ranked\n"
     "  gearwright outline pair.toml --gear 1 --points 200 --json\n"
@@ -36,7 +36,7 @@ constexpr const char* kIntroduction =
     "gear\n"
     "  gearwright batch pair specs.jsonl     one spec per line, one answer per line\n"
     "  gearwright verify cases.json          comparison with published numbers\n"
-    "  gearwright schema spec                the JSON Schema of specs, for editors; or of results\n"
+    "  gearwright schema spec                JSON Schema of specs (or of results), for editors\n"
     "  gearwright completion bash            completion for bash, zsh or fish\n\n"
     "A spec is a TOML file. The smallest one is:\n\n"
     "  [gear1]\n"
@@ -124,7 +124,7 @@ void CommandLine::add_run() {
   strict_flag(run, o);
   run->add_option(
       "--only", o.only,
-      fmt::format("Only these files, separated by commas: {}", fmt::join(kRunParts, ", ")));
+      fmt::format("Write only these files, separated by commas: {}", fmt::join(kRunParts, ", ")));
 }
 
 void CommandLine::add_answering() {
@@ -160,8 +160,8 @@ void CommandLine::add_answering() {
                           "(CSV); 9x5 prints 9 points along the profile times 5 along the face");
   measure
       ->add_option("--fillet-points", o.fillet_points,
-                   "With --points: also this number of points along each root fillet, at the same "
-                   "heights")
+                   "With --points, print also this number of points along each root fillet, at the "
+                   "same heights")
       ->needs(points)
       ->check(CLI::Range(2, 1000));
 
@@ -200,22 +200,24 @@ void CommandLine::add_files() {
                     "Workshop drawing with the gear data, one sheet for each gear: .pdf, .svg or "
                     ".dxf");
   files->add_option("--rexs", o.rexs,
-                    "REXS 1.7, the exchange format of gear units, of a pair or a drive");
-  files->add_option("--sheet", o.sheet, "A4 (default) or A3, of the workshop drawing")
+                    "REXS 1.7 file (exchange format for gear units) of a pair or a drive");
+  files->add_option("--sheet", o.sheet, "Sheet of the workshop drawing: A4 (default) or A3")
       ->check(CLI::IsMember({"A4", "A3"}));
-  files->add_option("--step-schema", o.step_schema, "ap242 (default), or ap214 for older systems")
+  files
+      ->add_option("--step-schema", o.step_schema,
+                   "Schema of the STEP file: ap242 (default), or ap214 for older systems")
       ->check(CLI::IsMember({"ap242", "ap214"}));
   files
       ->add_option("--mesh-tolerance", o.files.mesh_tolerance_mm,
-                   "Greatest distance of the mesh from the exact surface in mm (default 0.005)")
+                   "Greatest distance, in mm, of the mesh from the exact surface (default 0.005)")
       ->check(between(kMeshTolerances));
   files
       ->add_option("--dxf-tolerance", o.files.drawing_tolerance_mm,
-                   "Greatest distance of the arcs in DXF or drawing from the exact outline in mm "
-                   "(default 0.001)")
+                   "Greatest distance, in mm, of the arcs in DXF files and drawings from the exact "
+                   "outline (default 0.001)")
       ->check(between(kDrawingTolerances));
   files->add_flag("--dxf-splines", o.files.drawing_splines,
-                  "Write splines (within 1 nm) instead of arcs to DXF");
+                  "Write splines (exact within 1 nm) instead of arcs to DXF files");
 }
 
 void CommandLine::add_others() {
@@ -227,8 +229,8 @@ void CommandLine::add_others() {
            "gearwright batch pair specs.jsonl > answers.jsonl", [&o] { return batch_verb(o); });
   batch
       ->add_option("VERB", o.words,
-                   fmt::format("{} (default: pair, or gear for a single gear), then a file "
-                               "(default: -, standard input)",
+                   fmt::format("One of the verbs {} (default: pair, or gear for a single gear), "
+                               "then a file (default: -, standard input)",
                                verb_names()))
       ->expected(0, 2);
   batch
@@ -237,7 +239,7 @@ void CommandLine::add_others() {
       ->check(CLI::Range(1, 1024));
 
   CLI::App* import =
-      verb("import", "Print a REXS file as a spec; every verb also reads the file itself",
+      verb("import", "Print a REXS file as a spec; every verb also reads REXS files directly",
            "gearwright import gearbox.rexs > gearbox.toml", [&o] { return import_verb(o); });
   spec_argument(import, o);
 
@@ -328,7 +330,7 @@ int CommandLine::scatter(const Verb& row) const {
   const bool designs = spec && spec->search && !spec->gears[0];
   if (!study.given() && !designs) return answering_verb(row, options_, &*text);
   if (options_.take)
-    return usage("--take is for one pair; search --take N prints the spec of a design");
+    return usage("--take is only for one pair; search --take N prints the spec of a design");
   return run_study_verb(study, *text);
 }
 

@@ -199,9 +199,9 @@ int export_verb(const Options& o) {
     return usage("--rexs writes both gears of a pair; leave out --gear");
   const auto format = sheet_format(o.drawing);
   if (!o.drawing.empty() && !format)
-    return usage("--drawing takes a name that ends in .pdf, .svg or .dxf, and not " + o.drawing);
+    return usage("--drawing needs a file name that ends in .pdf, .svg or .dxf, not " + o.drawing);
   if (const std::string name = collision(o); !name.empty()) {
-    return usage(name + " is given for two files, or is the spec itself");
+    return usage(name + " is the name of two output files or of the spec");
   }
   Door door(o);
   const auto spec = door.read();

@@ -96,7 +96,7 @@ void add_all(Quantities<C>& q) {
      return by_gear(c, 2 * a.radius_convex, 2 * a.radius_concave);
    }).per_gear();
   q.number("rotation2_offset_deg", "rotation of gear 2 at the contact", "",
-           "angle by which gear 2 is ahead when these flanks touch [T7.18]",
+           "angle by which gear 2 is ahead of gear 1 when these flanks touch [T7.18]",
            [](const C& c) {
              const Angle offset = c.contact->at.rotation_offset;
              return (convex_first(c) ? offset : offset / c.pair->gear_ratio()).deg();

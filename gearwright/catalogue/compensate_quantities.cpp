@@ -10,7 +10,7 @@ namespace {
 
 using V = CompensateView;
 
-constexpr const char* kSetting = "Setting of rack F that restores the contact";
+constexpr const char* kSetting = "Rack F setting that restores the contact";
 constexpr const char* kLead = "Lead angle that removes the slope of the transmission error";
 
 const Quantities<Scenario>& scenario_quantities() {
@@ -124,8 +124,9 @@ void add_all(Quantities<V>& q) {
   q.record<scenario_quantities>("scenarios", "each scenario with its scores", &V::scenarios)
       .doors(kJson);
   q.under(kSetting);
-  q.record<setting_quantities>("tool_setting", "setting for racks F and P; null for other gears",
-                               &V::setting);
+  q.record<setting_quantities>(
+      "tool_setting", "setting of rack F for gears cut by racks F and P; null for other gears",
+      &V::setting);
   q.under(kLead);
   q.record<lead_quantities>("lead",
                             "change of the lead for circular-arc pairs; null for involute pairs, "
@@ -150,7 +151,7 @@ const Quantities<FoundCorrection>& correction_quantities() {
     q.text("key", "key of the correction, as in the spec", &C::key);
     q.number("value", "value", "", "in the unit of the correction", &C::value);
     q.text("unit", "unit of the value, spelled as in keys", &C::unit);
-    q.text("spec_key", "key of the corrected spec that contains the correction", &C::spec_key);
+    q.text("spec_key", "key that contains the correction in the corrected spec", &C::spec_key);
     q.flag("at_bound", "at the end of the searched range",
            "true if a greater correction might be better", &C::at_bound);
   });
@@ -174,7 +175,7 @@ const Quantities<LoadedScore>& loaded_score_quantities() {
 const Quantities<ContactScore>& score_quantities() {
   using S = ContactScore;
   return define("compensate score", [](Quantities<S>& q) {
-    q.term("peak_to_peak_arcsec", "greatest of all scenarios; null without contact",
+    q.term("peak_to_peak_arcsec", "greatest value over the scenarios; null without contact",
            [](const S& s) {
              return std::isfinite(s.peak_to_peak.rad()) ? Value(s.peak_to_peak.arcsec()) : Value();
            })
@@ -190,11 +191,12 @@ const Quantities<ContactScore>& score_quantities() {
         .unit(Unit::percent)
         .digits(1);
     q.number("edge_share", "positions with an edge in contact", "",
-             "share of the positions of a pitch at which an edge touches, 0 to 1", &S::edge_share)
+             "share of the positions at which an edge touches, over one pitch, 0 to 1",
+             &S::edge_share)
         .or_null()
         .unit(Unit::percent)
         .digits(1);
-    q.term("contact_lost", "somewhere", &S::lost).doors(kJson);
+    q.term("contact_lost", "true if no teeth touch at some position", &S::lost).doors(kJson);
   });
 }
 

@@ -124,7 +124,7 @@ void add_position(Quantities<P>& q) {
   q.number("rack_angle_deg", "normal angle of the rack", "θ",
            "of the rack that cut gear 1, at the point of contact; equal to α_n on an involute",
            &P::rack_angle);
-  q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; 0 and k2 for a line, null at an edge or a ridge",
+  q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; k1 = 0 for a line; null at an edge or a ridge",
          &P::gap_curvature)
       .list({2});
   q.record<ellipse_quantities>("ellipse",
@@ -214,7 +214,7 @@ const Quantities<RasterView>& raster_quantities() {
              [](const R& r) { return r.raster->height; });
     q.number("gap_mm", "gap", "",
              "least normal gap during the mesh at each point; null at points that the mating gear "
-             "never passes",
+             "never reaches",
              [](const R& r) {
                ValueList rows;
                for (std::size_t i = 0; i < r.raster->diameter.size(); ++i) {
@@ -347,8 +347,8 @@ void add_all(Quantities<V>& q) {
       .when([](const V& v) { return v.halves.empty(); })
       .doors(kJson);
   q.number("axial_float_um", "axial movement of the floating gear", "Δz",
-           "movement of gear 1 along its axis relative to gear 2 at each position, by which the "
-           "halves of a double-helical pair share the load; null without contact [T8.27]",
+           "axial movement of gear 1 relative to gear 2 at each position; it makes both halves of "
+           "a double-helical pair share the load; null without contact [T8.27]",
            [](const V& v) {
              ValueList list;
              for (const double mm : *v.float_axial)
@@ -365,7 +365,7 @@ void add_all(Quantities<V>& q) {
   q.record<contact_quantities>(
        "halves",
        "contact of each half of a double-helical pair, first at z > 0, then at z < 0; all other "
-       "numbers describe the whole gears, whose positions contain no point of contact",
+       "numbers describe the whole gears, and `positions` then contains no point of contact",
        &V::halves)
       .list({2})
       .when([](const V& v) { return !v.halves.empty(); })

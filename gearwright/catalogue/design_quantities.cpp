@@ -45,7 +45,7 @@ const Quantities<V>& region_quantities() {
   return define("search.designs region", [](Quantities<V>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
           "counter-clockwise, each {constraint, points}; a straight edge has two points (x1, x2), "
-          "a curve 25 or more",
+          "a curve has 25 or more",
           [](const V& v) { return v.edges(); })
         .list({0})
         .when([](const V& v) { return static_cast<bool>(v.edges); });
@@ -177,9 +177,9 @@ void add_limits(Quantities<V>& q) {
       .greater_first()
       .digits(kFewDigits);
   q.number("form_clearance_path_mm", "form clearance along the line of action", "",
-           "distance of the tip of the mating gear from the start of the flank of gear 1 and of "
-           "gear 2; negative for interference; null for an internal gear, because the start of its "
-           "flank depends on the cutter",
+           "per gear, distance from the start of its flank to the tip of the mating gear; negative "
+           "for interference; null for an internal gear, because the start of its flank depends on "
+           "the cutter",
            [](const V& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")
@@ -234,13 +234,13 @@ void add_strength(Quantities<V>& q) {
   const auto weighed = [](const V& v) { return v.problem->weighs(); };
   const auto wide = [](const V& v) { return v.problem->weighs() || v.problem->sizes_faces(); };
   q.number("face_width_mm", "face width", "b",
-           "width of both gears; only if safeties, masses or a band of widths are requested",
+           "common width of both gears; only if safeties, masses or a band of widths are requested",
            [wide](const V& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
-           "mass of full cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
+           "mass of solid cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
            "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
            "search or with `objective` = `mass` or `cost`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
@@ -251,7 +251,7 @@ void add_strength(Quantities<V>& q) {
 
 void add_ranks(Quantities<V>& q) {
   q.term("efficiency",
-         "with gear 1 driving and friction of the flanks alone [T4.27]; only with "
+         "with gear 1 driving and with flank friction only [T4.27]; only with "
          "`friction_coefficient` or `objective` = `efficiency`; null if the contact ratio is less "
          "than 1 or gear 1 cannot drive",
          [](const V& v) { return v.row->efficiency; })
@@ -259,16 +259,17 @@ void add_ranks(Quantities<V>& q) {
       .when([](const V& v) { return v.problem->flank_friction().has_value(); })
       .greater_first()
       .digits(5);
-  q.number("balance", "balance of the load reserves", "R_max/R_min",
-           "greatest divided by least load reserve of the flanks, (S_H/S_Hmin)², and of the roots "
-           "of both gears, S_F/S_Fmin [T9.17]; only with `objective` = `balance`",
-           [](const V& v) { return load_balance(*v.problem, *v.row); })
+  q.number(
+       "balance", "balance of the load reserves", "R_max/R_min",
+       "greatest load reserve divided by the least; the reserves are (S_H/S_Hmin)² for the flanks "
+       "and S_F/S_Fmin for the root of each gear [T9.17]; only with `objective` = `balance`",
+       [](const V& v) { return load_balance(*v.problem, *v.row); })
       .column("balance")
       .when([](const V& v) { return v.problem->ranks_by(Objective::balance); })
       .digits(kFewDigits);
   q.number("relative_cost", "relative cost", "",
-           "mass in kg times (b/d_1)^`cost_exponent` [T9.18], to compare designs of one kind; only "
-           "with `objective` = `cost`",
+           "mass in kg times (b/d_1)^`cost_exponent` [T9.18], for comparisons of designs of one "
+           "kind; only with `objective` = `cost`",
            [](const V& v) { return relative_cost(*v.problem, *v.row); })
       .or_null()
       .column("relative_cost")
@@ -299,7 +300,7 @@ void add_all(Quantities<V>& q) {
                                                              // region is a line
   q.record<region_quantities>("region", "profile shifts that satisfy every limit").doors(kJson);
   q.add(Type::map, "objective", "objective", "",
-        "value of the criterion, or one value for each criterion", objective)
+        "value of the objective, or one value for each of several objectives", objective)
       .doors(kJson);
 }
 

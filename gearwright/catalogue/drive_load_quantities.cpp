@@ -59,7 +59,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
              "distance from the axis of the carrier; null if no body floats",
              [](const V& v) { return micrometres(v.shares->greatest_displacement()); });
     q.number("displacement_x_um", "displacement of the floating body", "",
-             "at each position, in the frame of the carrier, towards the first planet",
+             "component towards the first planet at each position, in the frame of the carrier",
              [](const V& v) -> Value {
                if (!v.shares->floating) return {};
                ValueList list;
@@ -69,7 +69,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
         .list({0})
         .doors(kJson);
     q.number("displacement_y_um", "displacement of the floating body", "",
-             "at each position, in the frame of the carrier, 90° counter-clockwise from x",
+             "component 90° counter-clockwise from x at each position, in the frame of the carrier",
              [](const V& v) -> Value {
                if (!v.shares->floating) return {};
                ValueList list;
@@ -113,7 +113,7 @@ const Quantities<Drive>& drive_load_quantities() {
              [](const Drive& d) { return Angle::radians(d.loaded->error.peak_to_peak).arcsec(); })
         .unit(Unit::arcsec);
     q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
-             "value in `transmission_error`",
+             "peak-to-peak value of `transmission_error`",
              [](const Drive& d) -> Value {
                if (!d.error) return {};
                return Angle::radians(d.error->peak_to_peak).arcsec();
@@ -127,7 +127,7 @@ const Quantities<Drive>& drive_load_quantities() {
              "greatest value over all sets [T13.26]; null without planets", mesh_load_factor)
         .doors(kJson);
     q.number("rated_mesh_load_factor", "mesh load factor of the rating", "K_γ",
-             "`rating.mesh_load_factor`, which the rating uses; null without a rating",
+             "factor that the rating uses, from `rating.mesh_load_factor`; null without a rating",
              rated_mesh_load_factor);
     q.record<planet_share_quantities>("sets", "shares of the planets of each set",
                                       [](const Drive& d) {

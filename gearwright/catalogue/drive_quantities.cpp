@@ -130,7 +130,7 @@ void add_power(Quantities<Drive>& q) {
          "with tooth losses and the input driving; 0 if the drive is self-locking [T13.9]",
          [](const Drive& d) { return efficiency_of(d.flow); });
   q.number("efficiency_backward", "efficiency, output driving", "η",
-           "0 if the drive is self-locking",
+           "0 if the output cannot drive the input",
            [](const Drive& d) { return efficiency_of(d.backward); });
   q.add(Type::flag, "self_locking", "self-locking", "", "true if the input cannot drive the output",
         [](const Drive& d) { return locks(d.flow); });
@@ -172,9 +172,9 @@ void add_all(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]; null with several inputs, redundant meshes or, in a mesh "
-      "that moves the output, no geometry, lost contact, several pinions on one rack, an error of "
-      "the teeth of a rack, or a measured gear that is loaded on the flank without readings",
+      "modifications and no [errors]. It is null with several inputs or redundant meshes, or if a "
+      "mesh that moves the output has no geometry, loses contact, has several pinions on one rack, "
+      "has an error of the rack teeth, or loads a measured gear on the flank without readings",
       &Drive::error);
   q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`")
       .when([](const Drive& d) { return d.loaded.has_value(); })
@@ -254,16 +254,16 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
       });
     };
     forces("radial_force_N", "radial force of the teeth", "F_r",
-           "resultant of all meshes of the body, for planets of one planet [T13.31]; null without "
-           "torque_Nm",
+           "resultant of all meshes of the body; for planets, value of one planet [T13.31]; null "
+           "without torque_Nm",
            [](const BodyForces& f) { return f.radial; });
     forces("axial_force_N", "axial force of the teeth", "F_z",
-           "sum over all meshes of the body along +z, for planets of one planet [T13.31]; null "
-           "without torque_Nm",
+           "sum over all meshes of the body along +z; for planets, value of one planet [T13.31]; "
+           "null without torque_Nm",
            [](const BodyForces& f) { return f.axial; });
     forces("tilting_moment_Nm", "tilting moment of the axial forces", "M",
-           "moment of the axial forces of the teeth about an axis across the body, for planets of "
-           "one planet [T13.31]; null without torque_Nm",
+           "moment of the axial forces of the teeth about an axis across the body; for planets, "
+           "value of one planet [T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return newton_metres(f.tilting); });
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
@@ -317,14 +317,14 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
       });
     };
     forces("tangential_force_N", "tangential force", "F_t",
-           "force of one copy of the mesh on its first gear, at the working pitch circle, > 0 "
+           "force on the first gear in one copy of the mesh, at the working pitch circle; > 0 "
            "counter-clockwise seen from +z [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.tangential; });
     forces("separating_force_N", "separating force", "F_r",
-           "radial force of one copy of the mesh on both gears [T13.29]; null without torque_Nm",
+           "radial force on each gear in one copy of the mesh [T13.29]; null without torque_Nm",
            [](const MeshForces& f) { return f.separating; });
     forces("axial_force_N", "axial force", "F_z",
-           "force of one copy of the mesh on its first gear, along +z [T13.29]; null without "
+           "force on the first gear in one copy of the mesh, along +z [T13.29]; null without "
            "torque_Nm",
            [](const MeshForces& f) { return f.axial; });
     q.record<pair_quantities>(
@@ -332,12 +332,12 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
          [](const V& v) -> const auto& { return v.drive->geometry.pairs[v.mesh]; })
         .doors(kJson);
     q.record<rack_pair_quantities>(
-         "rack_pair", "the pinion and its rack as mounted; only of a mesh with a rack",
+         "rack_pair", "the pinion and its rack as mounted; only for a mesh with a rack",
          [](const V& v) -> const auto& { return v.drive->geometry.racks[v.mesh]; })
         .when([](const V& v) { return v.drive->geometry.racks[v.mesh].has_value(); })
         .doors(kJson);
     q.record<rating_quantities>(
-         "rating", "rating of one copy of the mesh; only with the verb rate; null without power",
+         "rating", "rating of one copy of the mesh; only with the verb `rate`; null without power",
          rating_of)
         .when([](const V& v) { return !v.drive->ratings.empty(); })
         .doors(kJson);

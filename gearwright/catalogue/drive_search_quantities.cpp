@@ -63,17 +63,18 @@ void add_found(Quantities<F>& q) {
   q.number("efficiency", "efficiency", "η", "efficiency with the input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });
   q.number("efficiency_backward", "efficiency, output driving", "η",
-           "0 if the drive is self-locking",
+           "0 if the output cannot drive the input",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
            "variation of the elastic rotation of the output under load, peak to peak, divided by "
-           "this rotation [T13.33], for perfect teeth with the same stiffness per length of the "
-           "contact line; if there is no geometry, gears without profile shift and with the face "
-           "width 10 m_n are assumed; only with `objective` = `noise`",
+           "this rotation [T13.33], for perfect teeth with a constant stiffness per length of the "
+           "contact line. Without geometry, no profile shift and a face width of 10 m_n are "
+           "assumed; only with `objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
-           "diameter over the planets and over the root circles of the rings, without the rims of "
-           "the rings and without profile shifts; for a train, sum of the centre distances",
+           "greatest of the diameters over the planets, over the suns and over the root circles of "
+           "the rings, without profile shifts and without the rims of the rings; for a train, sum "
+           "of the centre distances",
            [](const F& f) { return f.candidate.size; });
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
@@ -126,13 +127,14 @@ void add_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
   q.word("kind", "kind", "kind of the drives",
          [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
-  q.add(Type::index, "tested", "tested", "", "number of sets of tooth numbers and planets",
+  q.add(Type::index, "tested", "tested", "",
+        "number of tested sets, each with its tooth numbers and number of planets",
         [](const S& s) { return s.result->tested; });
   q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
         [](const S& s) { return s.result->found.size(); });
   q.add(Type::map, "rejected", "rejected", "",
         "number of sets that each limit ruled out; a set counts for the first limit that rules it "
-        "out, in the order `ratio`, `assembly`, `neighbours`, `phasing`",
+        "out, in the order `ratio`, `assembly`, `neighbours`, `phasing`, `size`",
         [](const S& s) { return counts(kDriveLimitNames, s.result->rejected); })
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
@@ -140,8 +142,8 @@ void add_search(Quantities<DriveSearchView>& q) {
         "until the list is long enough",
         [](const S& s) { return s.designs->computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
-        "number of feasible trains that were not computed, because by an estimate from 64 rated "
-        "trains of the same module they cannot have the required safeties",
+        "number of feasible trains that were not computed, because an estimate from 64 rated "
+        "trains of the same module shows that they cannot have the required safeties",
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of other feasible sets that were not computed, because at most 20 000 sets of each "
@@ -164,8 +166,8 @@ void add_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives in order, the best first, at most the number of `--top`; all have a green verdict, "
-       "and their numbers equal the results of the verb drive",
+       "drives, the best first, at most as many as `--top` gives; all have a green verdict, and "
+       "their numbers equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);
 }

@@ -19,11 +19,12 @@ const Quantities<BranchView>& branch_quantities() {
     q.add(Type::map, "spec", "spec", "", "the complete spec of this branch", &B::spec)
         .always()
         .doors(kJson);
-    q.term("transverse_contact_ratio", "for a design with few teeth", &B::transverse_contact_ratio)
+    q.term("transverse_contact_ratio", "only for a design with few teeth",
+           &B::transverse_contact_ratio)
         .when([](const B& b) { return b.transverse_contact_ratio.has_value(); });
     q.text("refused",
-           "reason why the verb pair rejects the teeth of this branch, although its line of action "
-           "is correct; absent if the verb pair accepts the branch",
+           "reason why the verb `pair` rejects the teeth of this branch, although its line of "
+           "action is correct; absent if `pair` accepts the branch",
            &B::refused)
         .when([](const B& b) { return b.refused.has_value(); });
   });

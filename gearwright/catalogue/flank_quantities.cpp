@@ -88,7 +88,8 @@ const Quantities<EvaluationRanges>& range_quantities() {
     add_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
     add_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
     q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
-             "by ISO 1328-1: the usable profile without 5 % at its tip [T10.23]", &R::profile)
+             "by ISO 1328-1: the usable profile without the 5 % next to its tip [T10.23]",
+             &R::profile)
         .ends();
     q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",
              "from the middle of the face, without 5 % of the face or one module at each end, "

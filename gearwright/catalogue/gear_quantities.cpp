@@ -317,7 +317,7 @@ const Quantities<Gear>& gear_quantities() { return define<add_all>("gear"); }
 
 const Quantities<Warning>& warning_quantities() {
   return define("warning", [](Quantities<Warning>& q) {
-    q.text("code", "code for programs, which never changes",
+    q.text("code", "code for programs; it never changes",
            [](const Warning& w) { return to_string(w.code); });
     q.text("message", "sentence for users", &Warning::message);
     q.term("gear", "number of the gear, 1 or 2; null for the pair or the spec",

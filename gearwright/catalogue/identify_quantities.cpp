@@ -38,19 +38,19 @@ const Quantities<G>& drawing_quantities() {
            [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
         .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
     q.term("profile_shift",
-           "part of x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if the allowance is then usual and "
-           "agrees with the tip; otherwise computed from the tip, or x_E if the tip does not "
-           "determine it",
+           "x in x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if this gives a usual allowance and "
+           "agrees with the tip; otherwise the profile shift by the tip, or x_E if the tip does "
+           "not determine x",
            &G::profile_shift);
     q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
-             "allowance on the normal tooth thickness, which includes wear of the flanks",
+             "allowance of the normal tooth thickness, including wear of the flanks",
              &G::thickness_allowance);
     q.number("nominal_tip_diameter_mm", "nominal tip diameter", "d_a",
              "tip diameter that the rack and the profile shift give", &G::nominal_tip_diameter);
     q.number("root_diameter_mm", "root diameter", "d_f", "as cut by the rack", &G::root_diameter);
     q.word("tip", "tip",
            "the measured tip in comparison with the nominal tip; `tip_diameter_mm` is the measured "
-           "value if it is longer or shortened; null if the tip was not measured",
+           "value if the tip is longer or shortened; null if the tip was not measured",
            tip_word)
         .one_of({"as_drawn", "worn", "shortened", "longer"});
   });
@@ -68,25 +68,29 @@ const char* series_word(const G& g) {
 
 void add_candidate(Quantities<G>& q) {
   q.term("teeth", "as given", &G::teeth);
-  q.term("normal_module_mm", "`none` if the module is not in a series", &G::normal_module);
+  q.term("normal_module_mm",
+         "module of the series, or computed from the base pitch if `module_series` is `none`",
+         &G::normal_module);
   q.word("module_series", "series of the module", "`none` if the module is not in a series",
          series_word)
       .one_of({"ISO54-I", "ISO54-II", "diametral_pitch", "none"});
   q.number("normal_diametral_pitch_per_in", "diametral pitch", "P_nd", "null for a metric gear",
            &G::diametral_pitch);
   q.term("normal_pressure_angle_deg", "", &G::normal_pressure_angle);
-  q.term("helix_angle_deg", "> 0 right hand, which is assumed if no reading determines the hand",
+  q.term("helix_angle_deg",
+         "> 0 right hand; a right hand is assumed if no reading determines the hand",
          &G::helix_angle);
   q.number("profile_shift", "profile shift coefficient", "x_E",
-           "profile shift of the actual teeth, which includes the thickness allowance",
+           "profile shift of the actual teeth, including the thickness allowance",
            &G::generating_shift);
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
-  q.term("tip_diameter_mm",
-         "the measured value if it is longer than the nominal tip of `drawing`, or shorter by more "
-         "than 0.1 m_n; otherwise the nominal tip, because a worn tip is shorter",
-         &G::tip_diameter);
+  q.term(
+      "tip_diameter_mm",
+      "the measured value if the tip is longer than the nominal tip of `drawing`, or if its radius "
+      "is shorter by more than 0.1 m_n; otherwise the nominal tip, because wear shortens a tip",
+      &G::tip_diameter);
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
-           "profile shift computed from the measured tip and the rack of `drawing`, less if the "
+           "profile shift computed from the measured tip and the rack of `drawing`; too low if the "
            "tip is worn; null if the tip was not measured",
            &G::shift_of_tip);
   q.number("likelihood", "likelihood", "",
@@ -122,7 +126,9 @@ const Quantities<Contradiction>& contradiction_quantities() {
     q.word("reading", "contradictory reading", "the reading that contradicts all others",
            [](const C& c) { return word_of(c.reading); })
         .one_of({"span", "over_balls", "lead", "helix_angle", "tip_diameter", "root_diameter"});
-    q.term("tool", "number of teeth of a span or diameter of the balls; null for other readings",
+    q.term("tool",
+           "for a span, the number of teeth between the anvils; for balls, their diameter; null "
+           "for other readings",
            [](const C& c) { return c.tool > 0.0 ? Value(c.tool) : Value(); });
     q.number("value", "value as read", "", "in `unit`", &C::value);
     q.number("expected", "value predicted by the other readings", "", "in `unit`", &C::expected);
@@ -137,7 +143,8 @@ const Quantities<NextMeasurement>& next_quantities() {
        return word_of(n.reading);
      }).one_of({"span", "over_balls", "helix_angle"});
     q.term("tool",
-           "number of teeth of a span or diameter of the balls; null for other measurements",
+           "for a span, the number of teeth between the anvils; for balls, their diameter; null "
+           "for other measurements",
            [](const N& n) { return n.tool > 0.0 ? Value(n.tool) : Value(); });
     q.number("expect", "value expected for the first and for the other candidate", "", "in `unit`",
              &N::expect)
@@ -152,8 +159,8 @@ const Quantities<Alternative>& alternative_quantities() {
   using A = Alternative;
   return define("identify.alternative", [](Quantities<A>& q) {
     q.word("mistake", "mistake",
-           "`teeth` if the number of teeth is wrong, otherwise the readings that are in the other "
-           "unit of mm and inch",
+           "`teeth` if the number of teeth is wrong; otherwise the readings in the wrong unit, mm "
+           "instead of inch or inch instead of mm",
            [](const A& a) { return word_of(a.mistake); })
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
                  "center_distance"});
@@ -175,10 +182,10 @@ const Quantities<Identification>& identify_quantities() {
         "candidates", "possible gears as tables that a spec can contain, the likeliest first",
         &I::candidates);
     q.under("Contradiction");
-    q.record<contradiction_quantities>(
-        "contradiction",
-        "null if the readings agree; otherwise the candidates are computed from the other readings",
-        &I::contradiction);
+    q.record<contradiction_quantities>("contradiction",
+                                       "reading that contradicts the others; the candidates are "
+                                       "computed without it; null if the readings agree",
+                                       &I::contradiction);
     q.under("Next measurement");
     q.record<next_quantities>("next_measurement",
                               "measurement that distinguishes the candidates best; null if only "

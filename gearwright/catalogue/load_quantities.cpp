@@ -60,13 +60,12 @@ void add_position(Quantities<P>& q) {
             "numbers of a position are null if no teeth touch or the forces do not converge",
             &LoadedPosition::te)
       .words("loaded transmission error");
-  q.number(
-       "approach_um", "approach under load", "Θ r_b2",
-       "approach of the flanks from the first contact without load, along the line of action "
-       "in the transverse section or, for point contact, along the normals; the approach "
-       "includes deflections of the flanks and the twist of the bodies, but no displacement of the "
-       "axes by their shafts",
-       [](const P& p) { return p.position->approach * kUmPerMm; })
+  q.number("approach_um", "approach under load", "Θ r_b2",
+           "approach of the flanks from the first contact without load, along the line of action "
+           "in the transverse section or, for point contact, along the normals; it includes "
+           "deflection of the flanks and twist of the bodies, but no displacement of the axes by "
+           "deflection of the shafts",
+           [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
   q.number("share", "load shares", "",
            "share of each loaded tooth pair, with the pair nearest to its exit last; for point "
@@ -174,22 +173,20 @@ void add_torque(Quantities<T>& q) {
               &LoadedTorque::max_root_stress)
       .per_gear();
   of_torque
-      .number(
-          "least_root_stress_MPa", "lower end of the root stress range", "",
-          "least principal stress over all positions at the place of the greatest stress, which "
-          "is the lower end of the stress range; the fillet is compressed while neighbouring "
-          "teeth carry load",
-          &LoadedTorque::least_at_max)
+      .number("least_root_stress_MPa", "lower end of the root stress range", "",
+              "least principal stress over all positions at the place of the greatest stress; the "
+              "fillet is compressed while neighbouring teeth carry load",
+              &LoadedTorque::least_at_max)
       .per_gear();
   q.number("nominal_root_stress_MPa", "nominal root stress by ISO 6336-3", "σ_F0",
-           "F_t/(b m_n) Y_F Y_S Y_β of 2006, method B, for solid rims, per gear",
+           "F_t/(b m_n) Y_F Y_S Y_β of the 2006 edition, method B, for solid rims, per gear",
            [](const T& t) { return has_nominal(t) ? Value(*t.standard->root_stress) : Value(); })
       .per_gear()
       .when(has_nominal);
   q.number("root_stress_over_nominal", "greatest root stress divided by the nominal root stress",
            "",
-           "for the nominal stress of the standard, one tooth pair carries the whole load at the "
-           "outer point of single contact",
+           "the nominal stress assumes that one tooth pair carries the whole load at the outer "
+           "point of single contact",
            [](const T& t) {
              if (!has_nominal(t)) return Value();
              const auto& nominal = *t.standard->root_stress;
@@ -200,7 +197,7 @@ void add_torque(Quantities<T>& q) {
       .when(has_nominal);
   of_torque
       .term("face_load_factor",
-            "maximum load along the face divided by its mean, averaged over the positions",
+            "maximum load along the face divided by the mean load, averaged over the positions",
             &LoadedTorque::face_load_factor)
       .when(on_lines);
   q.number("shaft_slope_um", "deflection of the shafts, linear along the face", "S",

@@ -190,11 +190,13 @@ void add_measure(Quantities<GearMeasures>& q) {
        "spans", "all spans that can be measured, but at most 31 around the usual span", &M::spans)
       .doors(kJson);
   q.under(kBalls);
-  q.record<ball_quantities>("over_balls", "null if no ball can be measured", &M::balls);
+  q.record<ball_quantities>("over_balls", "null if no measurement over balls is possible",
+                            &M::balls);
   q.under(kPins);
-  q.record<pin_quantities>("over_pins", "null if no pin can be measured", &M::pins);
+  q.record<pin_quantities>("over_pins", "null if no measurement over pins is possible", &M::pins);
   q.under(kSizes);
-  q.record<size_quantities>("ball_sizes", "null if no ball can be measured", &M::sizes);
+  q.record<size_quantities>("ball_sizes", "null if no measurement over balls is possible",
+                            &M::sizes);
   q.under(kChord);
   q.record<chord_quantities>("chordal_thickness",
                              "including the thickness allowance; null if there is no chord",

@@ -23,8 +23,8 @@ constexpr std::string_view kTwoHalves =
     "is not allowed; describe a double-helical gear by the table [gear1.double_helical], for "
     "example with gap_mm = 0. In this case helix_angle_deg is the angle of the half at z > 0";
 constexpr std::string_view kModuleInInch =
-    "is not a key, because modules are in mm; give normal_diametral_pitch_per_in, 1 divided by the "
-    "normal module in inch";
+    "is not a key, because modules are in mm; give normal_diametral_pitch_per_in, which is 1 "
+    "divided by the normal module in inch";
 constexpr std::string_view kUnits =
     "is not a key; give units = \"inch\" at the top of the spec, before the first table, to have "
     "the "
@@ -68,8 +68,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"*.normal_module_in", "", kModuleInInch},
     {"*.transverse_module_in", "", kModuleInInch},
     {"*.transverse_diametral_pitch_per_in", "",
-     "is not a key; give normal_diametral_pitch_per_in, the transverse diametral pitch divided by "
-     "cos β, or transverse_module_mm, 25.4 divided by the transverse diametral pitch"},
+     "is not a key; give normal_diametral_pitch_per_in (the transverse diametral pitch divided by "
+     "cos β) or transverse_module_mm (25.4 divided by the transverse diametral pitch)"},
     {"search.power_kW", "",
      "is not a key of [search]; give the load of the designs in the table [rating], with power_kW, "
      "speed_rpm and material"},

@@ -73,9 +73,9 @@ const Quantities<std::array<Value, 2>>& two_gears_mm() {
 const Quantities<CrossedPlace>& place_quantities() {
   using P = CrossedPlace;
   return define("place", [](Quantities<P>& q) {
-    q.term("center_distance_mm", "free of backlash", &P::center_distance);
-    q.term("shaft_angle_deg", "there", &P::shaft_angle);
-    q.term("working_normal_pressure_angle_deg", "there", &P::normal_pressure_angle);
+    q.term("center_distance_mm", "without backlash", &P::center_distance);
+    q.term("shaft_angle_deg", "in this position", &P::shaft_angle);
+    q.term("working_normal_pressure_angle_deg", "in this position", &P::normal_pressure_angle);
   });
 }
 
@@ -299,7 +299,7 @@ const Quantities<InternalMargins>& internal_quantities() {
 const Quantities<InterferenceView>& interference_quantities() {
   using I = InterferenceView;
   return define("pair.interference", [](Quantities<I>& q) {
-    q.text("code", "code for programs, which never changes",
+    q.text("code", "code for programs; it never changes",
            [](const I& i) { return to_string(i.code); });
     q.term("gear", "gear whose root or tip is affected; null if both gears are affected",
            [](const I& i) { return i.gear ? Value(i.gear) : Value(); });
@@ -326,7 +326,7 @@ const Quantities<Collision>& collision_quantities() {
     const auto at = [](auto get) {
       return [get](const S& s) { return s.touch ? std::optional(get(*s.touch)) : std::nullopt; };
     };
-    q.text("cause", "code for programs, which never changes",
+    q.text("cause", "code for programs; it never changes",
            [](const S& s) { return to_string(s.cause); });
     q.term("gear",
            "gear with the affected root or the projecting tip; null if both gears are affected",

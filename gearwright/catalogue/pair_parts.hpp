@@ -53,7 +53,7 @@ void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
   of_efficiency
       .template record<efficiency_quantities>(
           "efficiency",
-          "efficiency with friction of the flanks alone [T4.27], if all tooth pairs in contact "
+          "efficiency with flank friction only [T4.27]; all tooth pairs in contact are assumed to "
           "carry equal parts of a constant normal force; null without `friction_coefficient`, or "
           "if `contact_ratio_true` is less than 1",
           std::identity{})

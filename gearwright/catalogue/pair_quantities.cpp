@@ -160,11 +160,10 @@ void add_crossed(Quantities<V>& all) {
       .per_gear()
       .when([](const V& v) { return v.mounted().crossed_inside(); });
   all.under(kContact);
-  q.number(
-       "line_offset_mm", "offset of the line of action", "z_L",
-       "distance of the leading line of action from the centre line along the teeth of the rack "
-       "[T4.18]; the trailing line is at −z_L",
-       [](const CrossedPair& p) { return p.mesh.line_offset; })
+  q.number("line_offset_mm", "offset of the line of action", "z_L",
+           "distance from the centre line to the leading line of action, along the teeth of the "
+           "rack [T4.18]; the trailing line is at −z_L",
+           [](const CrossedPair& p) { return p.mesh.line_offset; })
       .doors(kJson)
       .when(is<InvolutePair>);
   all.under("Minimum centre distance, free of backlash");
@@ -184,7 +183,7 @@ void add_contact(Quantities<V>& q) {
   auto of_involutes = q.part(as<InvolutePair>);
   auto of_crossed = q.part(as<CrossedPair>);
   q.term("contact_ratio",
-         "ε_α + ε_β, for crossed axes AE/p_bn, for circular arcs ε_β times the number of contact "
+         "ε_α + ε_β; for crossed axes, AE/p_bn; for circular arcs, ε_β times the number of contact "
          "points per tooth; 0 if the teeth do not touch",
          &V::contact_ratio)
       .shown([](const V& v) { return !is<CrossedPair>(v); });
@@ -199,7 +198,7 @@ void add_contact(Quantities<V>& q) {
               &CrossedPair::contact_ratio_true)
       .doors(kPeople);
   q.term("transverse_contact_ratio",
-         "from tip form circle to tip form circle; null on crossed axes",
+         "for the path between the tip form circles of the two gears; null on crossed axes",
          by_kind([](const ParallelPair& p) { return Value(p.transverse_contact_ratio()); },
                  [](const CrossedPair&) { return Value(); },
                  [](const ArcPair&) { return Value(0.0); }))
@@ -251,10 +250,10 @@ void add_contact(Quantities<V>& q) {
   of_involutes.record<path_quantities>("path", "points of the path of contact").doors(kJson).when();
   q.record<collision_quantities>(
        "overlap",
-       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]; on "
-       "crossed axes overlaps of tips and roots [T4.33], with an internal gear also of tip corners "
-       "and flanks; null if not computed (circular arcs of unequal lead, internal gear without a "
-       "given cutter)",
+       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]. On "
+       "crossed axes, these are overlaps of tips and roots [T4.33] and, with an internal gear, "
+       "also of tip corners and flanks. It is null if not computed (circular arcs of unequal lead, "
+       "internal gear without a given cutter)",
        [](const V& v) -> const auto& { return v.mounted().overlap; })
       .list({0})
       .doors(kJson);

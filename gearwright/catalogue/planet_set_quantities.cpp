@@ -12,7 +12,7 @@ const Quantities<Resultant>& resultant_quantities() {
   using R = Resultant;
   return define("drive.phasing.resultant", [](Quantities<R>& q) {
     q.number("torque", "torque and axial force", "R_k",
-             "remaining share of harmonic k in the sum over all planets [T13.18]", &R::torque);
+             "share of harmonic k that remains in the sum over all planets [T13.18]", &R::torque);
     q.number("force_forward", "transverse force that turns with the sun", "F_k^+", "[T13.18]",
              &R::force_forward);
     q.number("force_backward", "transverse force that turns against the sun", "F_k^-", "[T13.18]",
@@ -92,9 +92,10 @@ const Quantities<PlanetSet>& phasing_quantities() {
        return phases(p.ring_phases);
      }).list({0});
     q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
-             "of a planet [T13.17]", &P::sun_ring_phase);
+             "at the same planet [T13.17]", &P::sun_ring_phase);
     q.record<resultant_quantities>(
-         "resultants", "remaining share of harmonics 1, 2, … [T13.18]",
+         "resultants",
+         "shares of harmonics 1, 2, … that remain in the sum over all planets [T13.18]",
          [](const P& p) -> const auto& { return p.phasing.resultants; })
         .doors(kJson);
   });

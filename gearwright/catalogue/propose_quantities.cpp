@@ -76,7 +76,7 @@ const Quantities<Proposal>& proposal_quantities() {
     q.record<loaded_score_quantities>(
         "at_helix_limits",
         "worst values over the torques and both signs of `helix_deviation_um`, which is added to "
-        "the deflection slope; 16 positions; null without tolerances",
+        "the deflection slope, at 16 positions; null without tolerances",
         &P::at_limits);
     q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
         .always();

@@ -114,7 +114,7 @@ const Quantities<RackGeometry>& rack_quantities() {
            [](const R&) { return "rack"; })
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "number of teeth of the rack; null if the rack is as long as required",
+    q.term("teeth", "number of teeth of the rack; null for a rack of unlimited length",
            [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",
@@ -125,8 +125,7 @@ const Quantities<RackGeometry>& rack_quantities() {
     q.number("transverse_pitch_mm", "transverse pitch", "p_t",
              "in the direction of travel, π m_n/cos β", &R::transverse_pitch);
     q.number("length_mm", "length", "",
-             "length n p_t, with half a tooth space at both ends; null without `teeth`",
-             &R::length);
+             "length n p_t, with half a tooth space at each end; null without `teeth`", &R::length);
     q.number("height_mm", "height", "", "height from the back of the rack to the datum line",
              &R::height);
     q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum);

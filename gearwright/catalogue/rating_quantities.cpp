@@ -76,7 +76,7 @@ const std::vector<FactorEntry>& entries() {
       {kGeneral, "c_prime", "single stiffness", "c'", kStiff, 5, of_stiffness<&Stiffness::c_prime>},
       {kGeneral, "c_gamma_alpha", "mesh stiffness", "c_γα", kStiff, 5,
        of_stiffness<&Stiffness::c_gamma_alpha>},
-      {kGeneral, "c_gamma_beta", "mesh stiffness, for the face load", "c_γβ", kStiff, 5,
+      {kGeneral, "c_gamma_beta", "mesh stiffness for the face load factor", "c_γβ", kStiff, 5,
        of_stiffness<&Stiffness::c_gamma_beta>},
       {kGeneral, "m_red", "reduced mass", "m_red", Unit::kg_per_mm, 5, maybe<&R::m_red>},
       {kGeneral, "n_E1_rpm", "resonance speed of the pinion", "n_E1", Unit::per_minute, 1,
@@ -181,7 +181,8 @@ void add_inputs(Quantities<V>& q) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
-  q.add(Type::text, "material", "material", "", "name of the material, or kind if there is no name",
+  q.add(Type::text, "material", "material", "",
+        "name of the material, or its kind if it has no name",
         [](const V& v) {
           ValueList names;
           for (const Material& m : v.input.materials)
@@ -265,10 +266,11 @@ void add_spectrum(Quantities<V>& q) {
       .per_gear()
       .digits(3);
   q.under(kSizing);
-  q.number("torque_holding_Nm", "greatest torque", "T_1",
-           "greatest torque on gear 1 with the safeties `safety_flank_min` and `safety_root_min`, "
-           "or with safeties of 1 if these keys are absent; null if there is no such torque",
-           &V::torque_holding);
+  q.number(
+      "torque_holding_Nm", "greatest torque", "T_1",
+      "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
+      "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque",
+      &V::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width for the same safeties, up to 40 modules; null if there is no such "
            "face width",

@@ -21,7 +21,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "third harmonic of the transmission error"},
        Q::harmonic3},
       {{"mean_arcsec", "transmission error, mean", Unit::arcsec, 2,
-        "mean of the transmission error, which includes the play but does not affect noise"},
+        "mean transmission error; it includes the play and does not affect noise"},
        Q::mean},
       {{"contact_along_face", "contact along the face", Unit::none, 4,
         "mean position of the contact along the face, −1 to 1 [T8.24]"},
@@ -30,7 +30,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "mean position of the contact along the profile [T8.24]; null for involute pairs"},
        Q::along_profile},
       {{"edge_share", "positions with an edge in contact", Unit::none, 4,
-        "share of the positions of a pitch at which an edge touches, 0 to 1"},
+        "share of the positions at which an edge touches, over one pitch, 0 to 1"},
        Q::edge_share},
       {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
         "least play of gear 2 from contact on one flank to contact on the other flank; < 0 if the "
@@ -42,7 +42,8 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        Q::long_period},
       {{"tip_clearance1_mm", "tip clearance of gear 1", Unit::mm, 4,
         "clearance between the tip of gear 1 and the root of gear 2, as in `pair`; null on crossed "
-        "axes, for circular-arc teeth and if teeth without a closed form vary [T14.31]"},
+        "axes, for circular-arc teeth, and if the tooth thickness varies and no closed form exists "
+        "[T14.31]"},
        Q::tip_clearance1},
       {{"tip_clearance2_mm", "tip clearance of gear 2", Unit::mm, 4,
         "clearance between the tip of gear 2 and the root of gear 1, as in `pair` [T14.31]"},

@@ -14,7 +14,7 @@ const std::array<LoadedEntry, 3>& loaded_entries() {
         "greatest pressure of the flanks over the positions"},
        &L::max_pressure},
       {{"face_load_factor", "face load factor", Unit::none, 3,
-        "maximum load along the face divided by its mean; null for point contact"},
+        "maximum load along the face divided by the mean load; null for point contact"},
        &L::face_load_factor},
   }};
   return entries;

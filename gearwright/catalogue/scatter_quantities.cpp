@@ -85,7 +85,7 @@ const Quantities<WorstView>& worst_quantities() {
     q.number("value", "worst value", "", "in the unit of its key",
              [](const W& w) { return w.entry->shown(w.worst->value); });
     q.add(Type::map, "at", "values of the inputs", "",
-          "value of each input at the worst place, in its unit", &W::at);
+          "inputs that give the worst value, each in its unit", &W::at);
     q.flag("corner", "corner", "true if every input is at an end of its range",
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
@@ -276,7 +276,7 @@ const Quantities<SpreadView>& spread_quantities() {
     q.number("greatest", "greatest value of all samples", "", "",
              [](const S& s) { return s.entry->shown(s.spread->greatest); });
     q.add(Type::map, "samples", "samples", "",
-          "sample next to each percentile, with `errors` as in a spec and the increments of the "
+          "sample nearest to each percentile, with `errors` as in a spec and the increments of the "
           "other inputs",
           &S::samples);
   });

@@ -26,7 +26,7 @@ const Quantities<NearestChange>& change_quantities() {
   return define("search.changes", [](Quantities<C>& q) {
     q.text("key", "key of the spec", [](const C& c) { return spelled_change(c).key; });
     q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; });
-    q.text("to", "value with which a design exists",
+    q.text("to", "value for which a design is feasible",
            [](const C& c) { return spelled_change(c).to; });
     q.number("effort", "effort", "", "effort of the change, by which the changes are ordered",
              &C::effort);
@@ -53,7 +53,7 @@ const Quantities<SearchProblem>& margin_quantities() {
              [](const P& p) { return p.limits.safety_root; })
         .when([](const P& p) { return p.limits.safety_root.has_value(); });
     const auto drawn = [](const P& p) { return static_cast<bool>(p.draw); };
-    q.word("mounting", "mounting", "limits of the drawing; only for designs that are drawn",
+    q.word("mounting", "mounting", "mounting of the drawn designs; only if designs are drawn",
            [](const P& p) { return p.mounting == Mounting::tight ? "tight" : "extended"; })
         .one_of({"extended", "tight"})
         .when(drawn);
@@ -102,8 +102,8 @@ void add_search(Quantities<SearchView>& q) {
   q.add(Type::map, "rejected", "rejected", "",
         "number of trials that each limit ruled out. A trial counts for the first limit that "
         "leaves no profile shift, in the order `shift_limits`, `center_distance`, `contact_ratio`, "
-        "`overlap_ratio`, `sliding`, `tip_clearance`, `interference`, for a rated search "
-        "`safety_flank` and `safety_root`, and for drawn designs `verdict`. A trial without a "
+        "`overlap_ratio`, `sliding`, `tip_clearance`, `interference`, then `safety_flank` and "
+        "`safety_root` for a rated search, and `verdict` for drawn designs. A trial without a "
         "working pressure angle counts for `contact_ratio`",
         [](const S& s) {
           ValueMap map;
@@ -117,20 +117,20 @@ void add_search(Quantities<SearchView>& q) {
       .always();
   q.number("face_load_factor", "face load factor", "K_Hβ",
            "default of rated searches; only if `[rating]` has neither `face_load_factor` nor "
-           "`[rating.mounting]`. For a taken pair, `[rating.mounting]`, `[gear1.shaft]` and "
-           "`[gear2.shaft]` are ways to compute the factor",
+           "`[rating.mounting]`. After a design is taken, `[rating.mounting]`, `[gear1.shaft]` and "
+           "`[gear2.shaft]` can give the factor",
            [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
-  count("points_tested", "number of points on the grid of `shift_step`",
+  count("points_tested", "number of tested points on the grid of `shift_step`",
         &SearchCounts::points_tested)
       .when(grid);
-  count("points_feasible", "number of points on the grid of `shift_step`",
+  count("points_feasible", "number of feasible points on the grid of `shift_step`",
         &SearchCounts::points_feasible)
       .when(grid);
   q.record<change_quantities>(
        "changes",
-       "changes of a single limit with which designs exist, the smallest change first; only if no "
-       "design is feasible, and for at most 2 million trials",
+       "changes of a single limit that would make a design feasible, the smallest change first; "
+       "only if no design is feasible, and for at most 2 million trials",
        &S::changes)
       .list({0})
       .always()
@@ -148,7 +148,7 @@ void add_search(Quantities<SearchView>& q) {
         [](const S& s) { return s.answer->pareto; })
       .doors(kJson);
   q.record<design_quantities>(
-      "designs", "feasible designs, the best first, at most 100 000 or the number of `--top`",
+      "designs", "feasible designs, the best first, at most 100 000, or as many as `--top` gives",
       [](const S&) { return ValueList(); });
 }
 

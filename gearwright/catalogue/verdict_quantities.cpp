@@ -76,7 +76,8 @@ const Quantities<Finding>& finding_quantities() {
     q.add(Type::map, "change", "change", "",
           "keys of the spec that the remedy sets, with their values", change_of);
     q.add(Type::map, "values", "values", "",
-          "the number that is too small and its limit, under keys with units", values_of);
+          "numbers of the finding, for example a clearance and its limit, under keys with units",
+          values_of);
   });
 }
 
@@ -97,8 +98,7 @@ const Quantities<Verdict>& verdict_quantities() {
         &V::findings);
     q.add(Type::text, "not_judged", "not judged", "",
           "parts of the spec that this verb did not compute: `pair`, `contact`, `load`, `rating`, "
-          "or in "
-          "a drive the rating of a mesh that ISO 6336 does not cover",
+          "or, in a drive, the rating of a mesh that ISO 6336 does not cover",
           &V::not_judged);
   });
 }

@@ -100,7 +100,7 @@ std::optional<Figure> loaded_te_figure(const LoadScene& scene) {
 
 std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves) {
   Figure f{.id = "compared-te",
-           .title = "Loaded transmission error before and after",
+           .title = "Loaded transmission error before and after modification",
            .description =
                "Transmission error relative to its mean over the rotation of gear 1, as given and "
                "with modifications.",

@@ -31,8 +31,9 @@ std::string contact_words(const ContactResult& contact) {
     text += "The contact is always inside the flanks, and no edge carries load.";
     const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
     if (ridges > 0.0)
-      text += fmt::format(" During {:.0f} % of the rotation they touch at the start of a relief.",
-                          std::max(1.0, 100 * ridges));
+      text +=
+          fmt::format(" During {:.0f} % of the rotation the flanks touch at the start of a relief.",
+                      std::max(1.0, 100 * ridges));
     return text;
   }
   return text + fmt::format(

@@ -202,7 +202,7 @@ std::string halves_of(const ContactReport& report, UnitSystem units) {
   for (const ContactReport& half : report.halves)
     pictures.push_back(pattern_part(half, units) + gap_part(half, units));
   return halves_part(
-      "both halves transmit the same torque, and the transmission error is the mean of both",
+      "both halves transmit the same torque, and the transmission error is the mean of both halves",
       "The halves are mirror images of each other, so they touch at mirrored places.", pictures);
 }
 

@@ -242,7 +242,7 @@ std::string drive_foot(const DriveReportInput& input) {
       "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
       "the given racks and pinion cutters. Lengths are in {} and angles in degrees; “{}” means "
       "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
-      "are positive where power enters the drive. Of the power losses, only those of the teeth are "
+      "are positive where power enters the drive. Only the power losses of the teeth are "
       "considered.</p>\n</footer>\n",
       input.version.empty() ? std::string() : " " + escaped(input.version), to_string(input.units),
       kNoValue);

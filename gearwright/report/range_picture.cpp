@@ -195,7 +195,7 @@ std::string min_distance_table(const CrossedPair& pair, UnitSystem units) {
   });
   if (one) {
     return "<p>The profile shifts of the teeth as cut add up to zero, so the least centre distance "
-           "is that of the reference cylinders, and every approximation gives this value.</p>\n";
+           "is the reference centre distance, and every approximation gives this value.</p>\n";
   }
   std::vector<std::vector<std::string>> rows{table_row(pair, "Exact", exact, units)};
   for (const Approximation& a : all)

@@ -75,8 +75,8 @@ const char* aim_words(CompensateAim aim) {
       return "The objective is the greatest pressure on the flanks at the worst torque.";
     case CompensateAim::transmission_error: break;
   }
-  return "The objective is the transmission error and, if it is equal, the contact nearest to the "
-         "middle of the flank.";
+  return "The objective is the transmission error and, for equal transmission errors, the contact "
+         "nearest to the middle of the flank.";
 }
 
 // Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
@@ -228,7 +228,7 @@ std::string halves_part(std::string_view shared, std::string_view alike,
                         const std::vector<std::string>& pictures) {
   constexpr std::array kNames{"Half at z &gt; 0", "Half at z &lt; 0"};
   std::string text = fmt::format(
-      "<p>The results above are those of the whole gears. One gear can move along its axis, so "
+      "<p>The results above are for the whole gears. One gear can move along its axis, so "
       "{}.{}</p>\n",
       shared, pictures.size() == 1 ? fmt::format(" {}", alike) : "");
   for (std::size_t i = 0; i < pictures.size(); ++i)

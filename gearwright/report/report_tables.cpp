@@ -120,7 +120,7 @@ std::vector<TextGroup> gear_groups(UnitSystem units, const std::vector<const Gea
 // A sentence for a pair without interference. It states what was checked.
 std::string no_collision_text(const InvolutePair& p) {
   if (p.overlap && p.crossed_inside()) {
-    return "<p>There is no interference of tips. They keep clear of roots, fillets and flanks. "
+    return "<p>There is no interference of tips. The tips keep clear of roots, fillets and flanks. "
            "Whether the flanks overlap beside the line of action depends on the lead "
            "crowning.</p>\n";
   }

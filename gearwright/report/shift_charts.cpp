@@ -80,7 +80,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
        .title = "Limits of the profile shift",
        .description =
            "For each number of teeth, the profile shift below which gears are undercut, and the "
-           "profile shifts at which tips are pointed, 0.2 and 0.4 modules thick.",
+           "profile shifts at which tips are pointed or 0.2 or 0.4 modules thick.",
        .caption = {},
        .x = {},
        .y = {.words = "profile shift",
@@ -131,8 +131,8 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
   f.caption = fmt::format(
       " of the rack of gear 1{}. Below the line “undercut”, the cutter undercuts the root. On the "
       "line “pointed”, the tooth ends in a point. Above the lines “tip 0.2” and “tip 0.4”, the tip "
-      "is thinner than 0.2 and 0.4 modules. Each of these lines meets the line “undercut” at the "
-      "least number of teeth that can be made{}{}.{}",
+      "is thinner than 0.2 and 0.4 modules, respectively. Each of these lines meets the line "
+      "“undercut” at the least number of teeth that can be made{}{}.{}",
       helix_words(trial), fewest.empty() ? "" : ": ", fewest,
       design != nullptr ? " The rings mark the best design." : "");
   return figure_html(f);

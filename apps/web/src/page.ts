@@ -229,7 +229,7 @@ export class Page {
       await navigator.clipboard.writeText(location.href);
       this.notify("The address is copied. It contains the whole design.");
     } catch {
-      this.notify("The address of this page contains the whole design. Copy it from the address line.");
+      this.notify("The address of this page contains the whole design. Copy the address from the address bar.");
     }
   }
 

@@ -116,8 +116,8 @@ export class Tabs {
     this.spinner.hidden = !working || (shown !== "" && !stale);
     this.kept.hidden = stale !== "kept";
     this.kept.textContent = bench.fault
-      ? "This shows the last valid spec."
-      : "This shows an earlier spec.";
+      ? "The view shows the last valid spec."
+      : "The view shows an earlier spec.";
   }
 
   open(id: string): void {

@@ -19,7 +19,7 @@ const kNeeds = {
   keys: ["load.torque_Nm"],
   without: "The spec has no torque.",
   alone: "An analysis under load needs a second gear.",
-  offer: "Load sharing, deflection and stress of the teeth under a torque:",
+  offer: "Load sharing, deflection and stress of the teeth. An analysis under load needs:",
   go: "Apply this load",
   panel: [
     {

@@ -106,7 +106,7 @@ export class ScatterView implements Tab {
     fill(
       this.sentence,
       highest
-        ? `The transmission error, peak to peak, of ${highest.percent} % of the pairs is at most ${fixed(highest.arcsec, 2)}″.`
+        ? `The peak-to-peak transmission error of ${highest.percent} % of the pairs is at most ${fixed(highest.arcsec, 2)}″.`
         : "Contact is lost in every pair.",
     );
     const others = found.percentiles.slice(0, -1).map((p) => `${p.percent} %: ${fixed(p.arcsec, 2)}″`);
