@@ -33,6 +33,21 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
 
+/// The material that a pinion cutter removes from the tip of an internal gear beyond the generated
+/// flank.
+struct InfeedCut {
+  double arc;  ///< mm, at the tip form circle, from each flank; ≤ 0 if the cutter trims nothing
+  double distance;  ///< e  mm, centre distance at which the cutter removes it
+};
+/// The trimming in radial infeed, where the rolling cutter approaches the generating distance from
+/// the axis of the gear.
+///
+/// Formula   [T6.18], over all points of the cutter above its root fillet
+/// Domain    both teeth have an outline, the ring is internal (contract)
+/// None      if no point of the cutter has a limiting position before it reaches E
+std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const GeneratedTooth& ring,
+                                    double distance);
+
 // The default pinion cutter of an internal gear, which is used if the drawing names no cutter.
 //
 // A drawing of an internal gear gives tip, root and thickness of the teeth. It seldom gives the

@@ -139,8 +139,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
      "internal pairs: the pinion can be mounted axially only [T2.28]; when mounted, nothing "
-     "collides",
-     "the pinion cannot be mounted radially", "", kGearUnnamed},
+     "collides; `cut_by`: the cutter removes the tips of an internal gear in radial infeed [T6.18]",
+     "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
     {C::form_margin, "form_margin", kCaution,
