@@ -275,11 +275,13 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::span_off_flank, "span_off_flank", kNote,
      "verb measure: the contacts of the given span lie off the usable flank"},
     {C::span_off_face, "span_off_face", kNote,
-     "verb measure: the face is too narrow for both anvils"},
+     "verb measure: the face is too narrow for both anvils, or the anvils rest on less of the "
+     "flank than measuring practice requires [T10.36]"},
     {C::ball_off_flank, "ball_off_flank", kNote,
      "verb measure: the contacts of the given balls lie off the usable flank"},
     {C::pin_off_flank, "pin_off_flank", kNote,
-     "verb measure: the contacts of the given pins lie off the usable flank"},
+     "verb measure: the contacts of the given pins lie off the usable flank, or those of two pins "
+     "that may tilt lie off the face"},
     {C::tolerances_out_of_range, "tolerances_out_of_range", kNote,
      "verb measure: the gear is outside the range of sizes of ISO 1328-1"},
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,

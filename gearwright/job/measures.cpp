@@ -88,7 +88,7 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   if (nominal.balls) tools.ball_diameter = nominal.balls->seat.ball_diameter;
   if (nominal.pins) tools.pin_diameter = nominal.pins->seat.ball_diameter;
   if (nominal.chord) tools.chord_diameter = nominal.chord->diameter;
-  if (!nominal.pins || !nominal.pins->reading.two_free) tools.pin_diameter.reset();
+  if (!nominal.pins || !nominal.pins->reading.three) tools.pin_diameter.reset();
   std::vector<Warning> ignored;
   auto found = measured(job, end, static_cast<int>(i) + 1, tools, end.pair, ignored);
   if (!found) return {};
