@@ -301,6 +301,16 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
   return arrange(given, nominal.pair ? Scope::pair : Scope::gears);
 }
 
+std::vector<Arranged> arranged_corners(const Arranged& nominal) {
+  const std::vector<TolerancedNumber> tolerances = tolerances_of(nominal);
+  std::vector<Arranged> corners;
+  if (tolerances.size() < 2) return corners;  // the corners of one tolerance are its ends
+  for (const ToleranceCorner& corner : corners_of(tolerances))
+    if (auto there = at_corner(nominal, tolerances, corner))
+      corners.push_back(std::move(there).take());
+  return corners;
+}
+
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner) {
   std::vector<std::string> list;
