@@ -30,7 +30,8 @@ Result<GivenPair> with_allowances(const GivenPair& given);
 ///           diameter is outside the table of fits
 std::optional<Error> apply_tip_fits(Arranged& nominal);
 
-/// Gears and pair at both ends. None if there are no tolerances.
+/// Gears and pair at both ends. `nominal.given` is the unchanged input. None if there are no
+/// tolerances.
 ///
 /// Errors    as arrange() for the gears at one end; `pair.backlash` if the tolerance of the centre
 ///           distance alone changes the backlash by more than the given range of the backlash;

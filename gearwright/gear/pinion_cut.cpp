@@ -49,6 +49,11 @@ double base_distance(const Gear& cutter, int teeth) {
 
 }  // namespace
 
+double shift_of_allowance(const Gear& cutter, double allowance) {
+  return allowance /
+         (2.0 * cutter.spec.normal_module * std::tan(cutter.spec.normal_pressure_angle.rad()));
+}
+
 std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   const int z_0 = cutter.spec.teeth;
   if (teeth == 0)
@@ -138,7 +143,8 @@ std::optional<int> largest_clear_cutter(const Gear& cutter, const Gear& ring) {
           *cutter.spec.tip_diameter - (cutter.spec.teeth - z_0) * cutter.transverse_module;
     const auto smaller = make_gear(c);
     if (!smaller || !smaller->exists() || smaller->pointed()) continue;
-    const auto e = generating_distance(*smaller, ring.spec.teeth, ring.spec.profile_shift);
+    const auto e =
+        generating_distance(*smaller, ring.spec.teeth, ring.reference().generating_profile_shift);
     if (!e || trims(infeed_cut(*smaller->tooth, *ring.tooth, *e), c.normal_module)) continue;
     const PinionMotion motion{z_0, ring.spec.teeth, *e};
     const auto tooth = cut_by_pinion(*smaller->tooth, motion, ring.tip_diameter / 2);
@@ -182,8 +188,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   CylindricalSpec spec = cutter.spec;
   spec.teeth = wanted.teeth;
   if (wanted.teeth > 0) spec.helix_angle = Angle::degrees(0.0 - cutter.spec.helix_angle.deg());
-  spec.profile_shift = shift_at(cutter, wanted.teeth, std::sqrt((e - r) * (e + r)) / r);
-  spec.thickness_allowance = 0.0;
+  spec.thickness_allowance = wanted.thickness_allowance;
+  const double x_E = shift_at(cutter, wanted.teeth, std::sqrt((e - r) * (e + r)) / r);
+  spec.profile_shift = wanted.profile_shift.value_or(x_E);
   spec.face_width = wanted.face_width;
   spec.root_fillet.reset();
   spec.tip_fillet.reset();

@@ -11,15 +11,20 @@
 namespace gearwright {
 
 struct PinionCutSpec {
-  int teeth = 0;                       ///< z, negative for an internal gear
-  double distance = 0.0;               ///< E  mm
-  double face_width = 0.0;             ///< b  mm
-  std::optional<double> tip_diameter;  ///< d_a  mm; by default determined by the cutter's root
+  int teeth = 0;                          ///< z, negative for an internal gear
+  double distance = 0.0;                  ///< E  mm
+  double face_width = 0.0;                ///< b  mm
+  std::optional<double> tip_diameter;     ///< d_a  mm; by default determined by the cutter's root
+  double thickness_allowance = 0.0;       ///< E_sn  mm
+  std::optional<double> profile_shift{};  ///< x, if E belongs to x_E of this shift and allowance
 };
 
 /// The reason why no distance exists at which the cutter can cut a gear with this number of teeth;
 /// empty if there is one.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
+
+/// The part of x_E that belongs to a thickness allowance E_sn, mm: E_sn/(2 m_n tan α_n).
+double shift_of_allowance(const Gear& cutter, double allowance);
 
 /// The generating centre distance that gives the gear the profile shift x.
 ///
