@@ -150,11 +150,11 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   auto nominal = arrange_nominal(*allowed, scope);
   if (!nominal) return nominal;
   Arranged arranged = std::move(nominal).take();
+  arranged.given = std::make_shared<const GivenPair>(given);
   if (auto error = apply_tip_fits(arranged)) return *error;
   auto ends = arrange_ends(arranged, scope);
   if (!ends) return ends.error();
   arranged.ends = std::move(ends).take();
-  arranged.given = std::make_shared<const GivenPair>(given);
   return arranged;
 }
 

@@ -12,6 +12,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kSameTip = 1e-9;  // mm; a smaller difference of tip diameters is rounding
+
 // Checks that the cutters given by `cut_by` are possible.
 std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
@@ -106,6 +108,37 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
   return generating_distance(cutter, z, -x_0);
 }
 
+// Makes the gear at the generating distance that follows from its profile shift. A gear with its
+// own cutter and a thickness allowance is made at the distance that gives x_E.
+Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec spec) {
+  auto nominal = make_pinion_cut_gear(cutter, spec);
+  const double allowance = gear.cylindrical.thickness_allowance;
+  if (!nominal || gear.cut_by->gear != 0 || allowance == 0.0) return nominal;
+  spec.thickness_allowance = allowance;
+  spec.profile_shift = gear.profile_shift.value_or(nominal->spec.profile_shift);
+  const auto e = generating_distance(cutter, spec.teeth,
+                                     *spec.profile_shift + shift_of_allowance(cutter, allowance));
+  if (!e) return e.error();
+  spec.distance = *e;
+  return make_pinion_cut_gear(cutter, spec);
+}
+
+// Adds a note if the root of a cutter that is not the mating gear determines the tip, because no
+// tip diameter is given.
+void note_default_tip(Gear& made, const GearInput& gear) {
+  const double usual =
+      made.reference_diameter + made.side() * 2 * made.spec.normal_module *
+                                    (addendum_of(gear.cylindrical.rack) + made.spec.profile_shift);
+  const double longer = made.side() * (made.tip_diameter - usual);
+  if (gear.cut_by->gear != 0 || gear.cylindrical.tip_diameter || !(longer > kSameTip)) return;
+  made.warnings.push_back(
+      {WarningCode::tip_cut_by_rack,
+       fmt::format("`tip_diameter` is not given, so the tip diameter is {:.4f} mm, to which the "
+                   "root of the cutter cuts. Usual cutters do not cut the tip; the usual tip "
+                   "diameter of this gear is {:.4f} mm.",
+                   made.tip_diameter, usual)});
+}
+
 std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made) {
   GearInput& gear = given.gear(which);
   CutByInput& cut = *gear.cut_by;
@@ -128,8 +161,8 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
       gear.face_width_given ? gear.cylindrical.face_width : 10 * cutter.spec.normal_module;
   const bool by_distance =
       cut.gear != 0 && given.pair.center_distance && !cut.profile_shift_pair && !gear.profile_shift;
-  auto result = make_pinion_cut_gear(
-      cutter, {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
+  auto result = made_at(cutter, gear,
+                        {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
   if (!result) {
     const Error& error = result.error();
     if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
@@ -140,11 +173,12 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
         "the centre distance is also the generating distance of the cut gear: " + error.rule};
   }
   if (auto error = check_agreement(gear, *result, which)) return error;
-  gear.cylindrical = result->spec;
+  Gear& cut_gear = made[static_cast<std::size_t>(which - 1)].emplace(std::move(result).take());
+  note_default_tip(cut_gear, gear);
+  gear.cylindrical = cut_gear.spec;
   gear.helix_given = true;
-  gear.profile_shift = result->spec.profile_shift;
+  gear.profile_shift = cut_gear.spec.profile_shift;
   if (cut.gear != 0 && !given.pair.center_distance) given.pair.center_distance = *distance;
-  made[static_cast<std::size_t>(which - 1)] = std::move(result).take();
   return std::nullopt;
 }
 

@@ -74,13 +74,17 @@ class Measuring {
         warn(WarningCode::no_span,
              "No span can be measured, because for every number of teeth the contacts lie off the "
              "usable flank or the face.");
+      note_narrow_face(m);
       return std::nullopt;
     }
     const auto asked = span_over(gear_, *input_.span_teeth);
     if (!asked) return within(gear_field(which_, "measure"), asked.error());
     const std::optional<Span> usual = m.span;
     m.span = *asked;
-    if (asked->usable()) return std::nullopt;
+    if (asked->usable()) {
+      note_narrow_face(m);
+      return std::nullopt;
+    }
     const std::string instead =
         usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
@@ -98,6 +102,26 @@ class Measuring {
                usual ? fmt::format("; over {} teeth they lie within the face", usual->teeth) : ""));
     }
     return std::nullopt;
+  }
+
+  // Adds a note if the anvils would rest on less of a helical flank than measuring practice
+  // requires.
+  void note_narrow_face(const GearMeasures& m) {
+    const double b = gear_.spec.face_width;
+    if (!m.span || m.span->min_face_width == 0.0 || practical_face_width(gear_, *m.span) <= b)
+      return;
+    std::optional<Span> enough;
+    for (const Span& s : m.spans)
+      if (s.teeth < m.span->teeth && practical_face_width(gear_, s) <= b) enough = s;
+    warn(WarningCode::span_off_face,
+         fmt::format(
+             "In a span over {} teeth, the contacts overlap the face by only {:.3f} mm. Measuring "
+             "practice requires a face width of {:.2f} mm, but the face width is {} mm.{}",
+             m.span->teeth, b - m.span->min_face_width, practical_face_width(gear_, *m.span),
+             format_number(b),
+             enough ? fmt::format(" Over {} teeth, {:.2f} mm are enough.", enough->teeth,
+                                  practical_face_width(gear_, *enough))
+                    : " Measure over balls."));
   }
 
   // The seat of a ball of the given diameter. If no diameter is given, the ball has the standard
@@ -152,6 +176,14 @@ class Measuring {
     const BallSeat& seat = found ? **found : m.balls->seat;
     m.pins = PinMeasure{seat, over_pins(gear_, seat)};
     if (asked) warn_off_flank(seat, WarningCode::pin_off_flank, "pins");
+    if (const PinReading& r = m.pins->reading; r.two_free_face && !r.two_free)
+      warn(WarningCode::pin_off_flank,
+           fmt::format("There is no dimension over two pins of {} mm that may tilt, because their "
+                       "contacts need a face width of {} mm, but the face width is {} mm. Measure "
+                       "over balls, or between parallel anvils.",
+                       format_number(seat.ball_diameter),
+                       format_number(*r.two_free_face, gear_.spec.face_width),
+                       format_number(gear_.spec.face_width)));
     return std::nullopt;
   }
 

@@ -99,6 +99,13 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
+// Lets the cutter end the teeth again if it does so on the nominal gear, because its distance
+// depends on the thickness allowance.
+void follow_cutter(const Arranged& nominal, std::size_t i, GearInput& gear) {
+  if (gear.cut_by && !nominal.given->gears[i]->cylindrical.tip_diameter)
+    gear.cylindrical.tip_diameter.reset();
+}
+
 // The input at one end. End 0 has the thinnest and shortest teeth and the most backlash. End 1 has
 // the thickest and longest teeth and the least backlash.
 GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<Ends>& deviations) {
@@ -106,6 +113,7 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
     GearInput& gear = *given.gears[i];
     if (gear.allowance_ends) gear.cylindrical.thickness_allowance = (*gear.allowance_ends)[end];
+    follow_cutter(nominal, i, gear);
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
@@ -158,8 +166,8 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     };
     const ToleranceInput& tolerance = gear->tolerance;
     const char* const key = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
-    if (gear->cut_by)
-      return no(key, "follows from the cutter, which determines the tooth thickness; leave it out");
+    if (gear->cut_by && gear->cut_by->gear != 0)
+      return no(key, "follows from the mating gear, which cuts this gear; leave it out");
     if (gear->basic)
       return no(key, "cannot be combined with `basic`, which gives the tooth thickness");
     if (!nominal) {
@@ -238,9 +246,8 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // If a gear has a pinion cutter or a given base cylinder, the tooth thickness has no tolerance,
-    // because the cutter or the base cylinder determines it.
-    if (nominal.completed.gears[i]->cut_by || nominal.completed.gears[i]->basic) continue;
+    // A given base cylinder determines the tooth thickness, which then has no tolerance.
+    if (nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);
   }
@@ -276,6 +283,7 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
     GearInput& gear = *given.gears[i];
     gear.allowance_ends.reset();
     gear.tolerance = {};
+    follow_cutter(nominal, i, gear);
     if (nominal.gears[i].involute() && !gear.cut_by) {
       gear.profile_shift = nominal.gears[i].spec.profile_shift;
       gear.cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
@@ -299,6 +307,16 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
     }
   }
   return arrange(given, nominal.pair ? Scope::pair : Scope::gears);
+}
+
+std::vector<Arranged> arranged_corners(const Arranged& nominal) {
+  const std::vector<TolerancedNumber> tolerances = tolerances_of(nominal);
+  std::vector<Arranged> corners;
+  if (tolerances.size() < 2) return corners;  // the corners of one tolerance are its ends
+  for (const ToleranceCorner& corner : corners_of(tolerances))
+    if (auto there = at_corner(nominal, tolerances, corner))
+      corners.push_back(std::move(there).take());
+  return corners;
 }
 
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,

@@ -2,8 +2,9 @@
 // combination of the ends.
 //
 // Within the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
-// safeties are monotonic in each toleranced number. The worst value of each quantity therefore
-// occurs at a combination of ends. Such a combination is called a corner.
+// safeties are monotonic in each toleranced number. The least and the greatest value of each
+// quantity therefore occur at a combination of ends. Such a combination is called a corner. The tip
+// of a thin tooth with a great tip diameter, for example, is thinner than at both ends.
 // Internal to arrange/.
 #pragma once
 
@@ -29,7 +30,8 @@ Result<GivenPair> with_allowances(const GivenPair& given);
 ///           diameter is outside the table of fits
 std::optional<Error> apply_tip_fits(Arranged& nominal);
 
-/// Gears and pair at both ends. None if there are no tolerances.
+/// Gears and pair at both ends. `nominal.given` is the unchanged input. None if there are no
+/// tolerances.
 ///
 /// Errors    as arrange() for the gears at one end; `pair.backlash` if the tolerance of the centre
 ///           distance alone changes the backlash by more than the given range of the backlash;
@@ -54,6 +56,10 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
 /// The gears and the pair at one corner.   Errors  as arrange()
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
+
+/// The gears and the pair at the corners that can be arranged; empty for a single tolerance, whose
+/// corners are its ends.
+std::vector<Arranged> arranged_corners(const Arranged& nominal);
 
 /// A corner in words, for example "At a centre distance of 59.985 mm and a thickness allowance of
 /// −0.02 mm on gear 1".

@@ -90,10 +90,14 @@ const Quantities<PinMeasure>& pin_quantities() {
     q.number("pin_diameter_mm", "diameter of the pins", "D_M",
              "as given, or the diameter of the balls",
              [](const P& p) { return p.seat.ball_diameter; });
-    q.number(
-        "two_free_mm", "dimension over two pins that may tilt", "M_dR",
-        "least dimension, as measured by a micrometer [T10.9]; null for an internal helical gear",
-        [](const P& p) { return p.reading.two_free; });
+    q.number("two_free_mm", "dimension over two pins that may tilt", "M_dR",
+             "least dimension, as measured by a micrometer [T10.9]; null for an internal helical "
+             "gear and "
+             "for a face that is narrower than `two_free_face_width_mm`",
+             [](const P& p) { return p.reading.two_free; });
+    q.number("two_free_face_width_mm", "required face width of two pins that may tilt", "",
+             "least face width that includes all contacts of these pins [T10.35]",
+             [](const P& p) { return p.reading.two_free_face; });
     q.number("three_mm", "dimension over two pins between parallel anvils", "M_dR",
              "for helical gears also the dimension over three pins [T10.10]; for spur gears equal "
              "to the dimension over two pins; null for an internal helical gear",

@@ -1,13 +1,16 @@
 #include "gearwright/gear/pinion_cut.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/generation/cut_by_pinion.hpp"
 #include "gearwright/math/involute.hpp"
+#include "gearwright/math/lowest.hpp"
 
 namespace gearwright {
 
@@ -46,6 +49,11 @@ double base_distance(const Gear& cutter, int teeth) {
 
 }  // namespace
 
+double shift_of_allowance(const Gear& cutter, double allowance) {
+  return allowance /
+         (2.0 * cutter.spec.normal_module * std::tan(cutter.spec.normal_pressure_angle.rad()));
+}
+
 std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   const int z_0 = cutter.spec.teeth;
   if (teeth == 0)
@@ -78,6 +86,95 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
   return r / std::cos(inverse_involute(inv_w));
 }
 
+std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const GeneratedTooth& ring,
+                                    double distance) {
+  GW_EXPECTS(ring.outline.teeth < 0 && !ring.outline.arcs.empty());
+  const Arc* const flank = ring.outline.find(ArcName::flank);
+  if (!flank) return std::nullopt;
+  const Vec2& tip = flank->end_point;
+  const double r = tip.norm();
+  const double space = kPi / -ring.outline.teeth - std::atan2(tip.y(), tip.x());
+  const double q = static_cast<double>(cutter.outline.teeth) / -ring.outline.teeth;
+  std::optional<InfeedCut> most;
+  // The point p of the cutter cuts most at the turn φ − θ of the cutter, and at the polar angle ψ
+  // of the ring.
+  const auto cut_by_point = [&](const Vec2& p) -> std::optional<InfeedCut> {
+    const double rho = p.norm(), R = q * r / rho;
+    if (R >= 1.0) return std::nullopt;
+    const double phi = std::asin(std::sqrt((1.0 - R * R) / (1.0 - q * q)));
+    const double psi = std::asin(std::min(1.0, rho * std::sin(phi) / r));
+    const double e = r * std::cos(psi) - rho * std::cos(phi);
+    if (e >= distance) return std::nullopt;
+    return InfeedCut{r * (psi - space - q * (phi - std::atan2(p.y(), p.x()))), e};
+  };
+  for (const Arc& arc : cutter.outline.arcs) {
+    if (arc.name != ArcName::flank && arc.name != ArcName::tip_fillet) continue;
+    const auto left = [&](double u) {
+      const auto cut = cut_by_point(arc.point(u));
+      return cut ? -cut->arc : std::numeric_limits<double>::max();
+    };
+    for (const double u : {place_of_least(left, 0.0, 1.0), 1.0}) {
+      const auto cut = cut_by_point(arc.point(u));
+      if (cut && (!most || cut->arc > most->arc)) most = cut;
+    }
+  }
+  return most;
+}
+
+namespace {
+
+constexpr double kTrimmed = 1e-6;  // modules; less than any shaping machine reproduces
+
+bool trims(const std::optional<InfeedCut>& cut, double module) {
+  return cut && cut->arc > kTrimmed * module;
+}
+
+// The greatest number of teeth of a similar cutter that generates the whole flank of this internal
+// gear and does not trim it. The similar cutter has the same rack, profile shift and height of its
+// tip. None if there is no such cutter with fewer teeth, or if the teeth of the cutter are not cut
+// by a rack alone.
+std::optional<int> largest_clear_cutter(const Gear& cutter, const Gear& ring) {
+  if (cutter.cut_by || cutter.spec.root_fillet || cutter.spec.tip_fillet) return std::nullopt;
+  CylindricalSpec c = cutter.spec;
+  for (int z_0 = cutter.spec.teeth - 1; z_0 > 1; --z_0) {
+    c.teeth = z_0;
+    if (cutter.spec.tip_diameter)
+      c.tip_diameter =
+          *cutter.spec.tip_diameter - (cutter.spec.teeth - z_0) * cutter.transverse_module;
+    const auto smaller = make_gear(c);
+    if (!smaller || !smaller->exists() || smaller->pointed()) continue;
+    const auto e =
+        generating_distance(*smaller, ring.spec.teeth, ring.reference().generating_profile_shift);
+    if (!e || trims(infeed_cut(*smaller->tooth, *ring.tooth, *e), c.normal_module)) continue;
+    const PinionMotion motion{z_0, ring.spec.teeth, *e};
+    const auto tooth = cut_by_pinion(*smaller->tooth, motion, ring.tip_diameter / 2);
+    if (tooth && tooth->tip_form_radius && ring.tooth->tip_form_radius &&
+        *tooth->tip_form_radius <= *ring.tooth->tip_form_radius + kTrimmed * c.normal_module &&
+        !trims(infeed_cut(*smaller->tooth, *tooth, *e), c.normal_module))
+      return z_0;
+  }
+  return std::nullopt;
+}
+
+void warn_about_infeed(Gear& ring, const Gear& cutter) {
+  if (!ring.exists() || !ring.tooth->form_radius) return;
+  const auto cut = infeed_cut(*cutter.tooth, *ring.tooth, ring.cut_by->distance);
+  if (!trims(cut, ring.spec.normal_module)) return;
+  const auto teeth = largest_clear_cutter(cutter, ring);
+  detail::warn(
+      ring, WarningCode::trimming,
+      fmt::format("In radial infeed, the cutter with {} teeth removes {:.4f} mm from each flank at "
+                  "a diameter of {:.4f} mm, at a centre distance of {:.4f} mm. {}",
+                  cutter.spec.teeth, cut->arc, 2 * ring.tip_form_radius(), cut->distance,
+                  teeth ? fmt::format("A similar cutter with {} teeth removes nothing, or give a "
+                                      "greater `tip_diameter`.",
+                                      *teeth)
+                        : std::string("Give a cutter with fewer teeth or a shorter tip, or a "
+                                      "greater `tip_diameter`.")));
+}
+
+}  // namespace
+
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wanted) {
   GW_EXPECTS(cutter.involute() && !cutter.internal() && cutter.tooth && cutter.exists());
   if (auto error = check_cutter(cutter, wanted.teeth)) return *error;
@@ -91,8 +188,9 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
   CylindricalSpec spec = cutter.spec;
   spec.teeth = wanted.teeth;
   if (wanted.teeth > 0) spec.helix_angle = Angle::degrees(0.0 - cutter.spec.helix_angle.deg());
-  spec.profile_shift = shift_at(cutter, wanted.teeth, std::sqrt((e - r) * (e + r)) / r);
-  spec.thickness_allowance = 0.0;
+  spec.thickness_allowance = wanted.thickness_allowance;
+  const double x_E = shift_at(cutter, wanted.teeth, std::sqrt((e - r) * (e + r)) / r);
+  spec.profile_shift = wanted.profile_shift.value_or(x_E);
   spec.face_width = wanted.face_width;
   spec.root_fillet.reset();
   spec.tip_fillet.reset();
@@ -112,6 +210,7 @@ Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& wante
     gear.undercut = wanted.teeth > 0 && cut && cut->roll(flank->end) < 0.0;
   }
   detail::finish(gear);
+  if (gear.internal()) warn_about_infeed(gear, cutter);
   return gear;
 }
 

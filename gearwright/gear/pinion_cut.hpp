@@ -11,15 +11,20 @@
 namespace gearwright {
 
 struct PinionCutSpec {
-  int teeth = 0;                       ///< z, negative for an internal gear
-  double distance = 0.0;               ///< E  mm
-  double face_width = 0.0;             ///< b  mm
-  std::optional<double> tip_diameter;  ///< d_a  mm; by default determined by the cutter's root
+  int teeth = 0;                          ///< z, negative for an internal gear
+  double distance = 0.0;                  ///< E  mm
+  double face_width = 0.0;                ///< b  mm
+  std::optional<double> tip_diameter;     ///< d_a  mm; by default determined by the cutter's root
+  double thickness_allowance = 0.0;       ///< E_sn  mm
+  std::optional<double> profile_shift{};  ///< x, if E belongs to x_E of this shift and allowance
 };
 
 /// The reason why no distance exists at which the cutter can cut a gear with this number of teeth;
 /// empty if there is one.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
+
+/// The part of x_E that belongs to a thickness allowance E_sn, mm: E_sn/(2 m_n tan α_n).
+double shift_of_allowance(const Gear& cutter, double allowance);
 
 /// The generating centre distance that gives the gear the profile shift x.
 ///
@@ -32,6 +37,21 @@ Result<double> generating_distance(const Gear& cutter, int teeth, double profile
 /// Domain    `cutter` is an external involute gear that exists (contract)
 /// Errors    `teeth`, `cut_by`, `tip_diameter`, `face_width`
 Result<Gear> make_pinion_cut_gear(const Gear& cutter, const PinionCutSpec& spec);
+
+/// The material that a pinion cutter removes from the tip of an internal gear beyond the generated
+/// flank.
+struct InfeedCut {
+  double arc;  ///< mm, at the tip form circle, from each flank; ≤ 0 if the cutter trims nothing
+  double distance;  ///< e  mm, centre distance at which the cutter removes it
+};
+/// The trimming in radial infeed, where the rolling cutter approaches the generating distance from
+/// the axis of the gear.
+///
+/// Formula   [T6.18], over all points of the cutter above its root fillet
+/// Domain    both teeth have an outline, the ring is internal (contract)
+/// None      if no point of the cutter has a limiting position before it reaches E
+std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const GeneratedTooth& ring,
+                                    double distance);
 
 // The default pinion cutter of an internal gear, which is used if the drawing names no cutter.
 //

@@ -143,8 +143,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
      "internal pairs: the pinion can be mounted axially only [T2.28]; when mounted, nothing "
-     "collides",
-     "the pinion cannot be mounted radially", "", kGearUnnamed},
+     "collides; `cut_by`: the cutter removes the tips of an internal gear in radial infeed [T6.18]",
+     "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
     {C::form_margin, "form_margin", kCaution,
@@ -255,7 +255,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
-     "the bottom land of the cutter ends the tooth below the tip diameter of the blank"},
+     "the bottom land of the cutter ends the tooth below the tip diameter of the blank; `cut_by` "
+     "with a cutter of its own: the root of the cutter determines the tip, because no tip diameter "
+     "is given"},
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
@@ -279,11 +281,13 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::span_off_flank, "span_off_flank", kNote,
      "verb measure: the contacts of the given span lie off the usable flank"},
     {C::span_off_face, "span_off_face", kNote,
-     "verb measure: the face is too narrow for both anvils"},
+     "verb measure: the face is too narrow for both anvils, or the anvils rest on less of the "
+     "flank than measuring practice requires [T10.36]"},
     {C::ball_off_flank, "ball_off_flank", kNote,
      "verb measure: the contacts of the given balls lie off the usable flank"},
     {C::pin_off_flank, "pin_off_flank", kNote,
-     "verb measure: the contacts of the given pins lie off the usable flank"},
+     "verb measure: the contacts of the given pins lie off the usable flank, or those of two pins "
+     "that may tilt lie off the face"},
     {C::tolerances_out_of_range, "tolerances_out_of_range", kNote,
      "verb measure: the gear is outside the range of sizes of ISO 1328-1"},
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,

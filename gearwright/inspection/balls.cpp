@@ -137,8 +137,12 @@ namespace {
 
 // The least distance between two helices on one cylinder, relative to the diameter of the cylinder:
 // √(cos² (ε/2) + T sin² ε/4), where ε solves ε − T sin ε = δ. In every transverse plane, the points
-// of the two helices deviate by the angle δ from opposite positions. [T10.9]
-double least_across(double delta, double T) {
+// of the two helices deviate by the angle δ from opposite positions. [T10.9] The nearest points are
+// √T sin ε/2 = (ε − δ)/(2 √T) apart along the axis. [T10.35]
+struct Across {
+  double distance, along;
+};
+Across least_across(double delta, double T) {
   double epsilon = delta;
   if (T > 0.0 && (delta > 0.0 || T > 1.0)) {
     const auto f = [&](double e) {
@@ -153,7 +157,7 @@ double least_across(double delta, double T) {
     epsilon = root.x;
   }
   const double c = std::cos(epsilon / 2), s = std::sin(epsilon) / 2;
-  return std::sqrt(c * c + T * s * s);
+  return {std::sqrt(c * c + T * s * s), std::sqrt(T) * s};
 }
 
 }  // namespace
@@ -166,13 +170,17 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat) {
   if (gear.spec.helix_angle.rad() == 0.0) {
     const double both = over_two_balls(gear, seat);
     const double c = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
-    return {both, both, seat.center_diameter * c * c + gear.side() * seat.ball_diameter};
+    return {both, both, seat.center_diameter * c * c + gear.side() * seat.ball_diameter, 0.0};
   }
   if (gear.internal()) return {};
   const double delta = z % 2 == 0 ? 0.0 : pi / z;
   const double outermost = seat.center_diameter + seat.ball_diameter;
-  return {seat.center_diameter * least_across(delta, tan_K * tan_K) + seat.ball_diameter, outermost,
-          outermost};
+  const Across least = least_across(delta, tan_K * tan_K);
+  const double face = seat.center_diameter * least.along + 2 * seat.contact_offset;
+  PinReading reading{{}, outermost, outermost, face};
+  if (face <= gear.spec.face_width)
+    reading.two_free = seat.center_diameter * least.distance + seat.ball_diameter;
+  return reading;
 }
 
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter) {

@@ -40,10 +40,13 @@ struct BallSeat {
 
 /// The dimensions over pins; for an internal gear, the dimensions between pins.
 struct PinReading {
-  std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt
+  std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt; none if
+                                     ///< the face is narrower than two_free_face
   std::optional<double> three;       ///< mm, between parallel anvils over two pins, or over three
                                      ///< pins of a helical gear
   std::optional<double> three_pins;  ///< M_d3R mm, with one anvil on two neighbouring pins
+  std::optional<double> two_free_face;  ///< mm, least face width that includes all contacts of two
+                                        ///< pins that can tilt
 };
 
 /// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
@@ -61,8 +64,8 @@ double over_two_balls(const Gear& gear, const BallSeat& seat);
 /// The dimensions over pins; none for an internal helical gear, in which a straight pin does not
 /// fit.
 ///
-/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9]; parallel anvils: d_K ± D_M [T10.10];
-///           three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
+/// Formula   two free pins: ε − tan² β_K sin ε = δ, [T10.9], face [T10.35]; parallel anvils: d_K ±
+///           D_M [T10.10]; three pins of a spur gear with odd |z|: d_K cos² (π/2|z|) ± D_M [T10.30]
 /// Domain    |z| ≥ 2 (contract)
 PinReading over_pins(const Gear& gear, const BallSeat& seat);
 

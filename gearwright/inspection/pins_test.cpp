@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
+#include "gearwright/arrange/measured_gear.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/base/vector.hpp"
@@ -103,6 +105,51 @@ TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
   const Gear slanted = helical(-61, 2, 15, 0);
   const auto ball = ball_in_space(slanted, ball_sizes(slanted)->ideal);
   EXPECT_FALSE(over_pins(slanted, testing::taken(ball)).three_pins);
+}
+
+// z 13, m 6, β 45°, x 0.3: without regard to the face, the least dimension is 122.02 mm, with
+// contacts more than 62 mm apart along the axis. On a face of 60 mm, this position does not exist.
+TEST(Pins, that_may_tilt_have_no_reading_on_a_face_that_is_too_narrow) {
+  CylindricalSpec spec =
+      testing::plain_spec({.teeth = 13, .module = 6, .beta_deg = 45, .x = 0.3, .face_width = 60.0});
+  spec.thickness_allowance = -0.15;
+  std::vector<Warning> notes;
+  Arranged alone{GivenPair()};
+  alone.completed.gears[0].emplace();
+  alone.gears.push_back(testing::made(spec));
+  const auto measures = testing::taken(measure(alone, {}, notes));
+  ASSERT_TRUE(measures.pins);
+  EXPECT_FALSE(measures.pins->reading.two_free);
+  EXPECT_GT(*measures.pins->reading.two_free_face, 62.0);
+  EXPECT_TRUE(measures.pins->reading.three);
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(),
+                          [](const Warning& w) { return w.code == WarningCode::pin_off_flank; }));
+  spec.face_width = 80.0;
+  const PinReading wide = over_pins(testing::made(spec), measures.pins->seat);
+  EXPECT_NEAR(*wide.two_free, 122.0217, 1e-4);
+}
+
+// z 40, m 3, β 25°, b 20.3 mm: over 6 teeth, W_k sin β_b is 20.2272 mm, so the anvils rest on 0.07
+// mm of the face. With b_M = 1.2 mm + 0.018 W_k, a face of 22.17 mm is required, and 18.51 mm over
+// 5.
+TEST(Span, notes_a_face_on_which_the_anvils_would_tip_off) {
+  const auto notes_at = [](double face_width) {
+    Arranged alone{GivenPair()};
+    alone.completed.gears[0].emplace();
+    alone.gears.push_back(testing::made(
+        testing::plain_spec({.teeth = 40, .module = 3, .beta_deg = 25, .face_width = face_width})));
+    std::vector<Warning> notes;
+    EXPECT_EQ(testing::taken(measure(alone, {}, notes)).span->teeth, 6);
+    std::string text;
+    for (const Warning& w : notes)
+      if (w.code == WarningCode::span_off_face) text += w.message;
+    return text;
+  };
+  EXPECT_EQ(notes_at(20.3),
+            "In a span over 6 teeth, the contacts overlap the face by only 0.073 mm. Measuring "
+            "practice requires a face width of 22.17 mm, but the face width is 20.3 mm. Over 5 "
+            "teeth, 18.51 mm are enough.");
+  EXPECT_EQ(notes_at(22.2), "");
 }
 
 }  // namespace

@@ -82,6 +82,11 @@ double thickness_per_span(const Gear& gear) {
   return gear.side() / std::cos(gear.spec.normal_pressure_angle.rad());
 }
 
+double practical_face_width(const Gear& gear, const Span& span) {
+  const double rest = 1.2 + 0.018 * span.length;  // b_M  mm, along the flank
+  return span.min_face_width + rest * std::cos(gear.reference().base_helix_angle);
+}
+
 Result<Span> span_over(const Gear& gear, int k) {
   const auto no = [&](const std::string& why) { return refused("span_teeth", k, why); };
   if (!gear.involute())

@@ -40,6 +40,10 @@ double span_length(const Gear& gear, int k);
 /// ±1/cos α_n.
 double thickness_per_span(const Gear& gear);
 
+/// The face width, mm, that measuring practice requires for a span of a helical gear, so that each
+/// anvil rests on a part of the flank and does not tip off. [T10.36]
+double practical_face_width(const Gear& gear, const Span& span);
+
 /// The span over k teeth and its contacts. [T10.2], [T10.3]
 ///
 /// Errors    `span_teeth` if the gear has no usable involute flank, if it is an internal helical

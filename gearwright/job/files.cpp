@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
@@ -368,9 +369,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.halves = job.halves;
   report.pair = job.pair;
   if (job.rack) report.rack = &*job.rack;
-  if (job.pair && job.ends)
-    for (const Arranged* end : {&job.ends->upper, &job.ends->lower})
-      report.pair_ends.push_back(pair_quantities().of(*end->pair));
+  if (job.pair && job.ends) {
+    auto [lower, upper] = pair_limits(job, arranged_corners(job));
+    report.pair_ends = {std::move(upper), std::move(lower)};
+  }
   for (int which = 1; options.wants("report") && which <= job.parts() && !job.rack; ++which)
     if (const auto body = make_body(job, which, false))
       if (const auto mass = mass_of(job, which, *body)) report.masses.push_back(*mass);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
@@ -39,12 +40,14 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 // The values that vary within the tolerances. The listing is empty if there are none.
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
-  // Each end has a listing of its own, because the values of two gears already need two columns.
-  const auto both = differing(pair_quantities().of(*job.ends->lower.pair),
-                              pair_quantities().of(*job.ends->upper.pair));
-  return "\nValues with the thinnest teeth and the most backlash\n" +
+  // Each limit has a listing of its own, because the values of two gears already need two columns.
+  auto [lower, upper] = pair_limits(job, arranged_corners(job));
+  const auto both = differing(std::move(lower), std::move(upper));
+  return "\nValues with the thinnest teeth and the most backlash, or the least of all "
+         "combinations\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash\n" +
+         "\nValues with the thickest teeth and the least backlash, or the greatest of all "
+         "combinations\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
@@ -91,8 +94,8 @@ std::string pair_listing(const SolvedJob& job) {
 }
 
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
-                             const ValueRecord& lower, const ValueRecord& upper) {
-  const std::vector<ValueRecord> ends = differing(lower, upper);
+                             const std::array<ValueRecord, 2>& limits) {
+  const std::vector<ValueRecord> ends = differing(limits[0], limits[1]);
   if (std::all_of(ends.begin(), ends.end(), [](const ValueRecord& e) { return e.empty(); }))
     return "";
   const UnitSystem units = job.spec.units();
@@ -108,9 +111,10 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
   const std::string tips = between("tip diameters", one.tip_diameter, two.tip_diameter);
   const bool both = !allowances.empty() && !tips.empty();
   const char* const distance = allowances.empty() && tips.empty() ? "both centre distances" : "";
-  return fmt::format("\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "",
-                     tips, distance,
-                     both ? "  Other combinations can have greater or smaller values.\n" : "") +
+  return fmt::format(
+             "\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "", tips,
+             distance,
+             both ? "  The values at other combinations lie between the two of each row.\n" : "") +
          quantity_listing(units, table, ends, {subject + " lower", subject + " upper"});
 }
 
@@ -131,10 +135,9 @@ std::string gear_listing(const SolvedJob& job) {
   if (!halves.empty())
     text += quantity_listing(job.spec.units(), double_helical_quantities().table(), halves,
                              gear_columns(halves.size()));
+  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
-    text += interval_listing(job, i, gear_quantities().table(),
-                             gear_quantities().of(job.ends->lower.gears[i]),
-                             gear_quantities().of(job.ends->upper.gears[i]));
+    text += interval_listing(job, i, gear_quantities().table(), gear_limits(job, corners, i));
   return text;
 }
 

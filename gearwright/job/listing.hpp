@@ -29,7 +29,7 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
 ///
 /// Domain    the gear has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
-                             const ValueRecord& lower, const ValueRecord& upper);
+                             const std::array<ValueRecord, 2>& limits);
 /// The column headings "gear 1" and "gear 2".
 std::vector<std::string> gear_columns(std::size_t count);
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units);

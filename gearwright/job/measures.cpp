@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
@@ -80,7 +81,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job) {
 
 namespace {
 
-// The measurements of a gear at one end of its tolerances, with the tools of the nominal gear.
+// The measurements of a gear at one combination of its tolerances, with the tools of the nominal
+// gear.
 ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i,
                         const GearMeasures& nominal) {
   MeasureInput tools = tools_of(job, static_cast<int>(i) + 1);
@@ -88,7 +90,7 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   if (nominal.balls) tools.ball_diameter = nominal.balls->seat.ball_diameter;
   if (nominal.pins) tools.pin_diameter = nominal.pins->seat.ball_diameter;
   if (nominal.chord) tools.chord_diameter = nominal.chord->diameter;
-  if (!nominal.pins || !nominal.pins->reading.two_free) tools.pin_diameter.reset();
+  if (!nominal.pins || !nominal.pins->reading.three) tools.pin_diameter.reset();
   std::vector<Warning> ignored;
   auto found = measured(job, end, static_cast<int>(i) + 1, tools, end.pair, ignored);
   if (!found) return {};
@@ -97,28 +99,38 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   return measure_quantities().of(measures);
 }
 
+std::array<ValueRecord, 2> measured_limits(const SolvedJob& job,
+                                           const std::vector<Arranged>& corners, std::size_t i,
+                                           const GearMeasures& nominal) {
+  return limits_of(job, corners,
+                   [&](const Arranged& at) { return measured_at(job, at, i, nominal); });
+}
+
 }  // namespace
 
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) {
   std::vector<std::vector<ValueRecord>> records;
   std::vector<Warning> ignored;
+  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
+    records.emplace_back();
     const auto nominal = measured(job, static_cast<int>(i) + 1, job.pair, ignored);
-    records.push_back(nominal ? differing(measured_at(job, job.ends->lower, i, *nominal),
-                                          measured_at(job, job.ends->upper, i, *nominal))
-                              : std::vector<ValueRecord>());
+    if (!nominal) continue;
+    auto [lower, upper] = measured_limits(job, corners, i, *nominal);
+    records.back() = differing(std::move(lower), std::move(upper));
   }
   return records;
 }
 
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures) {
   Json j = job_record(job);
+  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));
     if (!job.ends) continue;
-    measure["interval"] = interval_json(measured_at(job, job.ends->lower, i, measures[i]),
-                                        measured_at(job, job.ends->upper, i, measures[i]));
+    const auto [lower, upper] = measured_limits(job, corners, i, measures[i]);
+    measure["interval"] = interval_json(lower, upper);
   }
   return j;
 }
@@ -129,9 +141,9 @@ std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures
   const QuantityTable& table = measure_quantities().table();
   std::string text =
       quantity_listing(job.spec.units(), table, records, gear_columns(records.size()));
+  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
-    text += interval_listing(job, i, table, measured_at(job, job.ends->lower, i, measures[i]),
-                             measured_at(job, job.ends->upper, i, measures[i]));
+    text += interval_listing(job, i, table, measured_limits(job, corners, i, measures[i]));
   return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
@@ -45,13 +46,15 @@ Json job_record(const SolvedJob& job) {
   }
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   if (job.ends) {
-    const auto& [lower, upper] = *job.ends;
-    for (std::size_t i = 0; i < job.gears.size(); ++i)
-      j["gears"][i]["interval"] =
-          interval_json(gear_quantities().of(lower.gears[i]), gear_quantities().of(upper.gears[i]));
-    if (job.pair)
-      j["pair"]["interval"] =
-          interval_json(pair_quantities().of(*lower.pair), pair_quantities().of(*upper.pair));
+    const std::vector<Arranged> corners = arranged_corners(job);
+    for (std::size_t i = 0; i < job.gears.size(); ++i) {
+      const auto [lower, upper] = gear_limits(job, corners, i);
+      j["gears"][i]["interval"] = interval_json(lower, upper);
+    }
+    if (job.pair) {
+      const auto [lower, upper] = pair_limits(job, corners);
+      j["pair"]["interval"] = interval_json(lower, upper);
+    }
   }
   return j;
 }
@@ -141,7 +144,58 @@ bool keep_differing(ValueRecord& lower, ValueRecord& upper) {
   return any;
 }
 
+void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other);
+
+// Widens the limits of a value until they enclose the other value.
+void enclose(Value& lower, Value& upper, const Value& other) {
+  constexpr double kRounding = 1e-9;  // relative; a corner repeats the computation of an end
+  if (const auto a = lower.number(), b = upper.number(), x = other.number(); a && b && x) {
+    const double least = std::min(*a, *b), greatest = std::max(*a, *b);
+    const double noise = kRounding * std::max(std::abs(least), std::abs(greatest));
+    if (*x >= least - noise && *x <= greatest + noise) return;
+    lower = std::min(least, *x);
+    upper = std::max(greatest, *x);
+  } else if (lower.record() && upper.record() && other.record()) {
+    ValueRecord one = *lower.record(), two = *upper.record();
+    enclose(one, two, *other.record());
+    lower = std::move(one);
+    upper = std::move(two);
+  } else if (lower.list() && upper.list() && other.list()) {
+    ValueList one = *lower.list(), two = *upper.list();
+    for (std::size_t i = 0; i < std::min({one.size(), two.size(), other.list()->size()}); ++i)
+      enclose(one[i], two[i], (*other.list())[i]);
+    lower = std::move(one);
+    upper = std::move(two);
+  }
+}
+
+void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other) {
+  for (Member& m : lower) {
+    Member* const second = same_quantity(upper, m.info);
+    const Member* const third = same_quantity(other, m.info);
+    if (second && third) enclose(m.value, second->value, third->value);
+  }
+}
+
 }  // namespace
+
+std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const std::vector<Arranged>& corners,
+                                     const RecordAt& record) {
+  std::array<ValueRecord, 2> ends{record(job.ends->lower), record(job.ends->upper)};
+  enclose(ends[0], ends[1], record(job));
+  for (const Arranged& corner : corners) enclose(ends[0], ends[1], record(corner));
+  return ends;
+}
+
+std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, const std::vector<Arranged>& corners,
+                                       std::size_t i) {
+  return limits_of(job, corners,
+                   [i](const Arranged& at) { return gear_quantities().of(at.gears[i]); });
+}
+
+std::array<ValueRecord, 2> pair_limits(const SolvedJob& job, const std::vector<Arranged>& corners) {
+  return limits_of(job, corners, [](const Arranged& at) { return pair_quantities().of(*at.pair); });
+}
 
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {
   Json j = Json::object();

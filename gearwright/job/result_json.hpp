@@ -2,6 +2,8 @@
 // the catalogue, and the range of a record within tolerances. Internal to job/ and its tests.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
@@ -37,16 +39,30 @@ Json files_json(const std::vector<JobFile>& files);
 Json error_json(const Error& error);
 Json verdict_json(const Verdict& verdict);
 
-// The range of a record within tolerances: the numbers that differ between the two ends, in JSON
-// and for users.
+// The range of a record within tolerances: the numbers that differ, in JSON and for users.
 
-/// {key: [at lower, at upper]} for the numbers that differ. The quantities of all interfaces are
-/// included, for example the thickness allowance, which other JSON results omit because it belongs
-/// to the page only. An inner record stays an inner record. In a list, null replaces a number that
-/// does not differ. Lists of records are omitted.
+/// A record of the gears and the pair of one combination of toleranced numbers.
+using RecordAt = std::function<ValueRecord(const Arranged&)>;
+
+/// The limits of each number of a record within the tolerances. They are the values at the lower
+/// and at the upper end, if no other combination in `corners` and no nominal value lies outside
+/// them. Otherwise they are the least and the greatest value.
+///
+/// Domain    the job has tolerances (contract); `corners` is the result of arranged_corners()
+std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const std::vector<Arranged>& corners,
+                                     const RecordAt& record);
+/// limits_of() for the quantities of the gear with index i, and for those of the pair.
+std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, const std::vector<Arranged>& corners,
+                                       std::size_t i);
+std::array<ValueRecord, 2> pair_limits(const SolvedJob& job, const std::vector<Arranged>& corners);
+
+/// {key: [first limit, second limit]} for the numbers that differ. The quantities of all interfaces
+/// are included, for example the thickness allowance, which other JSON results omit because it
+/// belongs to the page only. An inner record stays an inner record. In a list, null replaces a
+/// number that does not differ. Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
-/// Both ends as records for a listing. The listing shows only the rows that differ.
+/// Both limits as records for a listing. The listing shows only the rows that differ.
 std::vector<ValueRecord> differing(ValueRecord lower, ValueRecord upper);
 
 // Converts a value of the catalogue to JSON, with the keys for JSON, and back.

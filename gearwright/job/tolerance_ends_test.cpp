@@ -1,8 +1,10 @@
 // Tolerances of a spec, which is solved at both ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/job/verbs.hpp"
@@ -152,6 +154,77 @@ TEST(ToleranceEnds, a_span_or_balls_say_the_allowance) {
               full["reference_tooth_thickness_normal_mm"].get<double>() - 0.11, 1e-14);
   series["gear1"]["tolerance"]["thickness_series"] = "zz99";
   EXPECT_EQ(refused_spec("gear", series).field, "gear1.tolerance.series");
+}
+
+// Every number of `interval` encloses the number of a gear or a pair within the tolerances.
+void expect_enclosed(const Json& interval, const Json& at, const std::string& path) {
+  if (interval.is_null()) return;
+  if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && at.is_number()) {
+    const double a = interval[0], b = interval[1], x = at;
+    const double noise = 1e-9 * std::max(std::abs(a), std::abs(b));
+    EXPECT_GE(x, std::min(a, b) - noise) << path;
+    EXPECT_LE(x, std::max(a, b) + noise) << path;
+  } else if (interval.is_object() && at.is_object()) {
+    for (const auto& [key, inner] : interval.items())
+      if (at.contains(key)) expect_enclosed(inner, at[key], path + "." + key);
+  } else if (interval.is_array() && at.is_array()) {
+    for (std::size_t i = 0; i < std::min(interval.size(), at.size()); ++i)
+      expect_enclosed(interval[i], at[i], path + "[" + std::to_string(i) + "]");
+  }
+}
+
+// A thin tooth with a great tip diameter has the thinnest tip, and neither end has it. With z 119,
+// m 8, x −0.4, the ends gave 6.5142 and 6.5061 for a nominal tip of 6.4657 mm.
+TEST(ToleranceEnds, enclose_all_combinations) {
+  const Json big{{"gear1",
+                  {{"teeth", 119},
+                   {"normal_module_mm", 8},
+                   {"helix_angle_deg", 8.1},
+                   {"profile_shift", -0.4},
+                   {"face_width_mm", 160},
+                   {"tolerance", {{"thickness_series", "c26"}, {"tip_diameter_fit", "h9"}}}}}};
+  const Json wheel = answer("gear", big)["gears"][0];
+  const Json limits = wheel["interval"];
+  const Json& tip = limits["tip_tooth_thickness_normal_mm"];
+  Json at = big;
+  at["gear1"].erase("tolerance");
+  const auto thickness = [&](std::size_t allowance, std::size_t diameter) {
+    at["gear1"]["thickness_allowance_mm"] = limits["thickness_allowance_mm"][allowance];
+    at["gear1"]["tip_diameter_mm"] = limits["tip_diameter_mm"][diameter];
+    return answer("gear", at)["gears"][0]["tip_tooth_thickness_normal_mm"].get<double>();
+  };
+  EXPECT_NEAR(tip[0].get<double>(), thickness(0, 1), 1e-12);
+  EXPECT_NEAR(tip[1].get<double>(), thickness(1, 0), 1e-12);
+  EXPECT_LT(tip[0], wheel["tip_tooth_thickness_normal_mm"]);
+  EXPECT_GT(tip[1], wheel["tip_tooth_thickness_normal_mm"]);
+
+  for (const int mate : {40, -60}) {
+    Json pair{{"gear1", gear(17, {-0.10, -0.06})}, {"gear2", gear(mate, {-0.12, -0.08})}};
+    const double a = mate > 0 ? 72 : 54.5;
+    pair["pair"] = {{"center_distance_mm", a}, {"center_distance_deviations_mm", {-0.02, 0.02}}};
+    const Json drawn = answer("pair", pair);
+    Json tolerated = pair;
+    for (const char* g : {"gear1", "gear2"})
+      tolerated[g]["tolerance"]["tip_diameter_deviations_mm"] = {-0.1, 0.02};
+    const Json all = answer("measure", tolerated);
+    const Json of_pair = answer("pair", tolerated);
+    for (const double u : {0.0, 0.3, 1.0}) {
+      for (const double v : {0.0, 0.6, 1.0}) {
+        Json inner = pair;
+        inner["gear1"]["thickness_allowance_mm"] = -0.10 + 0.04 * u;
+        inner["gear2"]["thickness_allowance_mm"] = -0.12 + 0.04 * v;
+        inner["pair"] = {{"center_distance_mm", a - 0.02 + 0.04 * v}};
+        for (const std::size_t i : {0u, 1u})
+          inner[i == 0 ? "gear1" : "gear2"]["tip_diameter_mm"] =
+              drawn["gears"][i]["tip_diameter_mm"].get<double>() - 0.1 + 0.12 * (1 - u);
+        inner["gear1"]["measure"] = {{"span_teeth", all["gears"][0]["measure"]["span"]["teeth"]}};
+        const Json at_inner = answer("pair", inner);
+        expect_enclosed(of_pair["pair"]["interval"], at_inner["pair"], "pair");
+        for (const std::size_t i : {0u, 1u})
+          expect_enclosed(of_pair["gears"][i]["interval"], at_inner["gears"][i], "gear");
+      }
+    }
+  }
 }
 
 }  // namespace

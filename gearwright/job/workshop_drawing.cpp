@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/section.hpp"
@@ -17,6 +18,7 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/job/measures.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 
@@ -267,9 +269,12 @@ Group mate(const SolvedJob& job, int which) {
   group.row("Number of teeth", which == 1 ? "z_2" : "z_1",
             with_minus(fmt::format("{}", other.spec.teeth)));
   Records pair{pair_quantities().of(*job.pair), job.spec.units()};
-  if (job.ends && job.ends->lower.pair && job.ends->upper.pair)
-    pair.ends = {pair_quantities().of(*job.ends->lower.pair),
-                 pair_quantities().of(*job.ends->upper.pair)};
+  if (job.ends) {
+    auto [lower, upper] = limits_of(job, arranged_corners(job), [](const Arranged& at) {
+      return pair_quantities().of(*at.pair);
+    });
+    pair.ends = {std::move(lower), std::move(upper)};
+  }
   group.row(pair, "center_distance_mm");
   if (job.pair->shaft_angle().rad() != 0.0) group.row(pair, "shaft_angle_deg");
   group.row(pair, "backlash.normal_mm");
@@ -283,8 +288,8 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   Records gear{gear_quantities().of(job.gears[i]), units};
   Records measure{measure_records(job)[i], units};
   if (job.ends) {
-    gear.ends = {gear_quantities().of(job.ends->lower.gears[i]),
-                 gear_quantities().of(job.ends->upper.gears[i])};
+    auto [lower, upper] = gear_limits(job, arranged_corners(job), i);
+    gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }
   std::vector<DataGroup> groups;

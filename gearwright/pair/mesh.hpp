@@ -280,6 +280,8 @@ FlankSpeeds<T> flank_speeds(const MeshInput<T>& in, const Mesh<T>& mesh, const T
   return w;
 }
 
+constexpr double kNoSpeed = 1e-12;  // of the sum of both speeds; less is a rounding error
+
 /// Specific sliding (ζ_1, ζ_2) at ρ_1: sliding distance of the flanks per mm that the contact moves
 /// over the flank. On parallel axes, ζ is < 0 on the flank that slides backward relative to the
 /// contact, and ζ is empty at a base tangent point and beyond it. On crossed axes, ζ is the ratio
@@ -298,7 +300,9 @@ SpecificSliding<T> specific_sliding(const MeshInput<T>& in, const Mesh<T>& mesh,
   const FlankSpeeds<T> w = flank_speeds(in, mesh, rho1);
   SpecificSliding<T> s;
   if (!mesh.crossed) {
-    if (!(w.across[0] > T(0)) || !(w.across[1] > T(0))) return s;
+    // At a base tangent point, rounding leaves a speed of either sign instead of 0.
+    const T least = T(kNoSpeed) * (w.across[0] + w.across[1]);
+    if (!(w.across[0] > least) || !(w.across[1] > least)) return s;
     s.zeta_1 = leaf::sliding_of(w.across[0], w.across[1]);
     s.zeta_2 = leaf::sliding_of(w.across[1], w.across[0]);
     return s;

@@ -138,6 +138,22 @@ TEST(SpecificSliding, signs_and_the_pitch_point) {
   EXPECT_NEAR((1 - *at_A.zeta_1) * (1 - *at_A.zeta_2), 1.0, 1e-14);
 }
 
+// A contact on a base circle has no specific sliding, although rounding leaves a radius of
+// curvature of ±1e-15 there. Few teeth without undercut touch at such a point.
+TEST(SpecificSliding, does_not_exist_at_the_base_tangent_points) {
+  const auto in = spur(20, 40);
+  const auto m = mesh_of(in);
+  const double length = m.rho2(0.0);  // between the base tangent points
+  for (const double error : {-3e-14, -1e-15, 0.0, 1e-15, 3e-14}) {
+    for (const double rho1 : {length * error, length * (1 + error)}) {
+      const auto s = specific_sliding(in, m, rho1);
+      EXPECT_FALSE(s.zeta_1) << rho1;
+      EXPECT_FALSE(s.zeta_2) << rho1;
+    }
+  }
+  EXPECT_LT(*specific_sliding(in, m, 1e-9 * length).zeta_1, -1e8);
+}
+
 TEST(MeshOfParallelAxes, helical_overlap) {
   auto in = spur(20, 40);
   in.gears[0].helix_angle = 0.25;

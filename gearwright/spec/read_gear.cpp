@@ -250,7 +250,8 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
     gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
   }
   for (const char* key : {"rack", "root_fillet", "tip_fillet", "basic", "thickness_allowance_mm"}) {
-    if (gear.has(key)) {
+    const bool of_infeed = cut.cutter && std::string_view(key) == "thickness_allowance_mm";
+    if (gear.has(key) && !of_infeed) {
       gear.fail(key,
                 "cannot be combined with cut_by, because the cutter and the generating centre "
                 "distance determine the tooth");
