@@ -176,14 +176,14 @@ class Measuring {
     const BallSeat& seat = found ? **found : m.balls->seat;
     m.pins = PinMeasure{seat, over_pins(gear_, seat)};
     if (asked) warn_off_flank(seat, WarningCode::pin_off_flank, "pins");
-    if (const PinReading& r = m.pins->reading; r.two_free_face && !r.two_free)
+    const double b = gear_.spec.face_width;
+    if (const auto& needed = m.pins->reading.two_free_face; needed && *needed > b)
       warn(WarningCode::pin_off_flank,
-           fmt::format("There is no dimension over two pins of {} mm that may tilt, because their "
-                       "contacts need a face width of {} mm, but the face width is {} mm. Measure "
-                       "over balls, or between parallel anvils.",
-                       format_number(seat.ball_diameter),
-                       format_number(*r.two_free_face, gear_.spec.face_width),
-                       format_number(gear_.spec.face_width)));
+           fmt::format("The dimension over two pins of {} mm that may tilt cannot be measured, "
+                       "because their contacts need a face width of {} mm, but the face width is "
+                       "{} mm. Measure over balls, or between parallel anvils.",
+                       format_number(seat.ball_diameter), format_number(*needed, b),
+                       format_number(b)));
     return std::nullopt;
   }
 

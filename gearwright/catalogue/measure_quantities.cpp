@@ -91,9 +91,8 @@ const Quantities<PinMeasure>& pin_quantities() {
              "as given, or the diameter of the balls",
              [](const P& p) { return p.seat.ball_diameter; });
     q.number("two_free_mm", "dimension over two pins that may tilt", "M_dR",
-             "least dimension, as measured by a micrometer [T10.9]; null for an internal helical "
-             "gear and "
-             "for a face that is narrower than `two_free_face_width_mm`",
+             "least dimension, as measured by a micrometer on a face that is at least as wide as "
+             "`two_free_face_width_mm` [T10.9]; null for an internal helical gear",
              [](const P& p) { return p.reading.two_free; });
     q.number("two_free_face_width_mm", "required face width of two pins that may tilt", "",
              "least face width that includes all contacts of these pins [T10.35]",

@@ -177,10 +177,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat) {
   const double outermost = seat.center_diameter + seat.ball_diameter;
   const Across least = least_across(delta, tan_K * tan_K);
   const double face = seat.center_diameter * least.along + 2 * seat.contact_offset;
-  PinReading reading{{}, outermost, outermost, face};
-  if (face <= gear.spec.face_width)
-    reading.two_free = seat.center_diameter * least.distance + seat.ball_diameter;
-  return reading;
+  return {seat.center_diameter * least.distance + seat.ball_diameter, outermost, outermost, face};
 }
 
 std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter) {

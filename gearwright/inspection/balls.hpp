@@ -40,8 +40,8 @@ struct BallSeat {
 
 /// The dimensions over pins; for an internal gear, the dimensions between pins.
 struct PinReading {
-  std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt; none if
-                                     ///< the face is narrower than two_free_face
+  std::optional<double> two_free;    ///< mm, least dimension over two pins that can tilt, on a face
+                                     ///< of any width
   std::optional<double> three;       ///< mm, between parallel anvils over two pins, or over three
                                      ///< pins of a helical gear
   std::optional<double> three_pins;  ///< M_d3R mm, with one anvil on two neighbouring pins
