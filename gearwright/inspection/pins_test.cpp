@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
@@ -103,6 +104,34 @@ TEST(Pins, three_of_them_read_the_outermost_places_of_a_helical_gear) {
   const Gear slanted = helical(-61, 2, 15, 0);
   const auto ball = ball_in_space(slanted, ball_sizes(slanted)->ideal);
   EXPECT_FALSE(over_pins(slanted, testing::taken(ball)).three_pins);
+}
+
+// The oracle tries every ball in steps of 2 µm and shares no code with the search for the limits.
+TEST(Balls, of_the_sizes_in_a_message_can_be_measured) {
+  for (const Gear& gear : {spur(12, 10, 0.5), spur(16, 3, 0), helical(23, 2.5, 18, 0.4),
+                           spur(-60, 2, 0), helical(-45, 3, 12, 0.2)}) {
+    const double m = gear.spec.normal_module;
+    const auto fits = [&](double ball) {
+      const auto seat = ball_in_space(gear, ball);
+      return seat && seat->usable();
+    };
+    double least = 0.0, most = 0.0;
+    for (double ball = 0.5 * m; ball < 8 * m; ball += 0.002) {
+      if (!fits(ball)) continue;
+      if (least == 0.0) least = ball;
+      most = ball;
+    }
+    const auto refused = ball_in_space(gear, 0.5 * m);
+    ASSERT_FALSE(refused);
+    const std::string text = refused.error().message();
+    double low = 0.0, high = 0.0;
+    const std::size_t at = text.find("balls of ");
+    ASSERT_NE(at, std::string::npos) << text;
+    ASSERT_EQ(std::sscanf(text.c_str() + at, "balls of %lf mm to %lf mm", &low, &high), 2) << text;
+    EXPECT_NEAR(low, least, 0.0021) << text;
+    EXPECT_NEAR(high, most, 0.0021) << text;
+    EXPECT_TRUE(fits(low) && fits(high)) << text;
+  }
 }
 
 }  // namespace
