@@ -78,6 +78,8 @@ class Measuring(Asked):
             self.assertIn("gears.measure.tolerances." + line, Run("measure", small, "--csv").out)
         self.assertIn("ISO 1328-1:2013 has the flank tolerance classes 1 to 11",
                       Run("measure", small.replace("quality = 6", "quality = 13")).err)
+        self.assertIn('thickness_series = "25cd": must be',
+                      Run("measure", small + '[gear1.tolerance]\nthickness_series = "25cd"\n').err)
 
     def test_a_contact_off_the_flank_is_a_warning(self):
         j = self.ok("measure", with_tools("span_teeth = 5"))
