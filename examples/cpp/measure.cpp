@@ -20,7 +20,10 @@ int main() {
 
   const Result<GearMeasures> usual = measure(*gear);
   if (!usual) return fail(usual.error());
-  std::printf("span over %d teeth     %.4f mm\n", usual->span->teeth, usual->span->length);
+  // A member is empty if the dimension cannot be measured, for example the span of an internal
+  // helical gear. The JSON keys `over_balls` and `over_pins` are the members `balls` and `pins`.
+  if (usual->span)
+    std::printf("span over %d teeth     %.4f mm\n", usual->span->teeth, usual->span->length);
   std::printf("over balls of %.1f mm  %.4f mm\n", usual->balls->seat.ball_diameter,
               usual->balls->dimension);
   std::printf("chord at %.3f mm    %.4f mm, %.4f mm below the tip\n", usual->chord->diameter,

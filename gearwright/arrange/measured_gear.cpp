@@ -56,6 +56,8 @@ class Measuring {
  private:
   using Fault = std::optional<Error>;
 
+  bool internal_helical() const { return gear_.internal() && gear_.spec.helix_angle.rad() != 0.0; }
+
   Fault missing(bool asked, const Error& error, WarningCode code, const char* what) {
     const Error here = within(gear_field(which_, "measure"), error);
     if (asked) return here;
@@ -72,8 +74,11 @@ class Measuring {
     if (!input_.span_teeth) {
       if (!m.span && m.reference)
         warn(WarningCode::no_span,
-             "No span can be measured, because for every number of teeth the contacts lie off the "
-             "usable flank or the face.");
+             std::string("No span can be measured, because ") +
+                 (internal_helical() ? kNoPlaneAnvils
+                                     : "for every number of teeth the contacts lie off the usable "
+                                       "flank or the face") +
+                 ".");
       note_narrow_face(m);
       return std::nullopt;
     }
@@ -162,7 +167,7 @@ class Measuring {
 
   Fault pins(GearMeasures& m) {
     const bool asked = input_.pin_diameter.has_value();
-    if (asked && gear_.internal() && gear_.spec.helix_angle.rad() != 0.0)
+    if (asked && internal_helical())
       return refused(gear_field(which_, "measure.pin_diameter"), *input_.pin_diameter,
                      "a straight pin does not fit into the tooth spaces of an internal helical "
                      "gear; measure between balls");
@@ -218,10 +223,10 @@ class Measuring {
     const ParallelPair* const mounted = request_.pair ? request_.pair->parallel() : nullptr;
     if (mounted && mounted->flanks_meet()) subject.contact_ratio = mounted->contact_ratio();
     m.tolerances = flank_tolerances(asked.edition, *asked.quality, subject);
-    if (!in_range(asked.edition, subject))
+    if (const std::string beyond = beyond_range(asked.edition, subject); !beyond.empty())
       warn(WarningCode::tolerances_out_of_range,
-           "The gear lies outside the range of sizes of ISO 1328-1. The formulas of the standard "
-           "are used nevertheless.");
+           "The gear lies outside the range of sizes of ISO 1328-1, because the " + beyond +
+               ". The formulas of the standard are used nevertheless.");
     if (mounted) set_axes(*m.tolerances);
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
@@ -23,6 +24,19 @@ double allowance_of(const Gear& gear, double base_thickness) {
                                              std::cos(gear.spec.helix_angle.rad());
 }
 
+// The error if a measured dimension is so far from the nominal dimension that another number of
+// teeth would be nearer to the nominal gear. The allowance is then more than half a pitch.
+std::optional<Error> other_teeth(const Gear& gear, const char* field, double read, double allowance,
+                                 const std::string& remedy) {
+  const double most = std::numbers::pi / 2 * gear.spec.normal_module;
+  if (std::abs(allowance) <= most) return std::nullopt;
+  return refused(field, read,
+                 fmt::format("does not match this gear, because it would need a thickness "
+                             "allowance of {:.4f} mm, which is more than half a pitch, {:.4f} mm; ",
+                             allowance, most) +
+                     remedy);
+}
+
 Result<Ends> of_span(const Gear& gear, const GearInput& input) {
   const auto k = input.measure.span_teeth;
   const auto usual = usual_span(gear);
@@ -38,6 +52,15 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     return gear.spec.thickness_allowance + (length - span->length) * per;
   };
   Ends ends{allowance(read[0]), allowance(read[1])};
+  for (const std::size_t i : {0u, 1u}) {
+    const double pitches = (read[i] - span->length) / gear.reference().base_pitch_normal;
+    if (auto error = other_teeth(
+            gear, "tolerance.span", read[i], ends[i],
+            fmt::format("the nominal span over {} teeth is {:.4f} mm, and this value is nearest to "
+                        "the span over {:.0f} teeth; check this value and `measure.span_teeth`",
+                        teeth, span->length, std::max(1.0, teeth + std::round(pitches)))))
+      return *error;
+  }
   // On an internal gear, the greater span belongs to the thinner tooth, so the allowances are in
   // descending order here.
   std::sort(ends.begin(), ends.end());
@@ -57,6 +80,9 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
       return refused("tolerance.over_balls", read,
                      "at this dimension the balls would lie inside the base cylinder of the gear");
     ends[i] = allowance_of(gear, *thickness);
+    if (auto error = other_teeth(gear, "tolerance.over_balls", read, ends[i],
+                                 "check this value, `measure.ball_diameter` and the module"))
+      return *error;
   }
   std::sort(ends.begin(), ends.end());
   return ends;

@@ -104,7 +104,12 @@ class Views {
     return input_.units == UnitSystem::mm ? short_decimals(mm, 4)
                                           : fixed_decimals(value_in(input_.units, Unit::mm, mm), 4);
   }
-  std::string diameter(double radius) const { return "Ø" + length(2 * radius); }
+  // A computed diameter is rounded to µm. Its exact value is in the table.
+  std::string diameter(double radius) const {
+    const double d = 2 * radius;
+    const bool mm = input_.units == UnitSystem::mm;
+    return "Ø" + length(mm ? std::round(kUmPerMm * d) / kUmPerMm : d);
+  }
   std::string keyway_words() const {
     return "Keyway " + with_fit(length(bore().keyway_width), input_.words.keyway_fit) + " wide";
   }

@@ -18,19 +18,23 @@ constexpr double kHatch = 2.5;
 
 constexpr double kLine = 1.5;  // distance between lines of text, relative to the height of capitals
 
-// Breaks text into lines at spaces. A single word may be longer than `width`.
+// Breaks text into lines at spaces and line breaks. A single word may be longer than `width`.
 std::vector<std::string> broken(std::string_view words, double height, double width) {
   std::vector<std::string> lines;
+  bool new_line = true;
   while (!words.empty()) {
-    const std::size_t space = std::min(words.find_first_of(" \n\t"), words.size());
-    const std::string word(words.substr(0, space));
-    words.remove_prefix(std::min(space + 1, words.size()));
-    if (word.empty()) continue;
-    const bool on = !lines.empty() && text_width(lines.back() + " " + word, height) <= width;
-    if (on)
-      lines.back() += " " + word;
-    else
-      lines.push_back(word);
+    const std::size_t end = std::min(words.find_first_of(" \n\t"), words.size());
+    const std::string word(words.substr(0, end));
+    if (!word.empty()) {
+      new_line = new_line || text_width(lines.back() + " " + word, height) > width;
+      if (new_line)
+        lines.push_back(word);
+      else
+        lines.back() += " " + word;
+      new_line = false;
+    }
+    new_line = new_line || (end < words.size() && words[end] == '\n');
+    words.remove_prefix(std::min(end + 1, words.size()));
   }
   return lines;
 }

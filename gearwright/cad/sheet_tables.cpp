@@ -6,6 +6,7 @@
 #include "gearwright/cad/sheet.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
+#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 
@@ -187,7 +188,7 @@ SheetBox draw_title_block(Sheet& sheet, const SheetBox& within, const TitleBlock
   row(kFieldRow,
       {{60, "Heat treatment", w.heat_treatment},
        {45, "Surface texture", w.surface_texture},
-       {35, "Edges, ISO 13715", w.edges, true},
+       {35, "Edges, ISO 13715", with_minus(w.edges), true},
        {40, "General tolerances", w.general_tolerances}},
       kUsual);
   if (!w.note.empty()) row(kFieldRow, {{kWidth, "Note", w.note}}, kUsual);

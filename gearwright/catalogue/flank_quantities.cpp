@@ -37,21 +37,25 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
   return define("measure.tolerances", [](Quantities<T>& q) {
     const auto um = [&](const char* key, const char* words, const char* symbol, const char* meaning,
                         auto member) { q.number(key, words, symbol, meaning, member).digits(1); };
-    um("single_pitch_um", "single pitch", "f_ptT", "rounded as the standard requires",
+    q.whole("quality", "flank tolerance class", "", "grade of ISO 1328-1", &T::quality);
+    q.word("edition", "edition of ISO 1328-1", "", [](const T& t) {
+       return t.edition == FlankTolerances::iso_2013 ? "ISO 1328:2013" : "ISO 1328:1995";
+     }).one_of({"ISO 1328:2013", "ISO 1328:1995"});
+    um("single_pitch_um", "single pitch (±)", "f_ptT", "rounded as the standard requires",
        &T::single_pitch);
     um("cumulative_pitch_um", "cumulative pitch, total", "F_pT", "", &T::cumulative_pitch);
     um("profile_total_um", "profile, total", "F_αT", "", &T::profile_total);
     um("profile_form_um", "profile form", "f_fαT", "", &T::profile_form);
-    um("profile_slope_um", "profile slope", "f_HαT", "±", &T::profile_slope);
+    um("profile_slope_um", "profile slope (±)", "f_HαT", "", &T::profile_slope);
     um("helix_total_um", "helix, total", "F_βT", "", &T::helix_total);
     um("helix_form_um", "helix form", "f_fβT", "", &T::helix_form);
-    um("helix_slope_um", "helix slope", "f_HβT", "±", &T::helix_slope);
+    um("helix_slope_um", "helix slope (±)", "f_HβT", "", &T::helix_slope);
     um("runout_um", "runout", "F_rT", "", &T::runout);
-    um("radial_composite_um", "radial composite, total", "F_i″",
+    um("radial_composite_um", "radial composite, total (ISO 1328-2)", "F_i″",
        "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite);
-    um("tooth_radial_composite_um", "radial composite, tooth to tooth", "f_i″",
+    um("tooth_radial_composite_um", "radial composite, tooth to tooth (ISO 1328-2)", "f_i″",
        "null beyond d = 1000 mm or m_n = 10 mm", &T::tooth_radial_composite);
-    um("base_pitch_um", "base pitch", "f_pb", "±, f_pt cos α_t [T10.31]; null for circular arcs",
+    um("base_pitch_um", "base pitch (±)", "f_pb", "f_pt cos α_t [T10.31]; null for circular arcs",
        &T::base_pitch);
     um("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
        "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "

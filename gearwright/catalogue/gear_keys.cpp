@@ -188,8 +188,7 @@ const KeyTable& gear_keys() {
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
                  "positions and tools of the measurements"),
-       Key::number("quality", "",
-                   KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
+       Key::number("quality", "", flank_classes(),
                    {&GearInput::tolerance, &ToleranceInput::quality}, "no tolerances",
                    "flank tolerance class (grade) of ISO 1328-1; can be given instead of `quality` "
                    "of `tolerance`")

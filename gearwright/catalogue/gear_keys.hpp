@@ -63,6 +63,7 @@ inline constexpr KeyList kOneOrEnds{.most = 2, .single = true, .order = kLowerFi
 
 const KeyTable& measure_keys();
 const KeyTable& tolerance_keys();
+KeyRange flank_classes();  ///< the flank tolerance classes of both editions of ISO 1328-1
 
 inline constexpr std::size_t kMostBallReadings = 20;
 

@@ -107,7 +107,7 @@ void add_candidate(Quantities<G>& q) {
 
 constexpr const char* kReadings[] = {
     "span",          "over_balls",      "lead",  "helix_angle", "tip_diameter",
-    "root_diameter", "center_distance", "teeth", "all"};
+    "root_diameter", "center_distance", "teeth", "all",         "span_teeth"};
 
 const char* word_of(Reading reading) { return kReadings[static_cast<std::size_t>(reading)]; }
 
@@ -159,11 +159,12 @@ const Quantities<Alternative>& alternative_quantities() {
   using A = Alternative;
   return define("identify.alternative", [](Quantities<A>& q) {
     q.word("mistake", "mistake",
-           "`teeth` if the number of teeth is wrong; otherwise the readings in the wrong unit, mm "
-           "instead of inch or inch instead of mm",
+           "`teeth` if the number of teeth is wrong; `span_teeth` if the number of teeth in each "
+           "span is wrong; otherwise the readings in the wrong unit, mm instead of inch or inch "
+           "instead of mm",
            [](const A& a) { return word_of(a.mistake); })
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
-                 "center_distance"});
+                 "center_distance", "span_teeth"});
     q.record<identified_gear_quantities>("gear", "the gear", &A::gear);
   });
 }

@@ -4,6 +4,12 @@
 
 namespace gearwright {
 
+KeyRange flank_classes() {
+  return KeyRange::between(0, 12,
+                           "; ISO 1328-1:2013 has the flank tolerance classes 1 to 11, and ISO "
+                           "1328-1:1995 has 0 to 12");
+}
+
 const KeyTable& measure_keys() {
   static const KeyTable table{
       "measure",
@@ -36,9 +42,8 @@ const KeyTable& tolerance_keys() {
       "tolerance",
       "The accuracy grade of the flanks, the limits of the tooth thickness and the runout of the "
       "blank",
-      {Key::number(
-           "quality", "", KeyRange::between(0, 12, ", the flank tolerance classes of ISO 1328-1"),
-           &ToleranceInput::quality, "no tolerances", "flank tolerance class (grade) of ISO 1328-1")
+      {Key::number("quality", "", flank_classes(), &ToleranceInput::quality, "no tolerances",
+                   "flank tolerance class (grade) of ISO 1328-1")
            .with_also({"grade", "class", "accuracy_grade"}),
        Key::word("edition", {"ISO 1328:2013", "ISO 1328:1995"}, &ToleranceInput::edition,
                  "\"ISO 1328:2013\"", "edition of the standard for the tolerances")
@@ -127,9 +132,11 @@ const KeyTable& measured_keys() {
                    {&I::lead, &MaybeReading<double>::value}, "", "lead, > 0 for right hand"),
        Key::positive("lead_uncertainty_mm", "", {&I::lead, &MaybeReading<double>::uncertainty},
                      "2 % of the lead", "uncertainty of the lead"),
-       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89),
-                   {&I::helix, &MaybeReading<Angle>::value}, "",
-                   "helix angle at the reference cylinder, > 0 right hand, 0 for straight teeth"),
+       Key::number(
+           "helix_angle_deg", "β", KeyRange::between(-89, 89),
+           {&I::helix, &MaybeReading<Angle>::value}, "",
+           "helix angle at the reference cylinder, > 0 right hand, 0 for straight teeth; an "
+           "angle β_a measured at the tip is converted by tan β = tan β_a · d/d_a"),
        Key::positive("helix_angle_uncertainty_deg", "",
                      {&I::helix, &MaybeReading<Angle>::uncertainty}, "0.5",
                      "uncertainty of the helix angle"),

@@ -75,6 +75,7 @@ std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s)
 
 // The value as it is written in the file. A word is in quotes.
 std::string spelled_value(const std::string& value, const Key& key) {
+  if (key.kind == KeyKind::text && !value.empty()) return "\"" + value + "\"";
   const bool word = key.kind != KeyKind::number && key.kind != KeyKind::whole && !value.empty() &&
                     value != "true" && value != "false" &&
                     std::isalpha(static_cast<unsigned char>(value.front()));

@@ -61,6 +61,9 @@ std::string without_undercut(const Gear& gear) {
   }
   const auto free_shift = gear.undercut_free_shift();
   if (!free_shift) return "the pinion cutter reaches below the involute.";
+  if (gear.spec.profile_shift >= *free_shift)
+    return fmt::format("the thickness allowance of {:.4f} mm causes the undercut.",
+                       gear.spec.thickness_allowance);
   const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // rounded up
   return fmt::format("a profile shift of at least {:.4f} avoids undercut.", shift);
 }
@@ -102,13 +105,26 @@ void warn_about_ring(Gear& gear) {
   warn_about_tip(gear);
 }
 
+// True if a gear without a usable flank has one when its cutter has no protuberance.
+bool protuberance_removes_flank(const Gear& gear) {
+  const StraightRack* const rack = gear.straight_cutter();
+  if (!rack || rack->protuberance <= 0.0) return false;
+  CylindricalSpec plain = gear.spec;
+  plain.straight_rack().protuberance = 0.0;
+  const auto other = make_gear(plain);
+  return other && other->root_form_radius().has_value();
+}
+
 void warn_about_tooth(Gear& gear) {
   const GeneratedTooth& tooth = *gear.tooth;
   if (tooth.through_axis) {
     warn(gear, WarningCode::through_axis,
          fmt::format("The cutter passes through the axis of the gear (root diameter {:.4f} mm), so "
-                     "nothing is left of the gear.",
-                     gear.root_diameter));
+                     "nothing is left of the gear.{}",
+                     gear.root_diameter,
+                     gear.spec.root_fillet ? ""
+                                           : " With few teeth, `root_fillet` can replace the root "
+                                             "that the cutter cuts."));
     return;
   }
   if (tooth.severed) {
@@ -128,8 +144,14 @@ void warn_about_tooth(Gear& gear) {
   }
   if (!tooth.form_radius) {
     warn(gear, WarningCode::no_flank,
-         fmt::format("No usable {}flank is left between root fillet and tip.",
-                     gear.involute() ? "involute " : ""));
+         fmt::format(
+             "No usable {}flank is left between root fillet and tip.{}",
+             gear.involute() ? "involute " : "",
+             protuberance_removes_flank(gear)
+                 ? fmt::format(" The protuberance of the cutter, {:.4f} mm, removes the "
+                               "flank; `rack.protuberance` is in modules.",
+                               gear.straight_cutter()->protuberance * gear.spec.normal_module)
+                 : ""));
   }
   warn_about_tip(gear);
   if (tooth.tip_cut_by_rack) {

@@ -42,9 +42,6 @@ StraightRack& CylindricalSpec::straight_rack() {
 }
 
 std::optional<Error> check_limits(const CylindricalSpec& spec) {
-  const auto within = [](double v, double lo, double hi) {
-    return v >= lo && v <= hi;
-  };  // false for NaN
   if (spec.teeth == 0)
     return refused("teeth", 0, "must not be 0; the number is negative for an internal gear");
   if (std::abs(spec.teeth) > kMaxTeeth) {
@@ -52,33 +49,26 @@ std::optional<Error> check_limits(const CylindricalSpec& spec) {
                    fmt::format("must be at most {}, or for an internal gear at least -{}",
                                kMaxTeeth, kMaxTeeth));
   }
+  struct Limit {
+    const char* field;
+    double value, lo, hi;
+    const char* rule;
+  };
   const double m = spec.normal_module;
-  if (!within(m, kMinModule, kMaxModule)) {
-    return refused("normal_module", m, {kMinModule, kMaxModule},
-                   "must lie between {}\u00a0mm and {}\u00a0mm");
-  }
-  const double alpha = spec.normal_pressure_angle.deg();
-  if (!within(alpha, kMinPressure, kMaxPressure)) {
-    return refused("normal_pressure_angle", alpha, {kMinPressure, kMaxPressure},
-                   "must lie between {}° and {}°, usually 14.5° to 30°");
-  }
-  const double beta = spec.helix_angle.deg();
-  if (!within(beta, -kMaxHelix, kMaxHelix)) {
-    return refused("helix_angle", beta, {-kMaxHelix, kMaxHelix},
-                   "must lie between {}° (left hand) and {}° (right hand)");
-  }
-  if (!within(spec.profile_shift, -kMaxShift, kMaxShift)) {
-    return refused("profile_shift", spec.profile_shift, {-kMaxShift, kMaxShift},
-                   "must lie between {} and {} modules");
-  }
-  const double allowance = kMaxAllowance * m;
-  if (!within(spec.thickness_allowance, -allowance, allowance)) {
-    return refused("thickness_allowance", spec.thickness_allowance, {-allowance, allowance},
-                   "must lie between {} mm and {} mm (10 modules)");
-  }
-  if (!within(spec.face_width, kMinFace * m, kMaxFace * m)) {
-    return refused("face_width", spec.face_width, {kMinFace * m, kMaxFace * m},
-                   "must lie between {} mm and {} mm");
+  for (const Limit& l : {Limit{"normal_module", m, kMinModule, kMaxModule,
+                               "must lie between {}\u00a0mm and {}\u00a0mm"},
+                         {"normal_pressure_angle", spec.normal_pressure_angle.deg(), kMinPressure,
+                          kMaxPressure, "must lie between {}° and {}°, usually 14.5° to 30°"},
+                         {"helix_angle", spec.helix_angle.deg(), -kMaxHelix, kMaxHelix,
+                          "must lie between {}° (left hand) and {}° (right hand)"},
+                         {"profile_shift", spec.profile_shift, -kMaxShift, kMaxShift,
+                          "must lie between {} and {} modules"},
+                         {"thickness_allowance", spec.thickness_allowance, -kMaxAllowance * m,
+                          kMaxAllowance * m, "must lie between {} mm and {} mm (10 modules)"},
+                         {"face_width", spec.face_width, kMinFace * m, kMaxFace * m,
+                          "must lie between {} mm and {} mm"}}) {
+    if (!(l.value >= l.lo && l.value <= l.hi))  // also true for NaN
+      return refused(l.field, l.value, {l.lo, l.hi}, l.rule);
   }
   const double d = m / std::cos(spec.helix_angle.rad()) * std::abs(spec.teeth);
   if (spec.tip_diameter && !(*spec.tip_diameter > 0.0 && *spec.tip_diameter <= kMaxTip * d)) {

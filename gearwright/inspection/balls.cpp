@@ -23,6 +23,8 @@ constexpr std::array kMetric{
     4.0,  4.25, 4.5,  5.0,  5.25, 5.5,  6.0,  6.5,  7.0,  7.5,  8.0,  9.0,  10.0, 10.5, 11.0, 12.0,
     14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0};
 
+constexpr double kSizeStep = 1e-4;  // mm, accuracy of the limits of the size of a ball in messages
+
 struct Base {
   double d_b, cos_b, tan_b;
   double sigma;  // +1; −1 for an internal gear
@@ -44,15 +46,6 @@ double center_involute(const Base& b, double ball) {
 }
 
 Error no_ball(double ball, const std::string& why) { return refused("ball_diameter", ball, why); }
-
-// The end of a message: the diameters of the balls that touch on the usable flank.
-std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
-  const auto lo = ball_touching_at(gear, flank.root_end);
-  const auto hi = ball_touching_at(gear, flank.tip_end);
-  if (!lo || !hi) return "no ball touches these flanks";
-  return fmt::format("balls of {} mm to {} mm touch on the usable flank",
-                     format_number(std::min(*lo, *hi)), format_number(std::max(*lo, *hi)));
-}
 
 // The ball in the position in which it touches both flanks. Root and tips are not considered. None
 // if no position of the ball touches both flanks.
@@ -80,6 +73,40 @@ bool hits_root(const Gear& gear, const BallSeat& seat) {
   const double sigma = gear.side();
   const double lowest = seat.center_diameter / 2 - sigma * seat.ball_diameter / 2;
   return sigma * 2 * lowest < sigma * gear.root_diameter;
+}
+
+bool projects(const Gear& gear, const UsableFlank& flank, const BallSeat& seat) {
+  return gear.side() * (seat.radial - flank.tip / 2) > 0.0;
+}
+
+// The end of a message: the diameters of the balls that touch on the usable flank, clear of the
+// root, and project beyond the tip.
+std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
+  const auto low = ball_touching_at(gear, flank.root_end);
+  const auto high = ball_touching_at(gear, flank.tip_end);
+  if (!low || !high) return "no ball touches these flanks";
+  const auto fits = [&](double ball) {
+    const auto seat = seat_of(gear, flank, ball);
+    return seat && projects(gear, flank, *seat) && !hits_root(gear, *seat);
+  };
+  const double middle = ball_touching_at(gear, flank.middle()).value_or((*low + *high) / 2);
+  const std::array<double, 3> tried{*low, middle, *high};
+  const auto inside = std::find_if(tried.begin(), tried.end(), fits);
+  if (inside == tried.end()) return "no ball that touches on the usable flank can be measured";
+  // The ball at the end of the flank, or the ball nearest to it that fits.
+  const auto nearest = [&](double outside) {
+    if (fits(outside)) return outside;
+    double fitting = *inside;
+    while (std::abs(outside - fitting) > kSizeStep) {
+      const double between = (outside + fitting) / 2;
+      (fits(between) ? fitting : outside) = between;
+    }
+    return fitting;
+  };
+  const auto [least, most] = std::minmax({nearest(*low), nearest(*high)});
+  return fmt::format("balls of {} mm to {} mm touch on the usable flank and can be measured",
+                     format_number(std::ceil(least / kSizeStep) * kSizeStep),
+                     format_number(std::floor(most / kSizeStep) * kSizeStep));
 }
 
 }  // namespace
@@ -117,8 +144,7 @@ Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
         ball,
         fmt::format("touches the root, at a diameter of {} mm, before it touches both flanks; {}",
                     format_number(gear.root_diameter), sizes));
-  const double proud = seat->radial - flank->tip / 2;
-  if (gear.side() * proud <= 0.0)
+  if (!projects(gear, *flank, *seat))
     return no_ball(ball, fmt::format("does not project beyond the tip, because it reaches a "
                                      "radius of {} mm, but the tip is at a radius of {} mm; {}",
                                      format_number(seat->radial, flank->tip / 2),

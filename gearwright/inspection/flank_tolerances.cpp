@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/error.hpp"
+#include "gearwright/base/units.hpp"
 
 namespace gearwright {
 
@@ -126,16 +129,26 @@ bool has_class(FlankTolerances edition, int quality) {
                                               : quality >= 0 && quality <= 12;
 }
 
-bool in_range(FlankTolerances edition, const ToleranceSubject& g) {
-  constexpr double kMostHelix = std::numbers::pi / 4;
-  const auto within = [](double x, double lo, double hi) { return x >= lo && x <= hi; };
-  if (edition == FlankTolerances::iso_2013) {
-    return within(g.teeth, 5, 1000) && within(g.reference_diameter, 5, 15000) &&
-           within(g.normal_module, 0.5, 70) && within(g.face_width, 4, 1200) &&
-           std::abs(g.helix_angle) <= kMostHelix;
+std::string beyond_range(FlankTolerances edition, const ToleranceSubject& g) {
+  struct Range {
+    const char* name;
+    double value, lo, hi;
+    const char* unit;
+  };
+  const bool newer = edition == FlankTolerances::iso_2013;
+  const double helix = newer ? std::abs(g.helix_angle) * kDegPerRad : 0.0;
+  for (const Range& r :
+       {Range{"number of teeth", double(g.teeth), newer ? 5.0 : 1.0, newer ? 1000.0 : HUGE_VAL, ""},
+        {"reference diameter", g.reference_diameter, 5, newer ? 15e3 : 1e4, " mm"},
+        {"normal module", g.normal_module, 0.5, 70, " mm"},
+        {"face width", g.face_width, 4, newer ? 1200.0 : 1000.0, " mm"},
+        {"helix angle", helix, 0, 45, "°"}}) {
+    if (r.value < r.lo || r.value > r.hi)
+      return fmt::format("{} of {}{u} is outside its range of {}{u} to {}{u}", r.name,
+                         format_number(r.value), format_number(r.lo), format_number(r.hi),
+                         fmt::arg("u", r.unit));
   }
-  return within(g.reference_diameter, 5, 10000) && within(g.normal_module, 0.5, 70) &&
-         within(g.face_width, 4, 1000);
+  return "";
 }
 
 FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
@@ -143,6 +156,8 @@ FlankToleranceValues flank_tolerances(FlankTolerances edition, int quality,
   GW_EXPECTS(has_class(edition, quality));
   FlankToleranceValues t =
       edition == FlankTolerances::iso_2013 ? of_2013(quality, gear) : of_1995(quality, gear);
+  t.quality = quality;
+  t.edition = edition;
   add_radial(t, quality, gear);
   if (gear.transverse_pressure_angle)
     t.base_pitch = t.single_pitch * std::cos(*gear.transverse_pressure_angle);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 namespace gearwright {
 
@@ -48,6 +49,8 @@ struct FlankToleranceValues {
   std::optional<double> tooth_single_flank{};    ///< f_i′, tooth to tooth
   std::optional<double> axis_deviation{};    ///< f_Σβ of the pair, out of the plane of the axes
   std::optional<double> axis_inclination{};  ///< f_Σδ of the pair, in the plane of the axes
+  int quality = 0;                           ///< the class and edition of these values
+  FlankTolerances edition = FlankTolerances::iso_2013;
 };
 
 /// True if the edition has this class: 1 to 11 in 2013, 0 to 12 in 1995.
@@ -57,8 +60,9 @@ inline constexpr const char* kClassesOfEditions =
     "is not a grade of this edition; ISO 1328-1:2013 has the grades 1 to 11, and ISO 1328-1:1995 "
     "has 0 to 12";
 
-/// True if the formulas of the edition apply to a gear of these dimensions.
-bool in_range(FlankTolerances edition, const ToleranceSubject& gear);
+/// The first dimension to which the formulas of the edition do not apply, with the range of the
+/// edition; empty if they apply to all dimensions.
+std::string beyond_range(FlankTolerances edition, const ToleranceSubject& gear);
 /// All tolerances except the tolerances of the axes.
 ///
 /// Formula   ISO 1328-1:2013, [T10.15]…[T10.17]; ISO 1328-1:1995 and -2:1997, [T10.18]; f_pb, F_pk,

@@ -19,7 +19,6 @@ using namespace detail;  // NOLINT(google-build-using-namespace): internal parts
 using std::numbers::pi;
 
 constexpr double kNothing = 1e-4;  // least likelihood of a candidate in the list
-constexpr double kSigmas = 1.96;   // standard deviations for 95 %
 constexpr double kMostHelix = 45;  // degrees; worms have greater helix angles
 // A hypothesis, which is a rack with its fit and its evidence.
 struct Found {
@@ -129,6 +128,7 @@ class Searching {
                   0.0, found);
     const HelixPrior prior;
     take(rack, fit_rack(at(0.0), of_shift, readings_), prior.spur, found);
+    if (measured_as_spur_ring()) return;
     std::optional<RackFit> best;
     for (int degrees = 1; degrees <= kMostHelix; ++degrees) {
       const GearNumbers gear = at(degrees * kRadPerDeg);
@@ -139,6 +139,17 @@ class Searching {
     }
     const GearNumbers start = best ? best->gear : at(lead_angle(rack.module).value_or(0.2));
     take(rack, fit_rack(start, of_both, readings_), prior.any, found);
+  }
+
+  bool has(Reading kind) const {
+    return std::any_of(readings_.begin(), readings_.end(),
+                       [&](const Observation& o) { return o.kind == kind; });
+  }
+  // Plane anvils do not fit into the spaces of an internal helical gear, so an internal gear with a
+  // span is a spur gear, unless another reading contradicts this.
+  bool measured_as_spur_ring() const {
+    return problem_.teeth < 0 && has(Reading::span) && !has(Reading::lead) &&
+           !has(Reading::helix_angle);
   }
 
   // True if the measured lead or helix angle rules out the helix angle of this gear.

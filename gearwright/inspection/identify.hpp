@@ -68,7 +68,7 @@ struct IdentifyProblem {
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
 /// The quantities that are read on an unknown gear, the exact ones first. `all` stands for the
-/// readings of all lengths.
+/// readings of all lengths, and `span_teeth` for the numbers of teeth in the spans.
 enum class Reading {
   span,
   over_balls,
@@ -78,7 +78,8 @@ enum class Reading {
   root_diameter,
   center_distance,
   teeth,
-  all
+  all,
+  span_teeth
 };
 
 /// A reading that disagrees with all other readings, and the value that the other readings predict.
@@ -135,8 +136,9 @@ struct NextMeasurement {
 };
 /// A gear that agrees with all readings if one input is corrected.
 struct Alternative {
-  Reading mistake;  ///< `teeth`, or the readings that are in the other unit
+  Reading mistake;  ///< `teeth`, `span_teeth`, or the readings that are in the other unit
   IdentifiedGear gear;
+  int step = 0;  ///< for `span_teeth`: change of the number of teeth in each span
 };
 struct Identification {
   std::vector<IdentifiedGear> candidates;      ///< the likeliest first

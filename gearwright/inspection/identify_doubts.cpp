@@ -1,7 +1,8 @@
 // Computes what the identification of a gear shows about its inputs: a tip or a root that
 // contradicts the flanks, an implausible gear, and a mistake that explains these findings. The
-// mistake may be in the number of teeth or in the unit of a reading.
+// mistake may be in the number of teeth of the gear or of the spans, or in the unit of a reading.
 //                                              theory: docs/theory/10-inspection.md
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -19,42 +20,37 @@ constexpr std::array kGroups{Reading::all,           Reading::span,
                              Reading::over_balls,    Reading::tip_diameter,
                              Reading::root_diameter, Reading::center_distance};
 
+// Calls visit(reading, value) for every length of the problem, including the diameters of balls.
+template <class Visit>
+void each_length(IdentifyProblem& p, const Visit& visit) {
+  for (SpanReading& s : p.spans) visit(Reading::span, s.value);
+  for (DiameterReading& b : p.balls) {
+    visit(Reading::over_balls, b.value);
+    visit(Reading::over_balls, b.tool);
+  }
+  for (const auto& [reading, length] : {std::pair{Reading::lead, &p.lead},
+                                        {Reading::tip_diameter, &p.tip},
+                                        {Reading::root_diameter, &p.root},
+                                        {Reading::center_distance, &p.distance}}) {
+    if (length->value) visit(reading, *length->value);
+  }
+}
+
 // True if the group is `all`, or if the problem has readings of this group and also of another
 // group.
-bool has_group(const IdentifyProblem& p, Reading group) {
-  if (group == Reading::all) return true;
-  const std::array present{!p.spans.empty(), !p.balls.empty(), p.tip.value.has_value(),
-                           p.root.value.has_value(), p.distance.value.has_value()};
-  int others = 0;
-  bool own = false;
-  for (std::size_t i = 0; i < present.size(); ++i) {
-    if (kGroups[i + 1] == group) {
-      own = present[i];
-    } else {
-      others += present[i];
-    }
-  }
-  return own && others > 0;
+bool has_group(IdentifyProblem p, Reading group) {
+  bool own = group == Reading::all, others = own;
+  each_length(p, [&](Reading one, double) {
+    if (one != Reading::lead) (one == group ? own : others) = true;
+  });
+  return own && others;
 }
 
 // The problem with the readings of a group multiplied by a factor.
 IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
-  const auto is = [&](Reading one) { return group == Reading::all || group == one; };
-  const auto scale = [&](std::optional<double>& value) {
-    if (value) *value *= factor;
-  };
-  if (is(Reading::span))
-    for (SpanReading& s : p.spans) s.value *= factor;
-  if (is(Reading::over_balls)) {
-    for (DiameterReading& b : p.balls) {
-      b.value *= factor;
-      b.tool *= factor;
-    }
-  }
-  if (is(Reading::tip_diameter)) scale(p.tip.value);
-  if (is(Reading::root_diameter)) scale(p.root.value);
-  if (is(Reading::center_distance)) scale(p.distance.value);
-  if (group == Reading::all) scale(p.lead.value);
+  each_length(p, [&](Reading one, double& length) {
+    if (group == Reading::all || group == one) length *= factor;
+  });
   return p;
 }
 
@@ -112,8 +108,9 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
   }
   // If neither tip nor root was measured, a gear with another number of teeth has nearly the same
   // readings, so the number of teeth cannot be checked.
-  if (!problem.tip.value && !problem.root.value) return std::nullopt;
+  const bool size_measured = problem.tip.value || problem.root.value;
   for (const int off : {1, 2}) {
+    if (!size_measured) break;
     std::optional<Alternative> best;
     for (const int step : {-off, off}) {
       IdentifyProblem other = problem;
@@ -124,6 +121,15 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
         best = Alternative{Reading::teeth, *gear};
     }
     if (best) return best;
+  }
+  for (const int step : {-1, +1}) {
+    if (!has_group(problem, Reading::span)) break;
+    IdentifyProblem other = problem;
+    for (SpanReading& s : other.spans) s.teeth += step;
+    if (std::any_of(other.spans.begin(), other.spans.end(),
+                    [](const SpanReading& s) { return s.teeth < 1; }))
+      continue;
+    if (const auto gear = found(other)) return Alternative{Reading::span_teeth, *gear, step};
   }
   return std::nullopt;
 }

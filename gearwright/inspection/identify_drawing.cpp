@@ -43,7 +43,6 @@ constexpr double kAllowanceScatter = 0.04;
 constexpr double kRootScatterOfRack = 0.04;
 constexpr double kMostTipCost = 8.0;
 constexpr double kMostRootCost = 4.5;
-constexpr double kSigmasOf95 = 1.96;
 
 struct RackChoice {
   std::string_view name;
@@ -160,7 +159,7 @@ class Drawing {
     const double depth = side_ * (d_ - *p_.root.value) / (2 * m_) + x_E_;
     const double reading = p_.root.uncertainty.value_or(kLength) / (2 * m_);
     return std::abs(depth - rack.dedendum) /
-           std::hypot(kRootScatterOfRack, std::hypot(reading, u_) / kSigmasOf95);
+           std::hypot(kRootScatterOfRack, std::hypot(reading, u_) / kSigmas);
   }
 
   // True if the allowance that belongs to the profile shift x lies between −`most` modules and 0.

@@ -18,7 +18,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kSigmas = 1.96;  // standard deviations for 95 %
 // Usual uncertainties of readings at 95 %.
 constexpr double kLeadUncertainty = 0.02;  // relative, of a lead measured by rolling over paper
 constexpr double kHelixUncertainty = 0.5;  // degrees, of a helix angle

@@ -239,5 +239,36 @@ TEST(LongIdentify, ten_thousand_synthetic_gears) {
   EXPECT_LT(n.total_ms / n.gears, 50.0);
 }
 
+// The gear has the module 3.5, 20°, β = 16° and x_E = 0.15. The spans are over 4 and 5 teeth, but
+// they are given as spans over 3 and 4 teeth.
+TEST(Identify, finds_miscounted_teeth_in_the_spans) {
+  IdentifyProblem p;
+  p.teeth = 29;
+  p.spans = {{3, 38.13}, {4, 48.46}};
+  p.balls = {{6, 114.62}};
+  p.tip.value = 113.80;
+  const auto found = testing::taken(identify(p));
+  ASSERT_TRUE(found.alternative);
+  EXPECT_EQ(found.alternative->mistake, Reading::span_teeth);
+  EXPECT_EQ(found.alternative->step, 1);
+  EXPECT_EQ(found.alternative->gear.teeth, 29);
+  EXPECT_EQ(found.alternative->gear.normal_module, 3.5);
+  EXPECT_NEAR(found.alternative->gear.helix_angle.deg(), 16.0, 0.5);
+  EXPECT_NEAR(found.alternative->gear.generating_shift, 0.15, 0.02);
+}
+
+// Plane anvils do not fit into the spaces of an internal helical gear.
+TEST(Identify, internal_gears_with_spans_are_spur_gears) {
+  IdentifyProblem p;
+  p.teeth = -64;
+  p.spans = {{7, 49.91}, {8, 57.29}};
+  p.balls = {{4.5, 151.95}};
+  p.tip.value = 154.03;
+  const auto found = testing::taken(identify(p));
+  ASSERT_FALSE(found.candidates.empty());
+  for (const IdentifiedGear& gear : found.candidates) EXPECT_EQ(gear.helix_angle.rad(), 0.0);
+  EXPECT_EQ(found.candidates.front().normal_module, 2.5);
+}
+
 }  // namespace
 }  // namespace gearwright

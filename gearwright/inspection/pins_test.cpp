@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -152,6 +153,34 @@ TEST(Span, notes_a_face_on_which_the_anvils_would_tip_off) {
             "practice requires a face width of 22.17 mm, but the face width is 20.3 mm. Over 5 "
             "teeth, 18.51 mm are enough.");
   EXPECT_EQ(notes_at(22.2), "");
+}
+
+// The oracle tries every ball in steps of 2 µm and shares no code with the search for the limits.
+TEST(Balls, of_the_sizes_in_a_message_can_be_measured) {
+  for (const Gear& gear : {spur(12, 10, 0.5), spur(16, 3, 0), helical(23, 2.5, 18, 0.4),
+                           spur(-60, 2, 0), helical(-45, 3, 12, 0.2)}) {
+    const double m = gear.spec.normal_module;
+    const auto fits = [&](double ball) {
+      const auto seat = ball_in_space(gear, ball);
+      return seat && seat->usable();
+    };
+    double least = 0.0, most = 0.0;
+    for (double ball = 0.5 * m; ball < 8 * m; ball += 0.002) {
+      if (!fits(ball)) continue;
+      if (least == 0.0) least = ball;
+      most = ball;
+    }
+    const auto refused = ball_in_space(gear, 0.5 * m);
+    ASSERT_FALSE(refused);
+    const std::string text = refused.error().message();
+    double low = 0.0, high = 0.0;
+    const std::size_t at = text.find("balls of ");
+    ASSERT_NE(at, std::string::npos) << text;
+    ASSERT_EQ(std::sscanf(text.c_str() + at, "balls of %lf mm to %lf mm", &low, &high), 2) << text;
+    EXPECT_NEAR(low, least, 0.0021) << text;
+    EXPECT_NEAR(high, most, 0.0021) << text;
+    EXPECT_TRUE(fits(low) && fits(high)) << text;
+  }
 }
 
 }  // namespace

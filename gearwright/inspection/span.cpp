@@ -91,10 +91,7 @@ Result<Span> span_over(const Gear& gear, int k) {
   const auto no = [&](const std::string& why) { return refused("span_teeth", k, why); };
   if (!gear.involute())
     return no("spans can be measured on involute flanks only, and these flanks are circular arcs");
-  if (!measurable(gear))
-    return no(
-        "plane anvils do not fit into the tooth spaces of an internal helical gear; measure "
-        "between balls");
+  if (!measurable(gear)) return no(kNoPlaneAnvils);
   const auto flank = usable_flank(gear);
   if (!flank) return no("there is no usable flank to measure, as the warnings of the gear explain");
   const int z = std::abs(gear.spec.teeth);

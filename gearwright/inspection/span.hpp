@@ -31,6 +31,11 @@ struct Span {
   bool usable() const { return place == ContactPlace::usable && face_is_wide_enough; }
 };
 
+/// The reason why no span of an internal helical gear can be measured.
+inline constexpr const char* kNoPlaneAnvils =
+    "plane anvils do not fit into the tooth spaces of an internal helical gear; measure between "
+    "balls";
+
 /// W_k for any k, even if an anvil cannot reach the flanks.
 ///
 /// Formula   W_k = cos β_b ((k − 1) p_bt + s_bt); k p_bt − s_bt for an internal spur gear; [T10.2]

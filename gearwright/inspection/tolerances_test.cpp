@@ -122,8 +122,16 @@ TEST(FlankTolerances, know_their_classes_and_sizes) {
   EXPECT_FALSE(has_class(FlankTolerances::iso_2013, 0));
   EXPECT_FALSE(has_class(FlankTolerances::iso_2013, 12));
   EXPECT_TRUE(has_class(FlankTolerances::iso_1995, 0));
-  EXPECT_FALSE(in_range(FlankTolerances::iso_2013, {100, 3, 30, 4, 0.0}));
-  EXPECT_TRUE(in_range(FlankTolerances::iso_2013, {100, 3, 30, 33, 0.3}));
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_2013, {100, 3, 30, 4, 0.0}),
+            "number of teeth of 4 is outside its range of 5 to 1000");
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_1995, {12, 0.4, 3, 30, 0.0}),
+            "normal module of 0.4 mm is outside its range of 0.5 mm to 70 mm");
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_2013, {100, 3, 3, 33, 0.0}),
+            "face width of 3 mm is outside its range of 4 mm to 1200 mm");
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_2013, {100, 3, 30, 33, 0.8}),
+            "helix angle of 45.8366° is outside its range of 0° to 45°");
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_1995, {100, 3, 30, 4, 0.8}), "");
+  EXPECT_EQ(beyond_range(FlankTolerances::iso_2013, {100, 3, 30, 33, 0.3}), "");
 }
 
 TEST(ThicknessSeries, are_those_of_the_tables) {

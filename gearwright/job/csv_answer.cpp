@@ -88,6 +88,10 @@ void add_records(UnitSystem units, const std::string& path, const QuantityTable&
   });
 }
 
+std::string quantity_heads() {
+  return row({"key", "quantity", "symbol", "unit", "first", "second"});
+}
+
 struct CsvColumn {
   std::string name;
   UnitSystem units;
@@ -153,7 +157,7 @@ std::string csv_cell(const Value& value, UnitSystem units, Unit unit) {
 }
 
 std::string quantities_csv(const SolvedJob& job) {
-  std::string out = row({"key", "quantity", "symbol", "unit", "first", "second"});
+  std::string out = quantity_heads();
   const UnitSystem units = job.spec.units();
   std::vector<ValueRecord> records;
   for (std::size_t i = 0; i < job.gears.size(); ++i)
@@ -177,6 +181,15 @@ std::string quantities_csv(const SolvedJob& job) {
     add_records(units, "rack", rack_quantities().table(), {&rack}, out);
     add_records(units, "pair", rack_pair_quantities().table(), {&pair}, out);
   }
+  return out;
+}
+
+std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures) {
+  std::string out = quantity_heads();
+  const ValueList list = measure_quantities().each(measures);
+  Rows rows;
+  for (const Value& v : list) rows.push_back(v.record());
+  add_records(job.spec.units(), "gears.measure", measure_quantities().table(), rows, out);
   return out;
 }
 

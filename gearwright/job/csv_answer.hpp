@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/propose_quantities.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
@@ -21,6 +22,8 @@ std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit
 /// list has a row for each value (key.1, key.2, …). Lists of records (contacts, overlaps) are
 /// omitted.
 std::string quantities_csv(const SolvedJob& job);
+/// The same rows for the measurements of the gears.
+std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 /// A row for each position of the working flanks, with a column for each number of the position.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
 /// A row for each torque and position.

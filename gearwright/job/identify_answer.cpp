@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/units.hpp"
@@ -161,9 +162,31 @@ std::string alternative_text(const Alternative& a, UnitSystem units) {
   if (a.mistake == Reading::teeth)
     return fmt::format("Count the teeth again: all readings agree with a gear of {} teeth {}.",
                        g.teeth, gear);
+  if (a.mistake == Reading::span_teeth)
+    return fmt::format(
+        "Count the teeth in the spans again: with one tooth {} in each span, all readings agree "
+        "with a gear of {} teeth {}.",
+        a.step > 0 ? "more" : "fewer", g.teeth, gear);
   const char* const other = units == UnitSystem::inch ? "mm" : "inch";
   return fmt::format("Check the units: if {} in {}, all readings agree with a gear of {} teeth {}.",
                      group_text(a.mistake), other, g.teeth, gear);
+}
+
+// The sentence about two likely candidates that no usual measurement distinguishes. It is empty if
+// there is only one likely candidate.
+std::string undecided_text(const Identification& found) {
+  constexpr double kLikely = 0.01, kClear = 0.1;  // likelihood; degrees
+  if (found.next || found.candidates.size() < 2 || found.candidates[1].likelihood < kLikely)
+    return "";
+  const double one = found.candidates[0].helix_angle.deg();
+  const double other = found.candidates[1].helix_angle.deg();
+  return fmt::format(
+      "\nNo further span and no dimension over balls distinguishes candidates 1 and 2{}.\n",
+      std::abs(one - other) < kClear
+          ? ""
+          : fmt::format("; measure the helix angle at the reference cylinder, {:.3f}° or {:.3f}°, "
+                        "more accurately",
+                        one, other));
 }
 
 }  // namespace
@@ -229,6 +252,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
                                            n->rival + 1, tool_text(n->reading, n->tool),
                                            n->expect[0], unit, n->expect[1], unit));
   }
+  text += undecided_text(found);
   return text + "\nThe option --take NUMBER > gear.toml writes the spec of a candidate.\n";
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 
 #include "gearwright/base/testing/taken.hpp"
@@ -225,6 +226,24 @@ TEST(ToleranceEnds, enclose_all_combinations) {
       }
     }
   }
+}
+
+// The nominal span over 3 teeth is 22.98 mm, and that over 4 teeth is 31.84 mm. An allowance may be
+// half a pitch, 4.71 mm.
+TEST(ToleranceEnds, refuse_a_dimension_of_another_number_of_teeth) {
+  Json gear{{"teeth", 20}, {"normal_module_mm", 3}, {"face_width_mm", 25}};
+  gear["measure"] = {{"span_teeth", 3}, {"ball_diameter_mm", 5}};
+  gear["tolerance"] = {{"span_mm", {31.8, 31.85}}};
+  const Error span = refused_spec("gear", {{"gear1", gear}});
+  EXPECT_EQ(span.field, "gear1.tolerance.span");
+  EXPECT_NE(span.message().find("nearest to the span over 4 teeth"), std::string::npos)
+      << span.message();
+  gear["tolerance"] = {{"over_balls_mm", {77, 77.1}}};
+  EXPECT_EQ(refused_spec("gear", {{"gear1", gear}}).field, "gear1.tolerance.over_balls");
+  gear["tolerance"] = {{"span_mm", {20.8, 20.85}}};
+  const Json thin = answer("gear", {{"gear1", gear}})["gears"][0];
+  EXPECT_NEAR(thin["reference_tooth_thickness_normal_mm"].get<double>(),
+              1.5 * std::numbers::pi + (20.825 - 22.981330) / std::cos(std::numbers::pi / 9), 1e-4);
 }
 
 }  // namespace

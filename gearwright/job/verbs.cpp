@@ -115,7 +115,8 @@ Result<Answer> run_measure(const JobSpec& spec, Progress* progress) {
        .find = [](SolvedJob& job, Progress*) { return measure_gears(job); },
        .judge = [](const SolvedJob& job, const Measures&) { return judge(job); },
        .record = measures_record,
-       .listing = measure_listing},
+       .listing = measure_listing,
+       .csv = measure_csv},
       spec, progress);
 }
 
@@ -303,7 +304,7 @@ constexpr Verb kVerbs[] = {
      "Print only the spec of the mesh with this number as a pair; 1 is the first mesh", run_drive,
      "drive", table_of<drive_quantities>},
     {"measure", "Spans, dimensions over balls and pins, chords, tolerances of the flanks",
-     "gearwright measure examples/helical_pair.toml", SpecUse::geometry, false, true, false,
+     "gearwright measure examples/helical_pair.toml", SpecUse::geometry, true, true, false,
      Take::none, "", run_measure},
     {"identify", "The gears that match the readings of an unknown gear, the likeliest first",
      "gearwright identify examples/broken_gear.toml", SpecUse::geometry, false, false, false,

@@ -70,103 +70,102 @@ struct Records {
     const double x = *a->value.number(), y = *b->value.number();
     const std::string from = number(info, std::min(x, y), units),
                       to = number(info, std::max(x, y), units);
-    return from == to ? std::nullopt : std::optional(from + " … " + to);
+    if (from == to) return std::nullopt;
+    if (info.unit != Unit::mm) return from + " … " + to;
+    const auto decimals = [](const std::string& text) {
+      return static_cast<int>(text.size() - std::min(text.find('.'), text.size() - 1) - 1);
+    };
+    const auto aligned = [&, digits = std::max(decimals(from), decimals(to))](double mm) {
+      return with_minus(fixed_decimals(value_in(system_of(info, units), info.unit, mm), digits));
+    };
+    return aligned(std::min(x, y)) + " … " + aligned(std::max(x, y));
   }
 };
 
-class Group {
- public:
-  explicit Group(std::string title) { group_.title = std::move(title); }
-
-  void row(std::string words, std::string symbol, std::string value) {
-    group_.rows.push_back({std::move(words), std::move(symbol), std::move(value)});
-  }
-  /// Adds the row of a quantity of the catalogue. No row is added if there is no value.
-  void row(const Records& r, std::string_view path, Sign sign = Sign::kept) {
-    const Member* const m = find(r.nominal, path);
-    if (m) row(capitalised(m->info->words), m->info->symbol, *r.value(path, sign));
-  }
-  void add_to(std::vector<DataGroup>& groups) && {
-    if (!group_.rows.empty()) groups.push_back(std::move(group_));
-  }
-
- private:
-  DataGroup group_;
-};
+// Adds the row of a quantity of the catalogue. No row is added if there is no value.
+void add_data(DataGroup& group, const Records& r, std::string_view path, Sign sign = Sign::kept) {
+  const Member* const m = find(r.nominal, path);
+  if (m) group.rows.push_back({capitalised(m->info->words), m->info->symbol, *r.value(path, sign)});
+}
 
 // The rows of a pinion cutter. If the mating gear is the cutter, `mate` is the number of the mating
-// gear, and otherwise 0.
-void add_cutter(Group& group, const PinionCutting& cutter, int mate, const Records& r) {
+// gear, and otherwise 0. The workshop may use another cutter than the default cutter, so its
+// generating centre distance is omitted.
+void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const Records& r) {
   const std::string origin = cutter.by_default ? ", default cutter"
                              : mate > 0        ? fmt::format(", gear {}", mate)
                                                : "";
-  group.row("Pinion cutter, teeth", "z_0", fmt::format("{}{}", cutter.cutter_teeth, origin));
-  group.row(r, "generating_center_distance_mm");
-  group.row("Pinion cutter, tip corner", "ρ_a0",
-            short_decimals(value_in(r.units, Unit::mm, cutter.tip_rounding), 4));
+  group.rows.push_back(
+      {"Pinion cutter, teeth", "z_0", fmt::format("{}{}", cutter.cutter_teeth, origin)});
+  if (!cutter.by_default) add_data(group, r, "generating_center_distance_mm");
+  group.rows.push_back({"Pinion cutter, tip corner", "ρ_a0",
+                        short_decimals(value_in(r.units, Unit::mm, cutter.tip_rounding), 4)});
 }
 
-void add_rack(Group& group, const Gear& gear, int mate, const Records& r) {
+void add_rack(DataGroup& group, const Gear& gear, int mate, const Records& r) {
   if (const auto* rack = std::get_if<DoubleArcRack>(&gear.spec.rack); rack && rack->named)
-    return group.row("Basic rack", "", "GB/T 12759-1991");
-  if (!gear.involute()) return group.row("Basic rack", "", "with circular arcs");
-  if (gear.cut_by) return add_cutter(group, *gear.cut_by, mate, r);
+    return group.rows.push_back({"Basic rack", "", "GB/T 12759-1991"});
+  if (!gear.involute()) return group.rows.push_back({"Basic rack", "", "with circular arcs"});
+  if (gear.cut_by) add_cutter(group, *gear.cut_by, mate, r);
+  if (gear.cut_by && !gear.cut_by->by_default) return;
   const StraightRack& rack = gear.spec.straight_rack();
   for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
     const StraightRack iso = *iso53_rack(name);
     const bool same = rack.named && rack.dedendum == iso.dedendum &&
                       rack.root_fillet_radius == iso.root_fillet_radius;
-    if (same) return group.row("Basic rack", "", fmt::format("ISO 53-{}", name[6]));
+    if (same) return group.rows.push_back({"Basic rack", "", fmt::format("ISO 53-{}", name[6])});
   }
-  group.row("Addendum, basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum));
-  group.row("Dedendum, basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum));
-  group.row("Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius));
+  group.rows.push_back({"Addendum, basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum)});
+  group.rows.push_back({"Dedendum, basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum)});
+  group.rows.push_back(
+      {"Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius)});
 }
 
-Group teeth(const Gear& gear, const std::optional<Halves>& halves, int mate, const Records& r) {
-  Group group(gear.involute() ? "Gear data by DIN 3966-1, symbols of ISO 21771"
-                              : "Gear data, symbols of ISO 21771");
-  group.row(r, "teeth");
+DataGroup teeth(const Gear& gear, const std::optional<Halves>& halves, int mate, const Records& r) {
+  DataGroup group{gear.involute() ? "Gear data by DIN 3966-1, symbols of ISO 21771"
+                                  : "Gear data, symbols of ISO 21771",
+                  {}};
+  add_data(group, r, "teeth");
   if (r.units == UnitSystem::inch)
-    group.row("Normal diametral pitch", "P_nd",
-              fmt::format("{:.8g}", kMmPerInch / gear.spec.normal_module));
+    group.rows.push_back({"Normal diametral pitch", "P_nd",
+                          fmt::format("{:.8g}", kMmPerInch / gear.spec.normal_module)});
   else
-    group.row(r, "normal_module_mm");
-  group.row(r, "normal_pressure_angle_deg");
-  group.row(r, "helix_angle_deg", Sign::dropped);
+    add_data(group, r, "normal_module_mm");
+  add_data(group, r, "normal_pressure_angle_deg");
+  add_data(group, r, "helix_angle_deg", Sign::dropped);
   if (halves)
-    group.row("Hand of helix", "",
-              fmt::format("double-helical, {} at z > 0", *r.value("hand_of_helix")));
+    group.rows.push_back({"Hand of helix", "",
+                          fmt::format("double-helical, {} at z > 0", *r.value("hand_of_helix"))});
   else if (gear.spec.helix_angle.rad() != 0.0)
-    group.row(r, "hand_of_helix");
+    add_data(group, r, "hand_of_helix");
   if (halves) {
     const Records two{double_helical_quantities().of(*halves), r.units};
-    if (halves->given.stagger_pitches != 0.0) group.row(two, "stagger_pitches");
+    if (halves->given.stagger_pitches != 0.0) add_data(group, two, "stagger_pitches");
     for (const char* key : {"half_face_width_mm", "gap_mm", "groove_diameter_mm"})
-      group.row(two, key);
+      add_data(group, two, key);
   }
-  group.row(r, "lead_mm", Sign::dropped);
+  add_data(group, r, "lead_mm", Sign::dropped);
   add_rack(group, gear, mate, r);
-  group.row(r, "profile_shift");
+  add_data(group, r, "profile_shift");
   return group;
 }
 
 // Adds a size with the limits of its fit. If the size has no fit, the limits are left blank.
-void size_rows(Group& group, UnitSystem units, const std::string& what, const std::string& symbol,
-               double size, const std::string& fit,
+void size_rows(DataGroup& group, UnitSystem units, const std::string& what,
+               const std::string& symbol, double size, const std::string& fit,
                const std::optional<std::array<double, 2>>& deviations) {
   const bool mm = units == UnitSystem::mm;
   const auto inch = [&](double x) { return fixed_decimals(value_in(units, Unit::mm, x), 4); };
   const std::string text = mm ? with_minus(short_decimals(size, 4)) : inch(size);
-  group.row(what, symbol, fit.empty() ? text : text + " " + fit);
+  group.rows.push_back({what, symbol, fit.empty() ? text : text + " " + fit});
   // A limit of half a µm needs a fourth decimal.
   const auto limit = [&](double deviation) {
     if (!mm) return inch(size + deviation);
     const double um = 1e3 * (size + deviation);
     return fixed_decimals(size + deviation, std::abs(um - std::round(um)) < 1e-6 ? 3 : 4);
   };
-  group.row("Limits", "",
-            deviations ? limit((*deviations)[0]) + " … " + limit((*deviations)[1]) : "");
+  group.rows.push_back(
+      {"Limits", "", deviations ? limit((*deviations)[0]) + " … " + limit((*deviations)[1]) : ""});
 }
 
 std::optional<std::array<double, 2>> limits_of(const std::string& fit, double size) {
@@ -174,8 +173,8 @@ std::optional<std::array<double, 2>> limits_of(const std::string& fit, double si
   return deviations ? std::optional(*deviations) : std::nullopt;
 }
 
-Group bore_group(const Gear& gear, const DrawingInput& words, UnitSystem units) {
-  Group group("Bore and keyway");
+DataGroup bore_group(const Gear& gear, const DrawingInput& words, UnitSystem units) {
+  DataGroup group{"Bore and keyway", {}};
   if (gear.internal() || !gear.bore) return group;
   const Bore& bore = *gear.bore;
   size_rows(group, units, "Bore", "Ø", bore.diameter, words.bore_fit,
@@ -191,25 +190,35 @@ Group bore_group(const Gear& gear, const DrawingInput& words, UnitSystem units) 
   return group;
 }
 
-Group diameters(const Records& r) {
-  Group group("Diameters");
+DataGroup diameters(const Records& r) {
+  DataGroup group{"Diameters", {}};
   for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm",
                           "root_diameter_mm", "root_form_diameter_mm", "tip_form_diameter_mm"})
-    group.row(r, key);
+    add_data(group, r, key);
   return group;
 }
 
-Group thickness(bool ring, const Records& gear, const Records& measure) {
-  Group group("Tooth thickness");
-  group.row(gear, "reference_tooth_thickness_normal_mm");
-  group.row(gear, "thickness_allowance_mm");
+DataGroup thickness(bool ring, const GearInput& input, const Records& gear,
+                    const Records& measure) {
+  DataGroup group{"Tooth thickness", {}};
+  if (input.tolerance.series)
+    group.rows.push_back({"Allowance and tolerance", "", *input.tolerance.series + ", DIN 3967"});
+  add_data(group, gear, "reference_tooth_thickness_normal_mm");
+  add_data(group, gear, "thickness_allowance_mm");
   if (const auto teeth = measure.value("span.teeth"))
-    group.row(fmt::format("Span over {} {}", *teeth, ring ? "tooth spaces" : "teeth"),
-              "W_" + *teeth, *measure.value("span.length_mm"));
-  group.row(measure, "over_balls.ball_diameter_mm");
+    group.rows.push_back({fmt::format("Span over {} {}", *teeth, ring ? "tooth spaces" : "teeth"),
+                          "W_" + *teeth, *measure.value("span.length_mm")});
+  if (input.measure.pin_diameter && !input.measure.ball_diameter) {
+    add_data(group, measure, "over_pins.pin_diameter_mm");
+    if (const auto dimension = measure.value("over_pins.three_mm"))
+      group.rows.push_back(
+          {ring ? "Dimension between two pins" : "Dimension over two pins", "M_dR", *dimension});
+    return group;
+  }
+  add_data(group, measure, "over_balls.ball_diameter_mm");
   if (const auto dimension = measure.value("over_balls.dimension_mm"))
-    group.row(ring ? "Dimension between two balls" : "Dimension over two balls", "M_dK",
-              *dimension);
+    group.rows.push_back(
+        {ring ? "Dimension between two balls" : "Dimension over two balls", "M_dK", *dimension});
   return group;
 }
 
@@ -224,8 +233,8 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem units) {
-  Group group("Flank modifications, material removed");
+DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem units) {
+  DataGroup group{"Flank modifications, material removed", {}};
   for (const ModificationEntry& entry : modification_entries()) {
     const std::array<std::string, 2> texts{amount(entry, flanks[0], units),
                                            amount(entry, flanks[1], units)};
@@ -234,40 +243,44 @@ Group modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem 
       if (entry.amount_of(flanks[i]) == 0.0) continue;
       const bool both = texts[0] == texts[1];
       const char* side = both ? "" : i == 0 ? ", right" : ", left";
-      group.row(words + side, std::string(entry.symbol.substr(0, entry.symbol.find(" ="))),
-                texts[i]);
+      group.rows.push_back(
+          {words + side, std::string(entry.symbol.substr(0, entry.symbol.find(" ="))), texts[i]});
       if (both) break;
     }
   }
   if (flanks[0].topography || flanks[1].topography)
-    group.row("Topography", "", "by a separate table");
+    group.rows.push_back({"Topography", "", "by a separate table"});
   return group;
 }
 
 // If no flank tolerance class is given, the row of the class is blank, so that the workshop notices
 // the omission.
-Group tolerances(const ToleranceInput& given, const Records& measure) {
-  if (!given.quality) {
-    Group blank("Tolerances, ISO 1328-1");
-    blank.row("Flank tolerance class", "", "");
-    return blank;
-  }
-  Group group(
+DataGroup tolerances(const ToleranceInput& given, const Records& measure) {
+  if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
+  DataGroup group{
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
-                  given.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *given.quality));
+                  given.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *given.quality),
+      {}};
   for (const char* key :
        {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
-        "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"})
-    group.row(measure, std::string("tolerances.") + key);
+        "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"}) {
+    const std::string path = std::string("tolerances.") + key;
+    const Member* const m = find(measure.nominal, path);
+    if (!m) continue;
+    // The symbols of the edition of 1995 do not have the subscript T.
+    std::string symbol = m->info->symbol;
+    if (given.edition == FlankTolerances::iso_1995 && symbol.ends_with('T')) symbol.pop_back();
+    group.rows.push_back({capitalised(m->info->words), symbol, *measure.value(path)});
+  }
   return group;
 }
 
-Group mate(const SolvedJob& job, int which) {
-  Group group("Mating gear");
+DataGroup mate(const SolvedJob& job, int which) {
+  DataGroup group{"Mating gear", {}};
   if (!job.pair) return group;
   const Gear& other = job.gears[which == 1 ? 1 : 0];
-  group.row("Number of teeth", which == 1 ? "z_2" : "z_1",
-            with_minus(fmt::format("{}", other.spec.teeth)));
+  group.rows.push_back({"Number of teeth", which == 1 ? "z_2" : "z_1",
+                        with_minus(fmt::format("{}", other.spec.teeth))});
   Records pair{pair_quantities().of(*job.pair), job.spec.units()};
   if (job.ends) {
     auto [lower, upper] = limits_of(job, arranged_corners(job), [](const Arranged& at) {
@@ -275,9 +288,20 @@ Group mate(const SolvedJob& job, int which) {
     });
     pair.ends = {std::move(lower), std::move(upper)};
   }
-  group.row(pair, "center_distance_mm");
-  if (job.pair->shaft_angle().rad() != 0.0) group.row(pair, "shaft_angle_deg");
-  group.row(pair, "backlash.normal_mm");
+  if (const auto& tolerance = job.completed.pair.distance_tolerance;
+      tolerance && !pair.ends.empty()) {
+    const double half =
+        std::abs(job.ends->upper.pair->center_distance() - job.pair->center_distance());
+    const QuantityInfo& info = *find(pair.nominal, "center_distance_mm")->info;
+    group.rows.push_back(
+        {capitalised(info.words), info.symbol,
+         fmt::format("{} ± {} ({})", number(info, job.pair->center_distance(), pair.units),
+                     number(info, half, pair.units), *tolerance)});
+  } else {
+    add_data(group, pair, "center_distance_mm");
+  }
+  if (job.pair->shaft_angle().rad() != 0.0) add_data(group, pair, "shaft_angle_deg");
+  add_data(group, pair, "backlash.normal_mm");
   return group;
 }
 
@@ -292,15 +316,14 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
     gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }
-  std::vector<DataGroup> groups;
   const int cutter = input.cut_by ? input.cut_by->gear : 0;
-  teeth(job.gears[i], job.halves[i], cutter, gear).add_to(groups);
-  diameters(gear).add_to(groups);
-  thickness(job.gears[i].internal(), gear, measure).add_to(groups);
-  bore_group(job.gears[i], job.spec.drawing, units).add_to(groups);
-  modifications(input.modifications, units).add_to(groups);
-  if (job.gears[i].involute()) tolerances(input.tolerance, measure).add_to(groups);
-  mate(job, which).add_to(groups);
+  std::vector<DataGroup> groups{teeth(job.gears[i], job.halves[i], cutter, gear), diameters(gear),
+                                thickness(job.gears[i].internal(), input, gear, measure),
+                                bore_group(job.gears[i], job.spec.drawing, units),
+                                modifications(input.modifications, units)};
+  if (job.gears[i].involute()) groups.push_back(tolerances(input.tolerance, measure));
+  groups.push_back(mate(job, which));
+  std::erase_if(groups, [](const DataGroup& group) { return group.rows.empty(); });
   return groups;
 }
 

@@ -198,7 +198,7 @@ TEST(WorkshopDrawing, has_the_limits_of_the_tip_diameter) {
   for (const char* words : {"Ø50 h9", "49.938 … 50"})
     EXPECT_TRUE(contains(pinion + tip + "\"h9\"", words)) << words;
   const std::string ring = gear("teeth = -60\nnormal_module_mm = 1\nface_width_mm = 20");
-  for (const char* words : {"Ø58 H9", "58 … 58.074"})
+  for (const char* words : {"Ø58 H9", "58.000 … 58.074"})
     EXPECT_TRUE(contains(ring + tip + "\"H9\"", words)) << words;
   expect_clear(pinion + tip + "\"js10\"", "tip with a fit");
 }
@@ -351,6 +351,36 @@ TEST(WorkshopDrawing, of_every_example) {
     ++drawn;
   }
   EXPECT_GE(drawn, 10);
+}
+
+TEST(WorkshopDrawing, names_the_tolerances_of_thickness_and_distance) {
+  const std::string pair =
+      "[gear1]\nteeth = 27\nnormal_module_mm = 3.5\nhelix_angle_deg = 18\nface_width_mm = 45\n"
+      "profile_shift = 0.24\n"
+      "[gear1.tolerance]\nthickness_series = \"cd25\"\nquality = 6\n"
+      "edition = \"ISO 1328:1995\"\ntip_diameter_fit = \"h9\"\n[gear2]\nteeth = 64\n"
+      "[pair]\ncenter_distance_mm = 168\ncenter_distance_tolerance = \"JS7\"\n";
+  // d_a = 108.04321 mm is rounded in the view.
+  for (const char* words : {"cd25, DIN 3967", "168 ± 0.02 (JS7)", "Ø108.043 h9", "Ø99.363"})
+    EXPECT_TRUE(contains(pair, words)) << words;
+  EXPECT_EQ(count(pair, "ptT"), 0);
+  EXPECT_EQ(count(pair, "pt"), 1);
+}
+
+TEST(WorkshopDrawing, has_the_pins_of_the_spec) {
+  const std::string pins = gear(
+      "teeth = 20\nnormal_module_mm = 3\nface_width_mm = 25\n[gear1.measure]\n"
+      "pin_diameter_mm = 5.5");
+  EXPECT_TRUE(contains(pins, "Diameter of the pins"));
+  EXPECT_TRUE(contains(pins, "Dimension over two pins"));
+  EXPECT_FALSE(contains(pins, "balls"));
+}
+
+TEST(WorkshopDrawing, keeps_the_lines_of_a_note) {
+  const std::string note = "[drawing]\nnote = \"Deburr.\\nMark the teeth.\"\nedges = \"-0.3\"\n" +
+                           gear("teeth = 20\nnormal_module_mm = 3\nface_width_mm = 25");
+  for (const char* words : {"Deburr.", "Mark the teeth.", "−0.3"})
+    EXPECT_EQ(count(note, words), 1) << words;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ using A = Adjustable;
 using C = WarningCode;
 using W = Whose;
 
-const std::vector<Means> kGearGrows{{A::profile_shift, W::own, +1}, {A::teeth, W::own, +1}};
+const std::vector<Means> kGearGrows{
+    {A::thickness_allowance, W::own, +1}, {A::profile_shift, W::own, +1}, {A::teeth, W::own, +1}};
 const std::vector<Means> kReachLess{{A::tip_diameter, W::mate, -1},
                                     {A::profile_shift, W::own, +1},
                                     {A::center_distance, W::pair, +1},
@@ -155,12 +156,15 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
       lever.now = gear(which).tip_diameter;
       lever.direction *= static_cast<int>(outward);
       lever.span = 2 * m;
+      if (gear(which).pointed())
+        lever.span += std::abs(lever.now - 2 * gear(which).actual_tip_radius());
       lever.digits = digits_for(m, 2);
       if (p && means.direction < 0) lever.hint = tip_that_clears(*p, which);
       return lever;
     case A::thickness_allowance:
       lever.now = gear(which).spec.thickness_allowance;
-      lever.span = 0.3 * m;
+      if (means.direction > 0 && lever.now >= 0.0) return std::nullopt;
+      lever.span = means.direction > 0 ? -lever.now : 0.3 * m;
       lever.digits = digits_for(m, 3);
       return lever;
     case A::teeth:
@@ -265,6 +269,10 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
     then = "the backlash is positive at every tolerance end";
   } else {
     then = fmt::format(fmt::runtime(cure.then), finding.gear);
+    const bool undercut =
+        std::any_of(trial.findings.begin(), trial.findings.end(),
+                    [](const Finding& f) { return f.code == WarningCode::undercut; });
+    if (cure.code == WarningCode::through_axis && !undercut) then += " without undercut";
   }
   std::string because;
   const ParallelPair* p = judged.pair ? judged.pair->parallel() : nullptr;

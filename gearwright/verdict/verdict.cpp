@@ -118,7 +118,12 @@ std::string gears_alone(const Judged& judged) {
         "cutter is not given.",
         who);
   }
-  return fmt::format("{} can be cut as specified.", who);
+  const bool pointed = std::any_of(judged.gears.begin(), judged.gears.end(),
+                                   [](const Gear* gear) { return gear->pointed(); });
+  return fmt::format("{} can be cut{}.", who,
+                     !pointed                   ? " as specified"
+                     : judged.gears.size() == 1 ? ", but not to its tip diameter"
+                                                : ", but not every gear to its tip diameter");
 }
 
 // The sentence about the operation of the gears. It is used only if no finding is red.

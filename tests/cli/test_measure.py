@@ -69,6 +69,18 @@ class Measuring(Asked):
         self.assertIsNone(m["span"])
         self.assertIsNone(m["over_pins"]["three_mm"])
 
+    def test_reasons_are_those_of_the_gear(self):
+        ring = "[gear1]\nteeth = -80\nnormal_module_mm = 2\nhelix_angle_deg = 15\nface_width_mm = 20\n"
+        self.assertIn("because plane anvils do not fit", " ".join(Run("measure", ring).out.split()))
+        small = "[gear1]\nteeth = 30\nnormal_module_mm = 0.4\nface_width_mm = 3\nquality = 6\n"
+        self.assertIn("normal module of 0.4 mm is outside its range", " ".join(Run("measure", small).out.split()))
+        for line in ("quality,flank tolerance class,,,6,", "edition,edition of ISO 1328-1,,,ISO 1328:2013,"):
+            self.assertIn("gears.measure.tolerances." + line, Run("measure", small, "--csv").out)
+        self.assertIn("ISO 1328-1:2013 has the flank tolerance classes 1 to 11",
+                      Run("measure", small.replace("quality = 6", "quality = 13")).err)
+        self.assertIn('thickness_series = "25cd": must be',
+                      Run("measure", small + '[gear1.tolerance]\nthickness_series = "25cd"\n').err)
+
     def test_a_contact_off_the_flank_is_a_warning(self):
         j = self.ok("measure", with_tools("span_teeth = 5"))
         self.assertEqual(j["gears"][0]["measure"]["span"]["contact"], "beyond_tip")

@@ -49,6 +49,22 @@ class VerdictTest(unittest.TestCase):
         self.assertIn("Verdict: green. The gear can be cut as specified.",
                       Run("gear", GREEN.split("[gear2]")[0]).out)
 
+    def test_the_cause_of_an_unusual_gear_is_named(self):
+        gear = "[gear1]\nteeth = 20\nnormal_module_mm = 3\nface_width_mm = 25\n"
+        for more, words in (
+            ("tip_diameter_mm = 90", ("can be cut, but not to its tip diameter", "With a tip diameter of 68")),
+            ("thickness_allowance_mm = -4", ("allowance of -4.0000 mm causes the undercut",
+                                             "With a thickness allowance of -0.37 mm")),
+            ("rack = { dedendum = 1.4, root_fillet_radius = 0.3, protuberance = 0.4 }",
+             ("The protuberance of the cutter, 1.2000 mm, removes the flank",)),
+        ):
+            out = " ".join(Run("gear", gear + more + "\n").out.split())
+            for part in words:
+                self.assertIn(part, out)
+        single = " ".join(Run("gear", gear.replace("20", "1", 1)).out.split())
+        self.assertIn("root_fillet can replace the root", single)
+        self.assertIn("With 18 teeth on gear 1, gear 1 can be cut without undercut", single)
+
     def test_a_bore_that_leaves_no_body_is_no_gear(self):
         for gear, limit in (
             ({"teeth": 20, "bore": {"diameter_mm": 19}}, "17.500"),
