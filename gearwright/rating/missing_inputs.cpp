@@ -32,7 +32,8 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
     missing.push_back(absent_input(
         "rating.face_load_factor",
         halves == 1 ? "; give the factor, for example `face_load_factor` = 1.2, or give the "
-                      "arrangement of the pinion in `mounting`"
+                      "arrangement of the pinion in `mounting`, or its shaft with the bearings in "
+                      "`shaft` of the gear"
                     : "; give the factor, for example `face_load_factor` = 1.2; for double-helical "
                       "gears it cannot be computed from the arrangement of the pinion"));
   }
