@@ -118,6 +118,7 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
                      "positions.",
                      where),
          0});
+  std::vector<double> at_edges;  // the torques at which an edge carries load
   for (const LoadedTorque& t : contact.torques) {
     const double whole = t.torque / share;
     const std::string torque = format_number(newton_metres(whole));
@@ -132,7 +133,7 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
                torque, where),
            0});
     if (t.edge_carries)
-      warnings.push_back(edge_carries_at(whole));
+      at_edges.push_back(whole);
     else if (t.beyond_flank)
       warnings.push_back({WarningCode::ellipse_beyond_flank,
                           fmt::format("At {} N m the contact ellipse extends beyond an end of the "
@@ -147,6 +148,7 @@ void warn_about(const LoadedContact& contact, double share, std::vector<Warning>
                        torque, t.max_width_ratio),
            0});
   }
+  if (!at_edges.empty()) warnings.push_back(edge_carries_at(at_edges));
 }
 
 Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
@@ -336,11 +338,13 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   return answer;
 }
 
-Warning edge_carries_at(double torque) {
+Warning edge_carries_at(const std::vector<double>& torques) {
+  std::vector<std::string> list;
+  for (const double torque : torques) list.push_back(format_number(newton_metres(torque)));
   return {WarningCode::edge_carries,
           fmt::format("At {} N m an edge of a tooth carries load; the pressure there is a lower "
-                      "bound.",
-                      format_number(newton_metres(torque))),
+                      "bound, and the root stress depends on the number of slices.",
+                      fmt::join(list, ", ")),
           0};
 }
 

@@ -87,7 +87,7 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
 /// The note that a gear without a bore is held at a default diameter, mm.
 Warning held_without_bore(const std::string& gear, bool internal, double diameter);
 
-/// The warning that an edge of a tooth carries load under `torque`, N mm.
-Warning edge_carries_at(double torque);
+/// The warning that an edge of a tooth carries load under these torques, N mm.
+Warning edge_carries_at(const std::vector<double>& torques);
 
 }  // namespace gearwright

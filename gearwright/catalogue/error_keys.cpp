@@ -92,6 +92,7 @@ const KeyTable& error_keys() {
                                    }),
                                    "0", e.meaning)
                            .with_fields({e.member()}));
+      if (e.kind == ErrorKind::crossing) t.keys.back().also = {"misalignment"};
     }
     return t;
   }();

@@ -8,6 +8,7 @@
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {
@@ -59,6 +60,16 @@ TEST(KeyHint, a_key_of_this_table_needs_no_place) {
   for (const char* key : {"module", "pressure_angle", "width", "torque"})
     EXPECT_EQ(key_hint(planetary_keys(), "planetary", key).find(" in ["), std::string::npos) << key;
   EXPECT_EQ(key_hint(planetary_keys(), "planetary", "module"), nearest("normal_module_mm"));
+}
+
+TEST(KeyHint, a_word_of_the_drawing_leads_to_the_gear_before_the_search) {
+  EXPECT_EQ(key_hint(pair_keys(), "pair", "thickness_series"),
+            nearest("thickness_series in [gear1.tolerance]"));
+  EXPECT_EQ(key_hint(search_keys(), "search", "thickness_seri"), nearest("thickness_series"));
+}
+
+TEST(KeyHint, a_misalignment_of_the_errors_is_a_shaft_deviation) {
+  EXPECT_EQ(key_hint(error_keys(), "errors", "misalignment_um"), nearest("crossing_deg"));
 }
 
 TEST(KeyHint, micrometres_are_no_diametral_pitch) {

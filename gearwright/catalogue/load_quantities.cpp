@@ -157,8 +157,10 @@ void add_torque(Quantities<T>& q) {
            [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .unit(Unit::newton_per_mm_um)
       .when(has_standard);
-  q.number("stiffness_over_c_gamma_alpha", "mean stiffness divided by the stiffness of ISO 6336-1",
-           "", "ratio without the twist of the bodies, which the standard does not include",
+  q.number("stiffness_over_c_gamma_alpha", "mean stiffness without twist, divided by ISO 6336-1",
+           "",
+           "mean of `mesh_stiffness_without_twist_N_per_mm_um` divided by `c_gamma_alpha`; the "
+           "standard does not include the twist of the bodies",
            [](const T& t) {
              return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
                                     : Value();
@@ -169,7 +171,8 @@ void add_torque(Quantities<T>& q) {
                  &LoadedTorque::max_pressure);
   of_torque
       .number("max_root_stress_MPa", "greatest root stress", "",
-              "greatest principal stress along the fillets over all positions, per gear",
+              "greatest principal stress along the fillets over all positions, per gear; it "
+              "depends on the number of slices if an edge carries load",
               &LoadedTorque::max_root_stress)
       .per_gear();
   of_torque

@@ -58,6 +58,8 @@ std::array<double, 2> working_pitch_diameter(const V& v) {
   return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
+bool has_speed(const V& v) { return v.mounted().speed_rpm.has_value(); }
+
 // v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO
 // 6336-1.
 std::array<double, 2> pitch_line_velocity(const V& v) {
@@ -122,7 +124,12 @@ void add_mounting(Quantities<V>& q) {
          "with `speed_rpm`",
          pitch_line_velocity)
       .per_gear()
-      .when([](const V& v) { return v.mounted().speed_rpm.has_value(); });
+      .when(has_speed);
+  q.number("mesh_frequency_hz", "mesh frequency", "f_z", "z_1 n_1/60; only with `speed_rpm`",
+           [](const V& v) {
+             return v.mounted().gears[0].spec.teeth * v.mounted().speed_rpm.value() / 60.0;
+           })
+      .when(has_speed);
   of_involutes
       .number("pitch_plane_distance_mm", "distance of the pitch planes", "X",
               "distance as mounted, including backlash; 0 on parallel axes",

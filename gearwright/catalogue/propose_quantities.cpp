@@ -136,9 +136,10 @@ const Quantities<ProposeView>& propose_quantities() {
              "from their accuracy grades, normal to the flank [T12.28]; null without grades",
              [](const V& v) { return um(v.pitch_deviation); })
         .digits(2);
-    q.number("helix_deviation_um", "helix slope deviation of both gears", "f_Hβ",
-             "from their accuracy grades, normal to the flank over the common face [T12.32]; null "
-             "without grades",
+    q.number("helix_deviation_um", "combined helix slope deviation of both gears", "F",
+             "square root of the sum of the squares of f_HβT of both grades, each converted from "
+             "the evaluated range L_β to the face [T14.23], normal to the flank over the common "
+             "face [T12.32]; null without grades",
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
     q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",

@@ -167,15 +167,16 @@ const KeyTable& scatter_gear_keys() {
         .kind = KeyKind::word,
         .words = {"F_p"},
         .meaning = "pitch deviations, which vary within F_pT and f_ptT of the grade [T14.20]"},
-       Key::number("profile_waves", "", KeyRange::between(1, 100), &G::profile_waves,
+       Key::number("profile_waves", "", KeyRange::between(0, 100), &G::profile_waves,
                    "[1, 4] if a grade is given",
                    "least and greatest number of waves of the profile form over the usable flank; "
-                   "the height of the waves is f_fαT of the grade [T14.21]")
+                   "the height of the waves is f_fαT of the grade [T14.21]. [0, 0] is a flank "
+                   "without waves")
            .with_list(kWaves),
-       Key::number("helix_waves", "", KeyRange::between(1, 100), &G::helix_waves,
+       Key::number("helix_waves", "", KeyRange::between(0, 100), &G::helix_waves,
                    "[1, 4] if a grade is given",
                    "least and greatest number of waves of the helix form over the face; the height "
-                   "of the waves is f_fβT of the grade")
+                   "of the waves is f_fβT of the grade. [0, 0] is a flank without waves")
            .with_list(kWaves),
        Key::part("modifications", scatter_modification_keys, {},
                  "ranges of modifications of both flanks")}};

@@ -89,7 +89,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::samples_touch_edges, "samples_touch_edges", kCaution,
      "verb scatter: an edge touches in more than 5 % of the samples",
      "edges touch at many deviations within the tolerances",
-     "Give crowning or end relief, for example by [scatter.robust], or narrower tolerances."},
+     "Give crowning or end relief, which [scatter.robust] computes, or narrower tolerances."},
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
      "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",
@@ -110,8 +110,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "meet; the message gives the amount, the position and the flanks (working or non-working)",
      "a tip meets a root fillet"},
     {C::edge_carries, "edge_carries", kCaution,
-     "verbs load and compensate: an edge of a tooth carries load, and the pressure there is a "
-     "lower bound",
+     "verbs load and compensate: an edge of a tooth carries load; the pressure there is a lower "
+     "bound, and the root stress depends on the number of slices",
      "an edge carries load",
      "Give tip relief and lead crowning; on parallel axes the verb propose computes them and shows "
      "their effect."},

@@ -253,8 +253,10 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);
   }
+  std::vector<double> at_edges;
   for (const AimedLoad& load : loads)
-    if (load.after.edge_carries) with.warnings.push_back(edge_carries_at(load.torque));
+    if (load.after.edge_carries) at_edges.push_back(load.torque);
+  if (!at_edges.empty()) with.warnings.push_back(edge_carries_at(at_edges));
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
@@ -357,6 +359,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   auto verdict = judge_corrected(answer.corrected->tables, job, answer.loads);
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();
+  if (!answer.nothing_to_correct)
+    answer.verdict.headline.insert(0, "This verdict is on the pair with all corrections. ");
   return answer;
 }
 

@@ -37,16 +37,26 @@ ContactErrors errors_at(const ContactSetup& setup, const ContactMapInput& m, dou
   return with_error(setup, e, m.key[1], y);
 }
 
-void warn_of_fillet(const FilletContact& touch, bool other, std::vector<Warning>& warnings) {
+void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool other,
+                    std::vector<Warning>& warnings) {
+  const auto modified = [&](bool left) {
+    const RemovalField* removal = setup.removal(touch.gear, left);
+    return removal && !removal->none();
+  };
+  const char* as_cut = modified(false) || modified(true)
+                           ? " The fillet is as cut here, although in CAD files it follows the "
+                             "modified flank, which can remove this contact."
+                           : "";
   warnings.push_back(
       {WarningCode::fillet_contact,
        fmt::format("Under these errors, the tip of gear {0} and the root fillet of gear {1} touch "
                    "{2:.4g} mm before the {3}flanks touch. {6}. The contact is at the rotation "
-                   "{4:.3f}° of gear 1 and on a diameter of {5:.4f} mm.",
+                   "{4:.3f}° of gear 1 and on a diameter of {5:.4f} mm.{7}",
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
                    touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
                    other ? "The backlash is reduced by this amount"
-                         : "The flanks do not determine the transmission error there"),
+                         : "The flanks do not determine the transmission error there",
+                   as_cut),
        touch.gear});
 }
 
@@ -75,8 +85,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
       fillet_contacts(*driving_outlines, first_pitch(answer.driving.positions), progress);
   const auto other =
       fillet_contacts(*other_outlines, first_pitch(answer.other.positions), progress);
-  if (driving.earliest) warn_of_fillet(*driving.earliest, false, warnings);
-  if (other.earliest) warn_of_fillet(*other.earliest, true, warnings);
+  if (driving.earliest) warn_of_fillet(*driving.earliest, *answer.setup, false, warnings);
+  if (other.earliest) warn_of_fillet(*other.earliest, *answer.setup, true, warnings);
   if (!driving.earliest && !other.earliest) return;
   std::optional<Angle> least;
   for (std::size_t i = 0, j = 0; i < driving.asked.size() && j < other.asked.size();) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/job/contact_answer.hpp"
@@ -32,7 +33,9 @@ ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
   return view;
 }
 
-std::string kinds_of(const ContactResult& result) {
+// The kinds of contact with their shares of the positions. Words for contact at an edge are added
+// to `legend`.
+std::string kinds_of(const ContactResult& result, std::string& legend) {
   std::vector<std::pair<TouchKind, int>> count;
   for (const ContactPoint& p : result.positions) {
     const auto it =
@@ -47,23 +50,21 @@ std::string kinds_of(const ContactResult& result) {
   for (const auto& [kind, n] : count) {
     text += fmt::format("{}{} {} %", text.empty() ? "" : ", ", to_string(kind),
                         std::lround(100.0 * n / static_cast<double>(result.positions.size())));
+    if (is_sharp(kind))
+      legend +=
+          fmt::format("{}{}: {}", legend.empty() ? "\n  " : "; ", to_string(kind), words_of(kind));
   }
   return text;
 }
 
-// Explains the words for contact at an edge. The text is empty if there is no such contact.
-std::string legend_of(const ContactResult& result) {
-  std::vector<TouchKind> explained;
-  std::string text;
-  for (const ContactPoint& p : result.positions) {
-    if (!is_sharp(p.kind) ||
-        std::find(explained.begin(), explained.end(), p.kind) != explained.end())
-      continue;
-    explained.push_back(p.kind);
-    text +=
-        fmt::format("{}{}: {}", text.empty() ? "\n  " : "; ", to_string(p.kind), words_of(p.kind));
-  }
-  return text.empty() ? text : text + "\n";
+// The displacement over the common face that an angle of the axes causes.
+std::string over_face(const SolvedJob& job, double degrees) {
+  double face = kInfinity;
+  for (const Gear& gear : job.gears) face = std::min(face, gear.spec.face_width);
+  const UnitSystem units = job.spec.units();
+  return fmt::format("{} {} over the common face",
+                     text_in(units, Unit::um, std::tan(degrees * kRadPerDeg) * face * kUmPerMm, 2),
+                     unit_text(units, Unit::um));
 }
 
 // Lists the transmission error and the movement of the whole gears, and where each half touches.
@@ -130,17 +131,45 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
     out += fmt::format("  {:<42}{}\n", what, value);
   };
   for (std::size_t i = 0; i < kErrorCount; ++i) {
-    if (job.spec.errors.value[i] != 0.0)
-      row(key_in(units, fmt::format("errors.{}", error_entries()[i].key)).c_str(),
-          fmt::format("{}",
-                      value_in(units, unit_of(error_entries()[i].key), job.spec.errors.value[i])));
+    const ErrorEntry& error = error_entries()[i];
+    const double value = job.spec.errors.value[i];
+    if (value == 0.0) continue;
+    const bool tilt = error.kind == ErrorKind::crossing || error.kind == ErrorKind::intersecting;
+    row(key_in(units, fmt::format("errors.{}", error.key)).c_str(),
+        fmt::format("{}", value_in(units, unit_of(error.key), value)) +
+            (tilt ? ", which is " + over_face(job, value) : ""));
   }
-  row("Contact", kinds_of(r));
+  std::string legend;
+  row("Contact", kinds_of(r, legend));
   if (!r.harmonics.empty()) {
     std::string waves;
     for (std::size_t i = 0; i < std::min<std::size_t>(5, r.harmonics.size()); ++i)
       waves += (i ? ", " : "") + error_text(r.harmonics[i], 4);
     row("Harmonics 1 to 5, amplitudes", fmt::format("{} {}", waves, error_unit));
+  }
+  if (answer.pattern) {
+    std::vector<std::string> shares;
+    for (const FlankRaster& raster : *answer.pattern) {
+      const auto marked = std::count_if(raster.gap.begin(), raster.gap.end(), [&](double gap) {
+        return gap <= job.spec.contact.marking;
+      });
+      if (!raster.gap.empty())
+        shares.push_back(fixed_decimals(
+            100.0 * static_cast<double>(marked) / static_cast<double>(raster.gap.size()), 1));
+    }
+    row("Marked share of the flanks of each gear", fmt::format("{} %", fmt::join(shares, ", ")));
+  }
+  if (answer.map) {
+    double least = kInfinity, greatest = 0.0;
+    for (const std::vector<double>& line : answer.map->value)
+      for (const double te : line) {
+        if (te < least) least = te;
+        if (te > greatest) greatest = te;
+      }
+    if (least <= greatest)
+      row("Peak to peak over the map of errors",
+          fmt::format("{} to {} {}", error_text(Angle::radians(least), 3),
+                      error_text(Angle::radians(greatest), 3), error_unit));
   }
   if (!answer.halves.empty()) return out + halves_listing(answer, units);
   // The rows are limited to one page. --json has all positions.
@@ -155,7 +184,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                             {"rotation1_deg", "transmission_error_arcsec", "transmission_error_um",
                              "tooth", "kind", "diameter_mm", "rack_height_mm", "height_mm",
                              "ellipse.semi_major_mm", "ellipse.semi_minor_mm"});
-  return out + legend_of(r);
+  return out + (legend.empty() ? legend : legend + "\n");
 }
 
 }  // namespace gearwright

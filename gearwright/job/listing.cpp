@@ -96,9 +96,8 @@ std::string pair_listing(const SolvedJob& job) {
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
                              const std::array<ValueRecord, 2>& limits) {
   const std::vector<ValueRecord> ends = differing(limits[0], limits[1]);
-  if (std::all_of(ends.begin(), ends.end(), [](const ValueRecord& e) { return e.empty(); }))
-    return "";
   const UnitSystem units = job.spec.units();
+  if (text_groups(table, ends, kListing, units, "-").empty()) return "";
   const std::string subject = gear_columns(job.gears.size())[gear];
   const Gear &one = job.ends->lower.gears[gear], &two = job.ends->upper.gears[gear];
   const auto between = [&](const char* words, double a, double b) {

@@ -57,6 +57,24 @@ std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
                       "face_load_factor"});
 }
 
+// The transmission error along the line of action, and the amplitudes of its first harmonics.
+std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadRegime regime) {
+  std::string out;
+  const UnitSystem units = job.spec.units();
+  if (regime == LoadRegime::line)
+    out += fmt::format("  {:<42}{} {}\n", "Peak to peak along the line of action",
+                       text_in(units, Unit::um,
+                               torque.peak_to_peak.rad() * job.gear(2).base_radius() * kUmPerMm, 3),
+                       unit_text(units, Unit::um));
+  std::vector<std::string> waves;
+  for (std::size_t k = 0; k < std::min<std::size_t>(5, torque.harmonics.size()); ++k)
+    waves.push_back(fixed_decimals(torque.harmonics[k].arcsec(), 4));
+  if (!waves.empty())
+    out +=
+        fmt::format("  {:<42}{} arcsec\n", "Harmonics 1 to 5, amplitudes", fmt::join(waves, ", "));
+  return out;
+}
+
 // Lists some positions of a torque. The rows are limited to one page. --json has all positions.
 std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
   const auto& positions = view.torque->positions;
@@ -99,7 +117,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   const auto views = torque_views(*answer.contact, whole.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
     out += quantity_listing(units, load_torque_quantities().table(),
-                            {load_torque_quantities().of(views[i])}, {});
+                            {load_torque_quantities().of(views[i])}, {}) +
+           noise_rows(job, *views[i].torque, answer.contact->regime);
     if (!answer.halves.empty()) {
       std::vector<LoadTorqueView> halves;
       for (const LoadAnalysis& half : answer.halves)

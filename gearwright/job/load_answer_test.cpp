@@ -174,13 +174,14 @@ TEST(LoadAnswer, AStiffnessFarFromTheStandardsIsExplained) {
 }
 
 TEST(LoadAnswer, SlicesThatAreTooFineAreRefusedBeforeAnyTable) {
-  for (const char* helix : {"0", "20"}) {
+  // 52 slices are 0.19 modules wide.
+  for (const auto& [helix, slices] : {std::pair{"0", "128"}, {"20", "52"}}) {
     SolvedJob job =
         loaded_job(std::string("gear1 = { teeth = 20, normal_module_mm = 2, helix_angle_deg = ") +
                    helix + R"(, face_width_mm = 20 }
 gear2 = { teeth = 40, face_width_mm = 20 }
-load = { torque_Nm = 50, slices = 128 }
-)");
+load = { torque_Nm = 50, slices = )" +
+                   slices + " }\n");
     const auto task = load_task(job);
     ASSERT_FALSE(task);
     EXPECT_EQ(task.error().field, "load.slices");

@@ -166,6 +166,15 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
+  // The transmission error is compared for the nominal teeth, and the pressure at the limits.
+  if (best > 0 && p.at_limits && given.at_limits &&
+      p.at_limits->peak_to_peak.rad() > given.at_limits->peak_to_peak.rad())
+    text += fmt::format(
+        " At the limits of the helix slopes, its transmission error is greater than that of the "
+        "spec as given ({}″).",
+        arrow(given.at_limits->peak_to_peak.arcsec(), p.at_limits->peak_to_peak.arcsec(), 2));
+  if (p.at_limits && p.at_limits->edge_carries && !p.worst.edge_carries)
+    text += " At these limits an edge of a tooth carries load.";
   if (!p.worst.edge_carries) return text;
   if (const auto other = quietest_without_edge(list))
     text += fmt::format(
@@ -288,6 +297,10 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   a.reason = reason_of(a.proposals, a.recommended);
   for (const auto& remarks : {wanted.remarks, left_out})
     for (const std::string& remark : remarks) a.reason += " " + remark;
+  if (job.spec.errors.any())
+    a.reason +=
+        " No proposal contains a helix slope against [errors]. The verb compensate computes "
+        "corrections of these errors.";
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;
   a.verdict = judge(jobs[a.recommended], {.load = true});

@@ -115,6 +115,19 @@ Proposal with_score(double te, double pressure, bool edge = false) {
   return p;
 }
 
+TEST(Propose, ReasonNamesCompensateAndLossesAtTheLimits) {
+  for (const char* errors : {"", "[errors]\ncrossing_deg = 0.05\n"}) {
+    const ProposeAnswer a = propose_for(kHelical + kDraft + "torque_Nm = 150\n" + errors);
+    const auto has = [&](const char* words) { return a.reason.find(words) != a.reason.npos; };
+    EXPECT_EQ(has("verb compensate"), *errors != '\0') << a.reason;
+    const auto& best = *a.proposals[a.recommended].at_limits;
+    const auto& given = *a.proposals.front().at_limits;
+    EXPECT_EQ(has("limits of the helix slopes, its transmission error is greater"),
+              best.peak_to_peak.rad() > given.peak_to_peak.rad())
+        << a.reason;
+  }
+}
+
 TEST(Propose, RecommendsByEdgesThenBySum) {
   EXPECT_EQ(recommended({with_score(10, 900)}), 0u);
   EXPECT_EQ(recommended({with_score(10, 900), with_score(10.001, 100)}), 0u);

@@ -102,12 +102,11 @@ class Grades {
         VaryingModification{which, Modification::profile_slope});
     constexpr std::array<int, 2> kWaves{1, 4};
     const Distribution share = Distribution::of({{0.0, 1.0}}).value();
-    all_.push_back({table + "profile_waves", 1.0, share,
-                    VaryingWave{which, false, gear.profile_waves.value_or(kWaves), f.profile_form},
-                    source_});
-    all_.push_back({table + "helix_waves", 1.0, share,
-                    VaryingWave{which, true, gear.helix_waves.value_or(kWaves), f.helix_form},
-                    source_});
+    const auto add_waves = [&](const char* key, const VaryingWave& wave) {
+      if (wave.waves[1] > 0) all_.push_back({table + key, 1.0, share, wave, source_});
+    };
+    add_waves("profile_waves", {which, false, gear.profile_waves.value_or(kWaves), f.profile_form});
+    add_waves("helix_waves", {which, true, gear.helix_waves.value_or(kWaves), f.helix_form});
     // Pitch deviations affect only the error over the long period, which is computed only for pairs
     // that are not double-helical.
     if (!job_.halves[0])
@@ -425,6 +424,12 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     if (robust_under_load) robust.load = std::move(load);
     auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
+    const Probability& edge = found->after.edge;
+    for (Warning& w : job.warnings)
+      if (w.code == WarningCode::samples_touch_edges)
+        w.message += fmt::format(
+            " With the corrections of [scatter.robust], an edge {} in {} of {} samples.",
+            robust.load ? "carries load" : "is in contact", edge.count, edge.of);
     Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);
     corrected["scatter"].erase("robust");

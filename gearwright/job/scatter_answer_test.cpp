@@ -247,6 +247,23 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
 }
 
 // A series of DIN 3967 and JS7 on the drawing have the effect of the same ranges in [scatter].
+TEST(ScatterAnswer, WorstCaseHasWholeWavesAndZeroWavesAreNone) {
+  const Json tree = spec_with(R"({"samples": 2, "replicates": 2, "quality": 6, "worst_case": true,
+    "errors": {"helix_slope1_um": [0, 0], "helix_slope2_um": [0, 0], "crossing_deg": [0, 0],
+               "intersecting_deg": [0, 0]},
+    "gear1": {"profile_waves": [0, 0], "helix_waves": [0, 0],
+              "modifications": {"profile_slope_um": [0, 0]}},
+    "gear2": {"profile_waves": [1, 3], "helix_waves": [0, 0],
+              "modifications": {"profile_slope_um": [0, 0]}}})");
+  const Json scatter = scatter_answered(tree)["scatter"];
+  std::vector<std::string> waves;
+  for (const std::string name : scatter["inputs"])
+    if (name.ends_with("_waves")) waves.push_back(name);
+  EXPECT_EQ(waves, std::vector<std::string>{"gear2.profile_waves"});
+  const double count = scatter["worst"]["peak_to_peak_arcsec"]["at"]["gear2.profile_waves"][0];
+  EXPECT_EQ(count, std::round(count));
+}
+
 TEST(ScatterAnswer, TolerancesOfTheDrawingVary) {
   const Json task = {{"samples", 64}, {"replicates", 2}};
   Json drawn = spec_with(""), given = spec_with("");

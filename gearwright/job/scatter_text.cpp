@@ -146,10 +146,9 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
   }
   if (std::any_of(a.task.tolerances.begin(), a.task.tolerances.end(),
                   [](const auto& t) { return std::holds_alternative<VaryingWave>(t.of); }))
-    out +=
+    out += wrapped(
         "  Form waves have the full height of their tolerance in every sample. Only their number "
-        "and\n"
-        "  phase vary.\n";
+        "and phase vary.");
   return out;
 }
 
@@ -309,11 +308,10 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   const auto arcsec = [](double rad) {
     return fixed_decimals(Angle::radians(rad).arcsec(), scatter_entries()[0].digits);
   };
-  const std::string percent = format_number(l.percent);
-  std::string out =
-      head(fmt::format("Factor by which each tolerance may grow until the {} % point of the "
-                       "peak-to-peak transmission error, {} ″, grows by {:g} %",
-                       percent, arcsec(l.percentile), 100 * kLooser));
+  std::string out = head(fmt::format(
+      "Factor by which each tolerance may grow until the {} % point of the "
+      "peak-to-peak transmission error over the first {} samples, {} ″, grows by {:g} %",
+      format_number(l.percent), a.task.samples, arcsec(l.percentile), 100 * kLooser));
   out += fmt::format("  {:<44}{:>12}{:>22}\n", "", "factor", "point if halved  ″");
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
@@ -324,8 +322,9 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   }
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
-    out += fmt::format("  Tighten {} first, because halving this tolerance gives {} ″.\n",
-                       key_in(units, a.task.tolerances[i].name), arcsec(l.by_tolerance[i].halved));
+    const ScatterTolerance& t = a.task.tolerances[i];
+    out += fmt::format("  Tighten {}{} first, because halving this tolerance gives {} ″.\n",
+                       key_in(units, t.name), t.of_grade(), arcsec(l.by_tolerance[i].halved));
   } else {
     out += "  Halving any one tolerance does not lower the percentile.\n";
   }
@@ -373,6 +372,8 @@ std::string robust_listing(const RobustView& r, UnitSystem units) {
     out += fmt::format("  {:<44}{:>11} ″{}\n",
                        fmt::format("{} % point {}", format_number(r.percent), words),
                        shown(e.value), e.standard_error ? " ± " + shown(*e.standard_error) : "");
+    out +=
+        share_row(r.under_load ? "  an edge carries load" : "  an edge touches", j->family->edge);
   }
   return out + robust_load_listing(r);
 }

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
-constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.18;  // modules: narrower slices have
-                                                                 // no solution
+// In modules; narrower slices have no solution.
+constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints = 0.18;
 constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
                                      // if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
@@ -110,7 +110,9 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
 
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request) {
   const double face = std::min(gear_1.spec.face_width, gear_2.spec.face_width);
-  const double least = gear_1.spec.helix_angle.rad() == 0.0 ? kHopelessSpur : kHopelessHelical;
+  const double least = gear_1.spec.helix_angle.rad() == 0.0 ? kHopelessSpur
+                       : request.regime == LoadRegime::line ? kHopelessHelical
+                                                            : kHopelessPoints;
   return face / request.slices < least * gear_1.spec.normal_module;
 }
 

@@ -66,10 +66,10 @@ struct LoadRequest {
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
 /// True if the slices are too narrow for the resolution of modes and elements: below 0.15 modules,
-/// or 0.18 modules for helical teeth. The matrix of [T12.14] is then indefinite for every torque:
-/// none of a dozen pairs (external and internal, draft and full) had a solution at 0.16 and 0.2
-/// modules. For point contact, the compliance of a place would be negative. The check needs no
-/// table.
+/// or 0.2 modules for helical teeth (0.18 for point contact). The matrix of [T12.14] is then
+/// indefinite for every torque: none of a dozen pairs (external and internal, draft and full) had a
+/// solution at 0.16 and 0.2 modules. For point contact, the compliance of a place would be
+/// negative. The check needs no table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The compliance of both gears. The tables depend only on the outlines, faces and materials.

@@ -1,5 +1,7 @@
 #include "gearwright/rating/rating.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace gearwright {
@@ -31,10 +33,13 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
   if (!in.face_load_factor && !in.mounting && !in.shafts) {
     missing.push_back(absent_input(
         "rating.face_load_factor",
-        halves == 1 ? "; give the factor, for example `face_load_factor` = 1.2, or give the "
-                      "arrangement of the pinion in `mounting`"
-                    : "; give the factor, for example `face_load_factor` = 1.2; for double-helical "
-                      "gears it cannot be computed from the arrangement of the pinion"));
+        halves == 1
+            ? fmt::format("; give the factor, for example `face_load_factor` = 1.2, or give the "
+                          "arrangement of the pinion in `mounting` or a shaft with its bearings in "
+                          "{}",
+                          gear_field(1, "shaft"))
+            : "; give the factor, for example `face_load_factor` = 1.2; for double-helical "
+              "gears it cannot be computed from the arrangement of the pinion"));
   }
   return missing;
 }

@@ -25,10 +25,9 @@ std::string contact_words(const ContactResult& contact) {
                : "Motion is transmitted exactly, and the flanks touch as intended.";
   std::string text = fmt::format("The transmission error is {} peak to peak. ",
                                  te_unit(contact.rack).text(contact.peak_to_peak));
-  if (lines)
-    return text + "The flanks touch along lines across the face, and no edge carries load.";
+  if (lines) return text + "The flanks touch along lines across the face, and no edge touches.";
   if (edges == 0.0) {
-    text += "The contact is always inside the flanks, and no edge carries load.";
+    text += "The contact is always inside the flanks, and no edge touches.";
     const double ridges = count([](TouchKind k) { return k == TouchKind::ridge; }) / all;
     if (ridges > 0.0)
       text +=

@@ -39,7 +39,7 @@ TEST(ContactWords, TheStartOfAReliefIsNoEdgeOfATooth) {
   agree(result);
   std::erase_if(result.positions, [](const ContactPoint& at) { return is_edge(at.kind); });
   agree(result);
-  EXPECT_NE(contact_words(result).find("no edge carries"), std::string::npos);
+  EXPECT_NE(contact_words(result).find("no edge touches"), std::string::npos);
 }
 
 TEST(ContactWords, AgreeWithTheKindsOfThePositions) {

@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 4> kOfRack{"travel_mm_per_turn", "center_
                                                   "contact_ratio", "normal_mm"};
 constexpr std::array<std::string_view, 1> kBacklash{"normal_mm"};
 constexpr std::array<std::string_view, 2> kOfRating{"S_F", "S_H"};
-constexpr std::array<std::string_view, 2> kOfLoad{"max_pressure_MPa", "peak_to_peak_arcsec"};
+constexpr std::array<std::string_view, 3> kOfLoad{"torque_Nm", "max_pressure_MPa",
+                                                  "peak_to_peak_arcsec"};
 
 constexpr double kSameRatio = 5e-6;  // contact ratios that look the same with five decimals
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "gearwright/base/contract.hpp"
@@ -22,15 +23,24 @@ std::string finding(const LoadScene& report) {
   const LoadedTorque& t = shown_torque(report);
   std::string text = fmt::format(
       "At {} the transmission error is {}″ peak to peak, the greatest pressure on the flanks is {} "
-      "N/mm²{}, and the greatest root stresses are {} and {} N/mm².",
+      "N/mm²{}, and the greatest root stresses are {} and {} N/mm²{}.",
       torque_words(t), shown_arcsec(t.peak_to_peak.arcsec()), fixed(t.max_pressure, 0),
       t.edge_carries   ? " (a lower bound, because an edge carries load)"
       : t.beyond_flank ? " (a lower bound, because an ellipse extends beyond the flank)"
                        : "",
-      fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0));
+      fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0),
+      t.edge_carries ? ", which depend on the number of slices for the same reason" : "");
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
     text += fmt::format(" The pair is quietest at {}, with {}″.", torque_words(*quiet),
                         shown_arcsec(quiet->peak_to_peak.arcsec()));
+  const LoadedTorque& loudest =
+      *std::max_element(report.contact.torques.begin(), report.contact.torques.end(),
+                        [](const LoadedTorque& a, const LoadedTorque& b) {
+                          return a.peak_to_peak.arcsec() < b.peak_to_peak.arcsec();
+                        });
+  if (loudest.peak_to_peak.arcsec() > t.peak_to_peak.arcsec())
+    text += fmt::format(" The transmission error is greatest at {}, with {}″.",
+                        torque_words(loudest), shown_arcsec(loudest.peak_to_peak.arcsec()));
   return text;
 }
 

@@ -115,9 +115,11 @@ std::string robust_part(const ScatterView& view, UnitSystem units) {
   const RobustView& r = *view.robust;
   std::string list;
   for (const FoundCorrection& c : r.corrections)
-    list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", c.words,
-                        format_number(value_in(units, unit_of(c.key), c.value)),
-                        unit_text(units, unit_of(c.key)));
+    if (c.value != 0.0)
+      list += fmt::format("{}{} {} {}", list.empty() ? "" : ", ", c.words,
+                          format_number(value_in(units, unit_of(c.key), c.value)),
+                          unit_text(units, unit_of(c.key)));
+  if (list.empty()) list = "none";
   const auto percentile = [](const JudgedView& j) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
@@ -144,11 +146,10 @@ std::string loosening_part(const ScatterView& view, UnitSystem units) {
               {c.factor ? fixed(*c.factor, 2) : fmt::format("over {:g}", kMostFactor),
                shown(te, c.halved)});
   }
-  const std::string first = l.tighten_first
-                                ? fmt::format("<p>Tighten {} first.</p>\n",
-                                              escaped(key_in(units, view.inputs[*l.tighten_first])))
-                                : "";
-  return table.str() + first;
+  if (!l.tighten_first) return table.str();
+  const ScatterTolerance& first = view.task->tolerances[*l.tighten_first];
+  return table.str() + fmt::format("<p>Tighten {}{} first.</p>\n",
+                                   escaped(key_in(units, first.name)), first.of_grade());
 }
 
 }  // namespace

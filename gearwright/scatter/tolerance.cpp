@@ -75,6 +75,11 @@ Deviation as_drawn(const ContactSetup& setup) {
 
 }  // namespace
 
+const char* ScatterTolerance::of_grade() const {
+  const auto* wave = std::get_if<VaryingWave>(&of);
+  return !wave ? "" : wave->along_face ? ", f_fβ of the grade" : ", f_fα of the grade";
+}
+
 int ScatterTolerance::coordinates() const {
   if (std::holds_alternative<VaryingPitch>(of)) return 3;
   return bore() || std::holds_alternative<VaryingWave>(of) ? 2 : 1;

@@ -77,6 +77,9 @@ struct ScatterTolerance {
       of;
   std::string source{};  ///< key or table of the spec that gives the range
 
+  /// For a wave, ", f_fα of the grade" or ", f_fβ of the grade", because a wave has no tolerance of
+  /// its own; otherwise empty.
+  const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;

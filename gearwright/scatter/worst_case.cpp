@@ -88,6 +88,16 @@ class Box {
     return true;
   }
 
+  // The same member as x, with whole numbers of waves instead of numbers that are rounded to them.
+  std::vector<double> with_whole_waves(std::vector<double> x) const {
+    std::size_t at = 0;
+    for (const ScatterTolerance& t : task_.tolerances) {
+      if (std::holds_alternative<VaryingWave>(t.of)) x[at] = std::round(x[at]);
+      at += static_cast<std::size_t>(t.coordinates());
+    }
+    return x;
+  }
+
   // All corners; none if there are more than kMostCorners. The corners of a bore lie on a circle
   // whose radius is `reach` times the radius of the bore.
   std::vector<std::vector<double>> all_corners(double reach = 1.0) const {
@@ -219,7 +229,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
       task.threads);
   keep_worst(starts, 1);
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
-  WorstMember worst{box.value(starts[0].badness), starts[0].x, box.is_corner(starts[0].x), {}};
+  const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));
+  WorstMember worst{box.value(starts[0].badness), x, box.is_corner(x), {}};
   // The polygon around the circle of a bore contains all positions of the bore.
   if (quantity == ScatterQuantity::least_play)
     worst.bound = least_play_bound(setup, task,
