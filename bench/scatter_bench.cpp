@@ -10,7 +10,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/scatter/grades.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace {

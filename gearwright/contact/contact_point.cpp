@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/contact/gap_form.hpp"
-#include "gearwright/contact/ridge.hpp"
 
 namespace gearwright {
 

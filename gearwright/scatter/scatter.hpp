@@ -158,4 +158,7 @@ struct Scatter {
 ///           of width 0 give the numbers of analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 
+/// Warns if samples jam, lose contact, or often have edge contact.
+std::vector<Warning> sample_warnings(const Scatter& scatter);
+
 }  // namespace gearwright

@@ -11,8 +11,7 @@
 #include <numeric>
 
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/scatter/grades.hpp"
-#include "gearwright/scatter/long_period.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/scatter/member.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
 
