@@ -97,7 +97,6 @@ struct LaneTrack::Rough {
   int from, stride;
   std::vector<PairTouch> touches;  // not found where the search failed
 
-  int positions() const { return (static_cast<int>(touches.size()) - 1) * stride + 1; }
   // The touch with number k, or at position m; null if it was not found.
   const PairTouch* at(int k) const {
     const auto i = static_cast<std::size_t>(k);
@@ -230,7 +229,7 @@ LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
 std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const {
   // The limits of T at every position. The tangents at two neighbouring touches show how far T may
   // lie from the straight line between these touches.
-  const int all = rough.positions();
+  const int all = (static_cast<int>(rough.touches.size()) - 1) * rough.stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
   for (int k = 0; k * rough.stride < all; ++k) {

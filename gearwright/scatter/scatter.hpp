@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/gear/warning.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
 #include "gearwright/scatter/correlation.hpp"

@@ -11,9 +11,9 @@
 #include <numeric>
 
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/scatter/member.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
 namespace {
