@@ -142,7 +142,6 @@ Face::Face(const ModeMatrices& modes, double width, double element)
 }
 
 Face::~Face() = default;
-Face::Face(Face&&) noexcept = default;
 
 VectorXd Face::shape(double z, bool slope) const {
   const auto it = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, z);

@@ -25,7 +25,6 @@ class Face {
   /// lengths are in modules.
   Face(const ModeMatrices& modes, double width, double element);
   ~Face();
-  Face(Face&&) noexcept;
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
