@@ -10,8 +10,8 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/pair/pair.hpp"
-#include "gearwright/scatter/grades.hpp"
 #include "gearwright/scatter/scatter.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 
 namespace {
 

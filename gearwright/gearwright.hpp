@@ -48,7 +48,6 @@
 
 // Tolerances: scatter_of, their effect over many pairs; sample_warnings; robust_corrections
 #include "gearwright/scatter/robust.hpp"
-#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 // Elastic teeth: loaded, teeth under torque; probes of one tooth

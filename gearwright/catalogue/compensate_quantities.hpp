@@ -7,7 +7,7 @@
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/contact/compensation.hpp"
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
 

@@ -8,7 +8,7 @@
 
 #include "gearwright/arrange/proposed_flanks.hpp"
 #include "gearwright/catalogue/quantity.hpp"
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {
 

@@ -142,7 +142,6 @@ Face::Face(const ModeMatrices& modes, double width, double element)
 }
 
 Face::~Face() = default;
-Face::Face(Face&&) noexcept = default;
 
 VectorXd Face::shape(double z, bool slope) const {
   const auto it = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, z);
@@ -207,11 +206,34 @@ void Face::solve(MatrixXd& x) const {
     auto here = node(i * kDegree);
     factor_[i].triangularView<Eigen::Lower>().transpose().solveInPlace(here);
   }
-  MatrixXd ends(2 * r, x.cols());
-  for (Index e = 0; e < n; ++e) {
-    ends << node(e * kDegree), node((e + 1) * kDegree);
-    x.middleRows((e * kDegree + 1) * r, 2 * r).noalias() -= element_->recovered * ends;
-  }
+}
+
+// The amplitudes at both ends of element e.
+MatrixXd Face::at_ends(Index e, const MatrixXd& x) const {
+  MatrixXd ends(2 * modes_, x.cols());
+  ends << x.middleRows(e * kDegree * modes_, modes_),
+      x.middleRows((e + 1) * kDegree * modes_, modes_);
+  return ends;
+}
+
+MatrixXd Face::read(const MatrixXd& weights, const MatrixXd& x) const {
+  const Index r = modes_, w = weights.cols();
+  MatrixXd out(node_count() * w, x.cols());
+  for (Index a = 0; a < node_count(); ++a)
+    out.middleRows(a * w, w).noalias() = weights.transpose() * x.middleRows(a * r, r);
+  MatrixXd by_ends(2 * w, 2 * r);
+  for (const Index a : {0, 1})
+    by_ends.middleRows(a * w, w).noalias() =
+        weights.transpose() * element_->recovered.middleRows(a * r, r);
+  for (Index e = 0; e + 1 < static_cast<Index>(ends_.size()); ++e)
+    out.middleRows((e * kDegree + 1) * w, 2 * w).noalias() -= by_ends * at_ends(e, x);
+  return out;
+}
+
+void Face::complete(MatrixXd& x) const {
+  for (Index e = 0; e + 1 < static_cast<Index>(ends_.size()); ++e)
+    x.middleRows((e * kDegree + 1) * modes_, 2 * modes_).noalias() -=
+        element_->recovered * at_ends(e, x);
 }
 
 }  // namespace gearwright::detail

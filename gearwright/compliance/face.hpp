@@ -25,7 +25,6 @@ class Face {
   /// lengths are in modules.
   Face(const ModeMatrices& modes, double width, double element);
   ~Face();
-  Face(Face&&) noexcept;
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
@@ -36,12 +35,18 @@ class Face {
   /// Weights of the nodal values that give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
   /// Solves in place: each column contains a load and is replaced by the amplitudes under this
-  /// load. A column lists all modes at the first node, then all modes at the second, and so on.
+  /// load. A column lists all modes at the first node, then all modes at the second, and so on. The
+  /// amplitudes at the inner nodes of an element are relative to those that its ends cause.
   void solve(Eigen::MatrixXd& columns) const;
+  /// The products of `weights`ᵀ and the complete amplitudes at each node, for columns after solve().
+  Eigen::MatrixXd read(const Eigen::MatrixXd& weights, const Eigen::MatrixXd& columns) const;
+  /// Makes the amplitudes at the inner nodes complete.
+  void complete(Eigen::MatrixXd& columns) const;
 
  private:
   struct Element;
   Eigen::VectorXd shape(double z, bool slope) const;
+  Eigen::MatrixXd at_ends(Eigen::Index element, const Eigen::MatrixXd& columns) const;
 
   std::vector<double> ends_, nodes_;
   std::unique_ptr<const Element> element_;

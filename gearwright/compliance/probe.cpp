@@ -123,9 +123,7 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   for (int i = 0; i < face.node_count(); ++i)
     x.col(0).segment(i * face.mode_count(), face.mode_count()) = z[i] * q;
   face.solve(x);
-  Eigen::VectorXd along(face.node_count());
-  for (int i = 0; i < face.node_count(); ++i)
-    along[i] = q.dot(x.col(0).segment(i * face.mode_count(), face.mode_count()));
+  const Eigen::VectorXd along = face.read(q, x);
   const Local local(t.metric(s), c, a, nu);
   const double unit = 1 / (body.youngs_modulus * m);
   answer.own = unit * (z.dot(along) + local.to_itself(from, to, half_face));

@@ -243,8 +243,6 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
 
 template <class Scalar>
 StripSolver<Scalar>::~StripSolver() = default;
-template <class Scalar>
-StripSolver<Scalar>::StripSolver(StripSolver&&) noexcept = default;
 
 template <class Scalar>
 typename StripSolver<Scalar>::Fields StripSolver<Scalar>::solve(

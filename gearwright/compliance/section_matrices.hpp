@@ -61,7 +61,6 @@ class StripSolver {
   /// to free functions of z.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
-  StripSolver(StripSolver&&) noexcept;
   /// Displacements of all degrees of freedom under the columns of `loads`. If k = 0 and τ = 0, the
   /// loads must have no axial component. Each call factorises K(k). Thread-safe.
   Fields solve(double k, const Eigen::MatrixXd& loads) const;

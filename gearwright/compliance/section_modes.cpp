@@ -43,7 +43,9 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
 // Linear combinations of the displacement fields `snapshots` that are orthonormal in the energy
 // norm E. Combinations with small singular values are dropped. `loaded` is E times the snapshots.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
-  const Eigen::MatrixXd energy = snapshots.transpose() * loaded;
+  Eigen::MatrixXd energy(snapshots.cols(), snapshots.cols());
+  energy.triangularView<Eigen::Lower>() = snapshots.transpose() * loaded;
+  energy.triangularView<Eigen::StrictlyUpper>() = energy.transpose();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < energy.cols(); ++i)
     if (energy(i, i) > kNoEnergy) kept.push_back(i);
@@ -129,13 +131,47 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const S
   return fields;
 }
 
-ModeMatrices projected(const SectionMatrices& own, const RowMajor& phi, Progress* progress) {
+// The products of a matrix and the modes: the rows of u and v, and the rows of w. The first modes
+// consist of the displacements `across` in the plane of the section, and the others of the
+// displacements `along` the axis.
+std::array<RowMajor, 2> product(const Sparse& matrix, const RowMajor& across,
+                                const RowMajor& along) {
+  const Eigen::Index modes = across.cols() + along.cols();
+  std::array<RowMajor, 2> out{RowMajor::Zero(across.rows(), modes),
+                              RowMajor::Zero(along.rows(), modes)};
+  for (Eigen::Index j = 0; j < matrix.outerSize(); ++j) {
+    const bool in_plane = j % 3 < 2;
+    const auto mode = in_plane ? across.row(j / 3 * 2 + j % 3) : along.row(j / 3);
+    for (Sparse::InnerIterator it(matrix, j); it; ++it) {
+      if (it.value() == 0.0) continue;
+      const Eigen::Index i = it.row();
+      auto row = i % 3 < 2 ? out[0].row(i / 3 * 2 + i % 3) : out[1].row(i / 3);
+      row.segment(in_plane ? 0 : across.cols(), mode.size()) += it.value() * mode;
+    }
+  }
+  return out;
+}
+
+ModeMatrices projected(const SectionMatrices& own, const RowMajor& across, const RowMajor& along,
+                       Progress* progress) {
   const std::array<const Sparse*, 3> from{&own.aa, &own.ab, &own.bb};
+  const Eigen::Index n = across.cols(), m = along.cols();
   std::array<Eigen::MatrixXd, 3> to;
   parallel_for(from.size(), [&](std::size_t i) {
     count_step(progress);
-    const RowMajor right = *from[i] * phi;
-    to[i] = phi.transpose() * right;
+    const auto [in_plane, axial] = product(*from[i], across, along);
+    to[i].resize(n + m, n + m);
+    if (from[i] == &own.ab) {
+      to[i].topRows(n).noalias() = across.transpose() * in_plane;
+      to[i].bottomRows(m).noalias() = along.transpose() * axial;
+      return;
+    }
+    to[i].topLeftCorner(n, n).triangularView<Eigen::Lower>() =
+        across.transpose() * in_plane.leftCols(n);
+    to[i].bottomLeftCorner(m, n).noalias() = along.transpose() * axial.leftCols(n);
+    to[i].bottomRightCorner(m, m).triangularView<Eigen::Lower>() =
+        along.transpose() * axial.rightCols(m);
+    to[i].triangularView<Eigen::StrictlyUpper>() = to[i].transpose();
   });
   return {to[0], to[1], to[2]};
 }
@@ -160,9 +196,9 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
   if (tau != 0.0) append(fields, fields_along_helix(mesh, own, places, tau, progress));
   const RowMajor snapshots = side_by_side(fields);
 
-  const Sparse energy = wave.aa + wave.bb;
+  const Sparse energy = (wave.aa + wave.bb).pruned();
   const RowMajor loaded = energy * snapshots;
-  std::array<Eigen::MatrixXd, 2> of_part;
+  std::array<RowMajor, 2> of_part;
   parallel_for(2, [&](std::size_t i) {
     count_step(progress);
     of_part[i] = principal(part(snapshots, i == 0), part(loaded, i == 0), tolerance);
@@ -174,7 +210,7 @@ SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
     modes.fields.block(3 * i, 0, 2, across.cols()) = across.middleRows(2 * i, 2);
     modes.fields.row(3 * i + 2).tail(along.cols()) = along.row(i);
   }
-  modes.matrices = projected(own, modes.fields, progress);
+  modes.matrices = projected(own, across, along, progress);
   return modes;
 }
 

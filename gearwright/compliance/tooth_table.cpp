@@ -104,11 +104,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       for (Index a = 0; a < nodes; ++a) x.col(j).segment(a * r, r) = mean(a, j) * load.col(i);
     face.solve(x);
     count_step(request.progress);
-    // Displacements, ordered by position and then by slice.
-    MatrixXd by_node(nodes * read.cols(), solved);
-    for (Index a = 0; a < nodes; ++a)
-      by_node.middleRows(a * read.cols(), read.cols()).noalias() =
-          read.transpose() * x.middleRows(a * r, r);
+    const MatrixXd by_node = face.read(read, x);
     count_step(request.progress);
     for (int l = 0; l < n_; ++l) {
       MatrixXd u = MatrixXd::Zero(read.cols(), solved);
@@ -126,6 +122,7 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
     if (!request.root_stress) return;
+    face.complete(x);
     count_step(request.progress);
     // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are
     // adjacent.

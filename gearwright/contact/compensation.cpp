@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
@@ -76,19 +77,17 @@ class Judge {
     };
   }
   // Until the next call, value() uses this model. If the model is empty, value() is exact.
-  void use(Model model) { model_ = std::move(model); }
+  void use(Model model) {
+    model_ = std::move(model);
+    known_.clear();
+  }
   bool uses_model() const { return static_cast<bool>(model_); }
 
+  // Descents from several starts meet the same corrections again, so each value is kept.
   double value(const std::vector<double>& v) {
-    if (model_) return model_(v);
-    if (task_.aim) return aimed(v);
-    const auto all = curves(v);
-    if (all.empty()) return kInfinity;
-    const ContactScore s = worst(all);
-    if (s.lost) return kInfinity;
-    const double te = s.peak_to_peak.rad();
-    const double f = te + place_cost(s);
-    return te > limit_ ? f + place_of_none_ + kOverLimit * (te - limit_) : f;
+    const auto [known, is_new] = known_.try_emplace(v, 0.0);
+    if (is_new) known->second = computed(v);
+    return known->second;
   }
 
   int positions() const { return positions_; }
@@ -104,6 +103,18 @@ class Judge {
   void count() {
     ++evaluations_;
     count_step(task_.progress);
+  }
+
+  double computed(const std::vector<double>& v) {
+    if (model_) return model_(v);
+    if (task_.aim) return aimed(v);
+    const auto all = curves(v);
+    if (all.empty()) return kInfinity;
+    const ContactScore s = worst(all);
+    if (s.lost) return kInfinity;
+    const double te = s.peak_to_peak.rad();
+    const double f = te + place_cost(s);
+    return te > limit_ ? f + place_of_none_ + kOverLimit * (te - limit_) : f;
   }
 
   double aimed(const std::vector<double>& v) {
@@ -133,6 +144,7 @@ class Judge {
   double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
   int evaluations_ = 0;
   Model model_;
+  std::map<std::vector<double>, double> known_;
 };
 
 // The least-squares corrections for TE linearised at v = 0. The mean of the TE curve of each

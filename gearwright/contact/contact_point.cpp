@@ -3,9 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-
-#include "gearwright/contact/gap_form.hpp"
-#include "gearwright/contact/ridge.hpp"
+#include <utility>
 
 namespace gearwright {
 
@@ -103,11 +101,13 @@ class LineWalk {
             touch_.touch.z + t * direction_[1] * z_half_};
   }
 
-  bool inside(const Place& p) {
-    const GapJet j = transmission_.jet_at(touch_, p.s, p.z);
-    for (int b = 0; b < detail::kBounds; ++b)
-      if (search_.bound(j, p.s, p.z, b) < -kOnBound) return false;
-    return true;
+  // The bounds of D at a place. They do not depend on the parameter on flank 2.
+  std::array<double, detail::kBounds> bounds(const Place& p) const {
+    double s2 = touch_.touch.s2;
+    const GapJet j = search_.field().at(p.s, p.z, s2);
+    std::array<double, detail::kBounds> c;
+    for (int b = 0; b < detail::kBounds; ++b) c[b] = search_.bound(j, p.s, p.z, b) + kOnBound;
+    return c;
   }
 
   bool together(const Place& p) {
@@ -115,12 +115,34 @@ class LineWalk {
     return (touch_.touch.te - j.t.v) * GapField::arm(j) < kLineGap;
   }
 
-  double last_inside(int sense) {
-    double lo = 0.0;
-    double hi = 4.0;  // in halves of the patch; longer than the diagonal of the patch
-    for (int i = 0; i < 50; ++i) {
-      const double middle = 0.5 * (lo + hi);
-      (inside(at(sense * middle)) ? lo : hi) = middle;
+  // The last multiple of kStep, at most kMost, at which the line lies inside D.
+  double last_inside(int sense) const {
+    constexpr double kMost = 4.0;  // in halves of the patch; longer than the diagonal of the patch
+    constexpr double kStep = 0x1p-48;
+    // Each bound is nearly linear along the line, so secants find the first bound that is crossed.
+    double before = 0.0, t = 1.0;
+    auto last = bounds(at(before));
+    for (int k = 0; k < 8 && std::abs(t - before) > kStep; ++k) {
+      const auto here = bounds(at(sense * t));
+      double next = kMost;
+      for (int b = 0; b < detail::kBounds; ++b) {
+        const double slope = (here[b] - last[b]) / (t - before);
+        if (slope < 0.0) next = std::min(next, t - here[b] / slope);
+      }
+      before = std::exchange(t, std::max(0.0, next));
+      last = here;
+    }
+    const auto inside = [&](double x) {
+      const auto c = bounds(at(sense * x));
+      return x == 0.0 || (x < kMost && *std::min_element(c.begin(), c.end()) >= 0.0);
+    };
+    // The bracket around t grows from a step until it contains the border, and is then bisected.
+    double lo = kStep * std::floor(t / kStep), hi = lo + kStep;
+    for (double step = kStep; !inside(lo); step *= 2) lo = std::max(0.0, (hi = lo) - step);
+    for (double step = kStep; inside(hi); step *= 2) hi = (lo = hi) + step;
+    while (hi - lo > kStep) {
+      const double middle = lo + kStep * std::floor(0.5 * (hi - lo) / kStep);
+      (inside(middle) ? lo : hi) = middle;
     }
     return lo;
   }

@@ -102,4 +102,11 @@ bool on_edge(Transmission& transmission, const PairTouch& touch);
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,
                       double marking);
 
+namespace detail {
+/// The gap around a touch on a ridge, to the first order in the slopes. [T8.25]
+///
+/// Domain    a touch whose active bound is a ridge (contract)
+ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch);
+}  // namespace detail
+
 }  // namespace gearwright

@@ -106,16 +106,23 @@ class Candidates {
   double slope_s(double d_s, double d_z) const { return p_.g_s + p_.h_ss * d_s + p_.h_sz * d_z; }
   double slope_z(double d_s, double d_z) const { return p_.g_z + p_.h_sz * d_s + p_.h_zz * d_z; }
 
-  bool within(const FeasibleStep& s) const { return max_broken(s) <= kOnBound; }
+  bool within(const FeasibleStep& s) const {
+    for (int j = 0; j < kBounds; ++j)
+      if (!(broken(j, s) <= kOnBound)) return false;
+    return true;
+  }
+
+  // The length by which a step violates a bound that is not active.
+  double broken(int j, const FeasibleStep& s) const {
+    if (j == s.active.first || j == s.active.second) return 0.0;
+    const Bound& b = p_.bounds[j];
+    return -(b.c + b.a_s * s.d_s + b.a_z * s.d_z);
+  }
 
   double max_broken(const FeasibleStep& s) const {
     double worst = 0.0;
-    for (int j = 0; j < kBounds; ++j) {
-      if (j == s.active.first || j == s.active.second) continue;
-      const Bound& b = p_.bounds[j];
-      const double v = -(b.c + b.a_s * s.d_s + b.a_z * s.d_z);
-      if (!(v <= worst)) worst = v;  // NaN counts as the worst
-    }
+    for (int j = 0; j < kBounds; ++j)
+      if (const double v = broken(j, s); !(v <= worst)) worst = v;  // NaN counts as the worst
     return worst;
   }
 

@@ -1,5 +1,6 @@
 #include "gearwright/contact/gap_field.hpp"
 
+#include <Eigen/LU>
 #include <cmath>
 
 namespace gearwright {
@@ -185,6 +186,17 @@ GapJet GapField::at(double s, double z, double& s2) const {
 double GapField::arm(const GapJet& j) {
   const double square = std::norm(j.w);
   return 1.0 / std::sqrt((1.0 + j.slope2_u * j.slope2_u) / square + j.slope2_Z * j.slope2_Z);
+}
+
+GapForm gap_form(const GapJet& j, const Vec3& r_s, const Vec3& r_z, const Vec3& e1,
+                 const Vec3& e2) {
+  Eigen::Matrix2d jacobian;
+  jacobian << r_s.dot(e1), r_z.dot(e1), r_s.dot(e2), r_z.dot(e2);
+  const Eigen::Matrix2d inverse = jacobian.inverse();
+  Eigen::Matrix2d h;
+  h << j.t.ss, j.t.sz, j.t.sz, j.t.zz;
+  const Eigen::Matrix2d k = -GapField::arm(j) * inverse.transpose() * h * inverse;
+  return {symmetric_eigen(0.5 * (k + k.transpose())), inverse};
 }
 
 }  // namespace gearwright

@@ -23,6 +23,7 @@
 #include "gearwright/base/vector.hpp"
 #include "gearwright/contact/profile.hpp"
 #include "gearwright/gear/modifications.hpp"
+#include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
 
@@ -111,5 +112,17 @@ class GapField {
   double phi1_ = 0.0, phase1_ = 0.0, expected_ = 0.0;
   Complex rotation_factor_{1.0, 0.0};
 };
+
+/// The gap of two flanks around a point, as a quadratic form: gap ≈ ½ (k1 x² + k2 y²), with
+/// k1 ≤ k2 in 1/mm, and x and y in mm along the principal directions. [T8.15]
+struct GapForm {
+  SymmetricEigen principal;     ///< k1, k2 and their directions in (e1, e2)
+  Eigen::Matrix2d of_distance;  ///< maps a step in (e1, e2) to (ds, dz) on flank 1
+};
+
+/// The quadratic form of the gap. `r_s` and `r_z` are the derivatives of the point of flank 1 with
+/// respect to s and z, in any frame, and `e1`, `e2` are an orthonormal basis of the tangent plane
+/// in that frame.
+GapForm gap_form(const GapJet& j, const Vec3& r_s, const Vec3& r_z, const Vec3& e1, const Vec3& e2);
 
 }  // namespace gearwright

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gearwright/base/numbers.hpp"
 
@@ -10,6 +11,7 @@ namespace gearwright::detail {
 namespace {
 
 constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
+
 }  // namespace
 
 // The line of contact of involutes without errors of mounting. If gear 1 turns by an angle, s of
@@ -90,6 +92,21 @@ struct LaneTrack::Path {
   }
 };
 
+// Touches of tooth pair 0 at every `stride`-th position, the first of which is `from`.
+struct LaneTrack::Rough {
+  int from, stride;
+  std::vector<PairTouch> touches;  // not found where the search failed
+
+  // The touch with number k, or at position m; null if it was not found.
+  const PairTouch* at(int k) const {
+    const auto i = static_cast<std::size_t>(k);
+    return k >= 0 && i < touches.size() && touches[i].found() ? &touches[i] : nullptr;
+  }
+  const PairTouch* at_position(int m) const {
+    return (m - from) % stride == 0 ? at((m - from) / stride) : nullptr;
+  }
+};
+
 LaneTrack::LaneTrack(Transmission& transmission, const LaneSearch& search, double first, int n)
     : transmission_(&transmission),
       search_(search),
@@ -107,8 +124,10 @@ std::optional<LaneTrack> LaneTrack::of(Transmission& transmission, double first,
   if (!path.open) return std::nullopt;
   const double whole = std::round(first / pair.pitch());
   LaneTrack track(transmission, *search, first - whole * pair.pitch(), n);
-  track.search_window(path);
-  if (track.track_.empty()) return std::nullopt;
+  const Rough rough = track.search_path(path);
+  const auto window = track.window_of(rough);
+  if (!window) return std::nullopt;
+  track.search_window(rough, *window);
   for (const int direction : {-1, 1}) track.extend(direction);
   for (const PairTouch& t : track.best_)
     if (!t.found()) return std::nullopt;
@@ -177,115 +196,112 @@ void LaneTrack::cross_seams(std::vector<PairTouch>& touches) const {
   }
 }
 
-void LaneTrack::search_window(const Path& path) {
-  const int stride = std::max(1, n_ / 8);
+// Searches along the whole path of contact.
+LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
   const auto position = [&](double phi) {
     return static_cast<int>(std::floor((phi - first_) / step_));
   };
-  const int from = position(path.phi_lo) + 1, count = (position(path.phi_hi) - from) / stride + 1;
-  std::vector<PairTouch> first;
-  first.reserve(static_cast<std::size_t>(std::max(0, count)));
-  const ContactPair& pair = transmission_->pair();
-  const int n_2 = static_cast<int>(pair.patches(2).size());
-  // The pair of patches with the largest part of the flanks.
-  int largest = 0;
-  double size = 0.0;
-  for (int f = 0; f < static_cast<int>(pair.patches(1).size()) * n_2; ++f) {
-    const FlankPatch &a = transmission_->field(f).one(), &b = transmission_->field(f).two();
-    const double area =
-        (a.u_hi - a.u_lo) * (a.z_hi - a.z_lo) * (b.u_hi - b.u_lo) * (b.z_hi - b.z_lo);
-    if (area > size) {
-      size = area;
-      largest = f;
-    }
-  }
+  Rough rough{position(path.phi_lo) + 1, std::max(1, n_ / 8), {}};
+  const int count = std::max(0, (position(path.phi_hi) - rough.from) / rough.stride + 1);
+  const int largest = transmission_->largest_first().front();
+  std::vector<PairTouch> starts;
+  starts.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
-    PairTouch t;
-    const double phi = own(from + k * stride);
+    const double phi = own(rough.from + k * rough.stride);
     const auto place = path.middle(phi);
     if (!place) continue;
+    PairTouch& t = starts.emplace_back();
     t.phi = phi;
     t.fields = largest;
     t.pair = k;
     t.touch.s = (*place)[0];
     t.touch.z = (*place)[1];
-    first.push_back(t);
   }
-  search_.solve(first);
-  cross_seams(first);
-  std::vector<const PairTouch*> rough(static_cast<std::size_t>(std::max(0, count) + 1), nullptr);
-  for (const PairTouch& t : first)
-    if (t.found()) rough[static_cast<std::size_t>(t.pair)] = &t;
-  const auto touch = [&](int k) -> const PairTouch* {
-    return k >= 0 && k < count ? rough[static_cast<std::size_t>(k)] : nullptr;
-  };
+  search_.solve(starts);
+  cross_seams(starts);
+  rough.touches.resize(static_cast<std::size_t>(count));
+  for (PairTouch& t : starts) rough.touches[static_cast<std::size_t>(std::exchange(t.pair, 0))] = t;
+  return rough;
+}
+
+// The first and the last position at which T of pair 0 may be greater than T of all other pairs.
+// None if there is no such position.
+std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const {
   // The limits of T at every position. The tangents at two neighbouring touches show how far T may
   // lie from the straight line between these touches.
-  const int all = (count - 1) * stride + 1;
+  const int all = (static_cast<int>(rough.touches.size()) - 1) * rough.stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
-  for (int k = 0; k + 1 < count; ++k) {
-    const PairTouch *a = touch(k), *b = touch(k + 1);
+  for (int k = 0; k * rough.stride < all; ++k) {
+    const PairTouch *a = rough.at(k), *b = rough.at(k + 1);
     if (!a || !b) continue;
-    const double rise = b->te() - a->te(), width = stride * step_;
+    const double rise = b->te() - a->te(), width = rough.stride * step_;
     const double aside =
         (std::abs(rise - a->touch.slope * width) + std::abs(rise - b->touch.slope * width)) / 4;
-    for (int i = 0; i <= stride; ++i) {
-      const double te = a->te() + i * rise / stride;
-      limits[static_cast<std::size_t>(k * stride + i)] = {te - aside - kRough, te + aside + kRough};
+    for (int i = 0; i <= rough.stride; ++i) {
+      const double te = a->te() + i * rise / rough.stride;
+      limits[static_cast<std::size_t>(k * rough.stride + i)] = {te - aside - kRough,
+                                                                te + aside + kRough};
     }
   }
-  int lo = 1, hi = 0;
+  std::optional<std::array<int, 2>> window;
   for (int i = 0; i < all; ++i) {
     double other = -kInfinity;
     for (int k = i % n_; k < all; k += n_)
       if (k != i) other = std::max(other, limits[static_cast<std::size_t>(k)][0]);
     const double most = limits[static_cast<std::size_t>(i)][1];
     if (most == -kInfinity || most < other) continue;
-    if (lo > hi) lo = from + i;
-    hi = from + i;
+    if (!window) window = {rough.from + i, 0};
+    (*window)[1] = rough.from + i;
   }
-  if (lo > hi) return;
-  lo_ = lo - 1;
-  track_.resize(static_cast<std::size_t>(hi + 1 - lo_ + 1));
+  return window;
+}
+
+// The start of the search at position m: the cubic through four rough touches with the same active
+// bounds, or a point between the two nearest. Not found if there is no rough touch near m.
+PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
+  const int last = static_cast<int>(rough.touches.size()) - 1;
+  const int k = std::clamp((m - rough.from) / rough.stride, 0, last);
+  const double part = static_cast<double>(m - rough.from - k * rough.stride) / rough.stride;
+  const PairTouch *a = rough.at(k), *b = rough.at(k + 1);
+  if (!a && !b) return {};
+  PairTouch t = start_between(a ? *a : *b, b ? *b : *a, part, own(m));
+  const PairTouch *c = rough.at(k - 1), *d = rough.at(k + 2);
+  const auto like = [&](const PairTouch* x) {
+    return x && x->fields == t.fields && x->touch.active == t.touch.active;
+  };
+  if (!like(a) || !like(b) || !like(c) || !like(d)) return t;
+  const double p = part, q = 1 - part;
+  const std::array<double, 4> weight{-p * q * (1 + q) / 6, q * (1 + p) * (1 + q) / 2,
+                                     p * (1 + p) * (1 + q) / 2, -p * q * (1 + p) / 6};
+  const auto mix = [&](double Touch::*v) {
+    return weight[0] * c->touch.*v + weight[1] * a->touch.*v + weight[2] * b->touch.*v +
+           weight[3] * d->touch.*v;
+  };
+  t.touch.s = mix(&Touch::s);
+  t.touch.z = mix(&Touch::z);
+  return t;
+}
+
+// Searches every position of the window and one beyond each end.
+void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& window) {
+  lo_ = window[0] - 1;
+  track_.resize(static_cast<std::size_t>(window[1] + 1 - lo_ + 1));
   std::vector<PairTouch> fine;
   fine.reserve(track_.size());
-  for (int m = lo_; m <= hi + 1; ++m) {
-    const int k = std::clamp((m - from) / stride, 0, count - 1);
-    const double part = static_cast<double>(m - from - k * stride) / stride;
-    if (part == 0.0 && touch(k)) {
-      track_[static_cast<std::size_t>(m - lo_)] = *touch(k);
-      continue;
-    }
-    const PairTouch *a = touch(k), *b = touch(k + 1);
-    if (!a && !b) continue;
-    PairTouch t = start_between(a ? *a : *b, b ? *b : *a, part, own(m));
-    const PairTouch *c = touch(k - 1), *d = touch(k + 2);
-    const auto like = [&](const PairTouch* x) {
-      return x && x->fields == t.fields && x->touch.active == t.touch.active;
-    };
-    if (like(a) && like(b) && like(c) && like(d)) {
-      const double p = part, q = 1 - part;
-      const std::array<double, 4> weight{-p * q * (1 + q) / 6, q * (1 + p) * (1 + q) / 2,
-                                         p * (1 + p) * (1 + q) / 2, -p * q * (1 + p) / 6};
-      const auto mix = [&](double Touch::*v) {
-        return weight[0] * c->touch.*v + weight[1] * a->touch.*v + weight[2] * b->touch.*v +
-               weight[3] * d->touch.*v;
-      };
-      t.touch.s = mix(&Touch::s);
-      t.touch.z = mix(&Touch::z);
-    }
-    t.pair = m;
-    fine.push_back(t);
+  for (int m = lo_; m <= window[1] + 1; ++m) {
+    const PairTouch* known = rough.at_position(m);
+    if (known) track_[static_cast<std::size_t>(m - lo_)] = *known;
+    PairTouch start = known ? PairTouch() : start_at(m, rough);
+    if (!start.found()) continue;
+    start.pair = m;
+    fine.push_back(start);
   }
   search_.solve(fine);
   cross_seams(fine);
-  for (const PairTouch& t : fine) track_[static_cast<std::size_t>(t.pair - lo_)] = t;
-  for (std::size_t i = 0; i < track_.size(); ++i) {
-    if (!track_[i].found()) continue;
-    track_[i].pair = 0;
-    offer(lo_ + static_cast<int>(i), track_[i]);
-  }
+  for (PairTouch& t : fine) track_[static_cast<std::size_t>(std::exchange(t.pair, 0) - lo_)] = t;
+  for (std::size_t i = 0; i < track_.size(); ++i)
+    if (track_[i].found()) offer(lo_ + static_cast<int>(i), track_[i]);
 }
 
 // Like Transmission, continues the track in one direction until T is well below T of another pair.
@@ -305,7 +321,6 @@ void LaneTrack::extend(int direction) {
     m += direction;
     here = transmission_->climb(here, own(m));
     if (!here.found()) return;
-    ++alone_;
     offer(m, here);
   }
 }

@@ -28,18 +28,20 @@ class LaneTrack {
   /// The same extremes as continuous_extremes() computes. None if a branch begins or ends where it
   /// leads, or if a search does not converge.
   std::optional<CurveExtremes> extremes() const;
-  /// Number of positions that were searched outside the lanes, for tests and benchmarks.
-  int alone() const { return alone_; }
 
  private:
   struct Path;
+  struct Rough;
+  struct Candidate;
   LaneTrack(Transmission& transmission, const LaneSearch& search, double first, int n);
   double own(int m) const { return first_ + m * step_; }
   const PairTouch* at(int m) const;
   int leader(int i) const;
-  struct Candidate;
   PairTouch start_between(const PairTouch& a, const PairTouch& b, double part, double phi) const;
-  void search_window(const Path& path);
+  Rough search_path(const Path& path) const;
+  std::optional<std::array<int, 2>> window_of(const Rough& rough) const;
+  PairTouch start_at(int m, const Rough& rough) const;
+  void search_window(const Rough& rough, const std::array<int, 2>& window);
   void cross_seams(std::vector<PairTouch>& touches) const;
   void extend(int direction);
   void offer(int m, const PairTouch& t);
@@ -50,7 +52,6 @@ class LaneTrack {
   int n_, lo_ = 0, whole_ = 0;
   std::vector<PairTouch> track_;  // of tooth pair 0, from position lo_ on
   std::vector<PairTouch> best_;
-  int alone_ = 0;
 };
 
 }  // namespace gearwright::detail

@@ -1,4 +1,4 @@
-#include "gearwright/contact/ridge.hpp"
+#include "gearwright/contact/contact_point.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,7 +1,6 @@
 #include "gearwright/contact/sensitivity.hpp"
 
 #include "gearwright/contact/error_turns.hpp"
-#include "gearwright/contact/removal_turn.hpp"
 #include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {

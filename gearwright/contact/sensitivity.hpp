@@ -60,6 +60,23 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
                  const Influence& influence);
 
+/// The effect of material removed from a flank on T, in N. [T8.7]
+struct RemovalTurn {
+  double te;                    ///< ∂T*  rad in N, per mm removed
+  double u, z;                  ///< the point, as arguments of the gear's RemovalField
+  RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
+};
+
+/// The effect of material removed from `gear` on T*, the greatest T over the profile at a fixed
+/// height z of flank 1. T* lies at the parameter s.
+///
+/// Units     rad, mm
+/// Domain    gear 1 or 2; patches of this pair (contract)
+/// Accuracy  rounding
+/// Laws      `te`, multiplied by the removal per unit of a modification, is equal to row_slope()
+///           for this modification
+RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
+
 /// dTE/dφ1, rad/rad, exact. It is computed like a sensitivity in which e is the rotation of gear 1.
 double rotation_slope(Transmission& transmission, const PairTouch& touch);
 

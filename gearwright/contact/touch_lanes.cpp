@@ -143,7 +143,10 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
   LaneBlock block;
   std::array<PairTouch*, kLaneBlock> owner{};
   std::array<int, kLaneBlock> steps{}, loaded;
-  loaded.fill(-1);
+  if (touches.empty()) return;
+  loaded.fill(touches.front().fields);
+  const auto& first = fields_[static_cast<std::size_t>(touches.front().fields)];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(I::s); ++k) block.in[k].fill(first[k]);
   const auto in = [&](I k, std::size_t i) -> double& {
     return block.in[static_cast<std::size_t>(k)][i];
   };
@@ -155,7 +158,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
     in(I::sign_b, i) = sign_of(active.second);
   };
   std::size_t next = 0, busy = 0;
-  ActiveSet last;
+  ActiveSet last, chosen;
   const auto take_next = [&](std::size_t i) {
     if (owner[i]) --busy;
     owner[i] = nullptr;
@@ -194,6 +197,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
         Touch& t = at.touch;
         t.stop = Touch::Stop::converged;
         t.te = out(O::te, i);
+        t.flat = out(O::flat, i) > 0.0;
         t.s = in(I::s, i);
         t.z = in(I::z, i);
         const std::array<double, 2>& of_flank2 = widths_[static_cast<std::size_t>(at.fields)];
@@ -224,7 +228,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
                    {1 - n, -n_s, -n_z},
                    {Z, Z_s, Z_z},
                    {1 - Z, -Z_s, -Z_z}}};
-      const FeasibleStep step = lost ? FeasibleStep{} : solve_step(p, {});
+      const FeasibleStep step = lost ? FeasibleStep{} : solve_step(p, chosen);
       const double length = std::sqrt(step.d_s * step.d_s + step.d_z * step.d_z);
       if (lost || !step.feasible || !std::isfinite(length)) {
         at.fields = -1;
@@ -237,7 +241,7 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
       in(I::mu_a, i) = step.multiplier[0];
       in(I::mu_b, i) = step.multiplier[1];
       set_bounds(i, step.active);
-      at.touch.active = step.active;
+      at.touch.active = chosen = step.active;
     }
   }
 }

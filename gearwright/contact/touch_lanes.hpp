@@ -29,7 +29,7 @@ enum class LaneIn : std::size_t {
   s, z, kind_a, sign_a, kind_b, sign_b, mu_a, mu_b, count
 };
 enum class LaneOut : std::size_t {
-  holds, last, astray, s, z, mu_a, mu_b, te, slope, arm, by_n,
+  holds, last, astray, s, z, mu_a, mu_b, te, slope, arm, flat, by_n,
   sigma, zeta, g_s, g_z, h_ss, h_sz, h_zz, n, n_s, n_z, Z, Z_s, Z_z, count
 };
 // clang-format on

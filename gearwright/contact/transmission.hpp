@@ -88,6 +88,7 @@ class Transmission {
   friend class detail::LaneTrack;
   class Track;
   PairTouch climb(const PairTouch& from, double phi);
+  std::vector<int> largest_first() const;
   PairTouch first_touch(double phi);
   void follow_one(double first, int n, std::vector<PairTouch>& best);
   void follow_all(int fields, double first, int n, std::vector<PairTouch>& best);

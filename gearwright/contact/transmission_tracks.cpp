@@ -139,8 +139,8 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// A touch of tooth pair 0 on a convex flank. The largest pair of patches is searched first.
-PairTouch Transmission::first_touch(double phi) {
+// The numbers of the pairs of patches, the pair with the largest part of the flanks first.
+std::vector<int> Transmission::largest_first() const {
   std::vector<std::pair<double, int>> order;
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
     const FlankPatch &a = field(f).one(), &b = field(f).two();
@@ -148,7 +148,14 @@ PairTouch Transmission::first_touch(double phi) {
         (a.u_lo - a.u_hi) * (a.z_hi - a.z_lo) * (b.u_hi - b.u_lo) * (b.z_hi - b.z_lo), f);
   }
   std::sort(order.begin(), order.end());
-  for (const auto& [size, f] : order) {
+  std::vector<int> numbers;
+  for (const auto& [size, f] : order) numbers.push_back(f);
+  return numbers;
+}
+
+// A touch of tooth pair 0 on a convex flank.
+PairTouch Transmission::first_touch(double phi) {
+  for (const int f : largest_first()) {
     fields_[static_cast<std::size_t>(f)]->set_rotation(phi);
     const Touch t = search(f).from_middle();
     if (t.found()) return climb({t, f, phi, 0}, phi);

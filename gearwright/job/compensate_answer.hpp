@@ -15,7 +15,7 @@
 #include "gearwright/contact/compensation.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {

@@ -10,7 +10,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/scatter/grades.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
 

@@ -12,8 +12,6 @@
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/scatter/grades.hpp"
-#include "gearwright/scatter/sample_warnings.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

@@ -51,9 +51,10 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     MatrixXd a(m, m);
     VectorXd right(m);
     VectorXd arm(m);
+    for (Index j = 0; j < m; ++j)
+      for (Index i = 0; i < m; ++i) a(i, j) = (*q.yield)(at[i], at[j]);
     for (Index i = 0; i < m; ++i) {
       const Index k = at[i];
-      for (Index j = 0; j < m; ++j) a(i, j) = q.yield(k, at[j]);
       const double p = std::max(x.line_load[k], kLeastLoad * mean);
       // The local term λ ln(a0/a) p is linearised about the last p. The constant part of the
       // linear function is λ p/2.
@@ -96,7 +97,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
       active[nearest] = 1;
       changed = true;
     }
-    const VectorXd displaced = q.yield * next;
+    const VectorXd displaced = *q.yield * next;
     const double scale = displaced.cwiseAbs().maxCoeff() + std::abs(x.approach) * q.arm.maxCoeff();
     for (Index i = 0; i < n && !(careful && changed); ++i) {
       if (before[i]) continue;

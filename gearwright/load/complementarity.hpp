@@ -16,14 +16,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 namespace gearwright {
 
 /// Lengths in mm, forces in N; p is a force per length of the contact line, N/mm.
 struct ContactProblem {
-  Eigen::MatrixXd yield;         ///< A  mm per N/mm, symmetric
-  Eigen::VectorXd gap;           ///< g  mm
-  Eigen::VectorXd arm;           ///< mm
+  std::shared_ptr<const Eigen::MatrixXd> yield;  ///< A  mm per N/mm, symmetric
+  Eigen::VectorXd gap;                           ///< g  mm
+  Eigen::VectorXd arm;                           ///< mm
   Eigen::VectorXd radius;        ///< R  mm, 1/curvature of the gap across the contact line
   double length = 1.0;           ///< Δ  mm, length of the contact line at each place
   double moment = 0.0;           ///< M2  N mm

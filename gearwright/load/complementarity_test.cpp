@@ -22,7 +22,8 @@ ContactProblem random_problem(unsigned seed, int n) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   ContactProblem q;
   const MatrixXd root = MatrixXd::NullaryExpr(n, n, [&] { return unit(random) - 0.4; });
-  q.yield = 1e-6 * (root * root.transpose() + 0.2 * MatrixXd::Identity(n, n));
+  q.yield = std::make_shared<const MatrixXd>(
+      1e-6 * (root * root.transpose() + 0.2 * MatrixXd::Identity(n, n)));
   q.gap = VectorXd::NullaryExpr(n, [&] { return 4e-3 * unit(random); });
   q.arm = VectorXd::NullaryExpr(n, [&] { return 40 + unit(random); });
   q.radius = VectorXd::Constant(n, 8.0);
@@ -36,7 +37,7 @@ ContactProblem random_problem(unsigned seed, int n) {
 // weight.
 VectorXd least_squares_answer(const ContactProblem& q) {
   const auto n = q.gap.size();
-  const Eigen::LLT<MatrixXd> llt(q.yield);
+  const Eigen::LLT<MatrixXd> llt(*q.yield);
   const MatrixXd upper = llt.matrixU();
   const double heavy = 1e5 * upper.norm();
   MatrixXd a(n + 1, n);
@@ -103,7 +104,7 @@ TEST(Complementarity, HoldsItsConditions) {
     for (Eigen::Index i = 0; i < q.gap.size(); ++i) {
       const double p = x.line_load[i];
       ASSERT_GE(p, 0.0);
-      double w = q.yield.row(i).dot(x.line_load);
+      double w = q.yield->row(i).dot(x.line_load);
       if (p > 0.0)
         w += q.local * std::log(q.half_width / hertz_half_width(p, 8.0, q.reduced_modulus)) * p;
       const double s = w + q.gap[i] - x.approach * q.arm[i];

@@ -11,9 +11,7 @@
 #include <vector>
 
 #include "gearwright/contact/contact_point.hpp"
-#include "gearwright/contact/removal_turn.hpp"
 #include "gearwright/contact/sensitivity.hpp"
-
 namespace gearwright {
 
 struct GapPlace {

@@ -107,7 +107,7 @@ Position PositionSolver::prepare(double rotation, Slices slices) {
     q.local += 2 * plane / std::numbers::pi;
   }
   q.reduced_modulus = 1 / soft;
-  if (!at.rows.empty()) q.yield = yields(at);
+  if (!at.rows.empty()) q.yield = std::make_shared<const MatrixXd>(yields(at));
   return at;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "gearwright/contact/contact_point.hpp"
-#include "gearwright/contact/gap_form.hpp"
 #include "gearwright/load/loaded_position.hpp"
 #include "gearwright/math/decompositions.hpp"
 

@@ -91,7 +91,7 @@ double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
     if (at.pairs[static_cast<std::size_t>(pair)].pair != 0 || slice != tip.slice) continue;
     const auto k = static_cast<Eigen::Index>(i);
     if (x.line_load[k] > 0.0) return 0.0;
-    return at.problem.yield.row(k).dot(x.line_load) + at.problem.gap[k] -
+    return at.problem.yield->row(k).dot(x.line_load) + at.problem.gap[k] -
            x.approach * at.problem.arm[k];
   }
   return std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/contact/removal_turn.hpp"
+#include "gearwright/contact/sensitivity.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace gearwright {

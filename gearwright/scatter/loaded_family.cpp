@@ -4,7 +4,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/scatter/spread.hpp"
 
 namespace gearwright {

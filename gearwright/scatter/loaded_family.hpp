@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace gearwright {

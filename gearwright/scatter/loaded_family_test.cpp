@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
 #include "gearwright/scatter/testing/small_family.hpp"
 

@@ -13,8 +13,8 @@
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/contact/lane_track.hpp"
-#include "gearwright/scatter/long_period.hpp"
 #include "gearwright/scatter/member_clearances.hpp"
+#include "gearwright/scatter/uneven_teeth.hpp"
 
 namespace gearwright {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/load/loaded_score.hpp"
+#include "gearwright/load/load_summary.hpp"
 #include "gearwright/scatter/robust.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
 #include "gearwright/scatter/testing/small_family.hpp"

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/gear/warning.hpp"
 #include "gearwright/load/loaded_contact.hpp"
 #include "gearwright/math/statistics.hpp"
 #include "gearwright/scatter/correlation.hpp"
@@ -157,5 +158,8 @@ struct Scatter {
 /// Laws      (1) the result is the same, byte for byte, for any number of threads   (2) tolerances
 ///           of width 0 give the numbers of analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
+
+/// Warns if samples jam, lose contact, or often have edge contact.
+std::vector<Warning> sample_warnings(const Scatter& scatter);
 
 }  // namespace gearwright

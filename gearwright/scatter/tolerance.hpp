@@ -7,12 +7,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
 #include "gearwright/scatter/distribution.hpp"
 
 namespace gearwright {
@@ -116,5 +118,32 @@ int coordinates_of(std::span<const ScatterTolerance> tolerances);
 ///           error is the name of this tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
+
+/// The flank deviations that a grade of ISO 1328-1 allows on a gear, mm. f_H limits the slope
+/// deviation over an evaluation range, and f_f the form deviation from the line with this slope.
+struct GradedFlank {
+  double profile_slope;              ///< ± f_Hα, converted from L_α to the whole usable flank
+  double helix_slope;                ///< ± f_Hβ, converted from L_β to the whole face
+  double profile_form, helix_form;   ///< f_fα, f_fβ
+  double total_pitch, single_pitch;  ///< F_p, f_pt
+  double helix_total;                ///< F_β
+};
+
+/// The deviations that the grade `quality` of an edition of the standard allows for a gear.
+///
+/// Formula   [T14.23], with the values of flank_tolerances()
+/// Domain    a grade of the edition (contract)
+/// None      for circular-arc teeth, which the standard does not cover, or if the gear has no
+///           evaluation range
+std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
+
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. ISO/TR 10064-3 gives them as lengths in
+/// proportion to the bearing span, so the angles do not depend on the span.
+///
+/// Formula   [T14.23]
+struct GradedAxes {
+  double crossing, intersecting;
+};
+GradedAxes graded_axes(double greater_helix_total, double face_width);
 
 }  // namespace gearwright

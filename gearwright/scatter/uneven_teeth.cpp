@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "gearwright/math/sobol.hpp"
 
@@ -45,6 +47,88 @@ std::vector<double> closed_walk(std::size_t teeth, std::uint64_t key) {
   return walk;
 }
 
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+// T of one tooth pair as a function of its own rotation, which is counted in steps m from the first
+// touch. T is kNone without contact.
+class PairCurve {
+ public:
+  PairCurve(Transmission& transmission, const std::vector<PairTouch>& touches)
+      : transmission_(transmission),
+        n_(static_cast<int>(touches.size())),
+        step_(transmission.pair().turned() * transmission.pair().pitch() / n_),
+        most_(transmission.farthest_pair() * n_),
+        te_(static_cast<std::size_t>(2 * most_ + 1), kNone),
+        passed_(te_.size()) {
+    const double first = touches[0].phi;
+    for (const PairTouch& t : touches) {
+      const auto m = static_cast<int>(std::lround((t.phi - first) / step_));
+      if (transmission_.wavy()) {
+        offer(m, t);
+      } else {
+        offer_and_walk(m, t);
+      }
+    }
+    // A branch that never leads if the pitches are equal may lead if they are unequal, so one more
+    // pitch is searched on each side.
+    const int from = std::max(-most_, least() - n_);
+    const int to = std::min(most_, greatest() + n_);
+    if (transmission_.wavy()) {
+      for (int m = from; m <= to; ++m)
+        if (const PairTouch t = transmission_.of_pair_0(first + m * step_); t.found()) offer(m, t);
+      return;
+    }
+    const int stride = std::max(1, n_ / 4);
+    for (int m = from; m <= to; m += stride)
+      for (const PairTouch& t : transmission_.every_of_pair_0(first + m * step_))
+        offer_and_walk(m, t);
+  }
+
+  int least() const { return first_found(1) - most_; }
+  int greatest() const { return static_cast<int>(te_.size()) - 1 - first_found(-1) - most_; }
+  double at(int m) const { return te_[static_cast<std::size_t>(m + most_)]; }
+
+ private:
+  int first_found(int way) const {
+    int i = 0;
+    const auto size = static_cast<int>(te_.size());
+    while (i < size && te_[static_cast<std::size_t>(way > 0 ? i : size - 1 - i)] == kNone) ++i;
+    return i;
+  }
+  // Records a touch. Returns true if it is new.
+  bool offer(int m, const PairTouch& t) {
+    if (std::abs(m) > most_) return false;
+    const auto at = static_cast<std::size_t>(m + most_);
+    constexpr double kSame = 1e-12;  // rad: difference of equal touches, from rounding
+    for (const auto& [fields, te] : passed_[at])
+      if (fields == t.fields && std::abs(te - t.te()) < kSame) return false;
+    passed_[at].push_back({t.fields, t.te()});
+    te_[at] = std::max(te_[at], t.te());
+    return true;
+  }
+  void offer_and_walk(int m, const PairTouch& start) {
+    if (!offer(m, start)) return;
+    for (const int way : {1, -1}) {
+      PairTouch last = start;
+      for (int at = m + way; std::abs(at) <= most_; at += way) {
+        last = transmission_.follow(last, last.phi + way * step_);
+        if (!last.found() || !offer(at, last)) break;
+      }
+    }
+  }
+
+  struct Passed {
+    int fields;
+    double te;
+  };
+  Transmission& transmission_;
+  int n_;
+  double step_;
+  int most_;
+  std::vector<double> te_;
+  std::vector<std::vector<Passed>> passed_;
+};
+
 }  // namespace
 
 std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance, double share,
@@ -77,6 +161,46 @@ std::vector<double> uneven_pitch(const Gear& gear, const VaryingPitch& tolerance
   const double radius = std::abs(gear.reference_diameter) / 2;
   for (double& e : v) e *= limit / radius;
   return v;
+}
+
+double long_period_span(Transmission& transmission, const std::vector<PairTouch>& touches,
+                        const std::array<int, 2>& teeth,
+                        const std::array<std::vector<double>, 2>& pitch) {
+  for (const std::size_t i : {0, 1})
+    GW_EXPECTS(pitch[i].empty() || static_cast<int>(pitch[i].size()) == teeth[i]);
+  const PairCurve curve(transmission, touches);
+  const int n = static_cast<int>(touches.size());
+  const double ratio = transmission.pair().ratio();
+  const auto ahead = [&](long p) {
+    const auto of = [&](std::size_t i) {
+      return pitch[i].empty() ? 0.0 : pitch[i][static_cast<std::size_t>(p % teeth[i])];
+    };
+    return ratio * of(0) - of(1);
+  };
+  const long period = std::lcm(static_cast<long>(teeth[0]), static_cast<long>(teeth[1]));
+  std::vector<double> offset;
+  for (long p = 0; p < period; ++p) offset.push_back(ahead(p));
+  // At position i of a pitch, the tooth pair k pitches earlier is at step m = i + k n of `curve`.
+  const int lo = curve.least();
+  const int hi = curve.greatest();
+  const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));
+  const int to = static_cast<int>(std::floor(static_cast<double>(hi) / n));
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = kNone;
+  for (long p = 0; p < period; ++p) {
+    for (int i = 0; i < n; ++i) {
+      double te = kNone;
+      for (int k = from; k <= to; ++k) {
+        const int m = i + k * n;
+        if (m < lo || m > hi || curve.at(m) == kNone) continue;
+        const long tooth = ((p - k) % period + period) % period;
+        te = std::max(te, curve.at(m) + offset[static_cast<std::size_t>(tooth)]);
+      }
+      least = std::min(least, te);
+      greatest = std::max(greatest, te);
+    }
+  }
+  return greatest - least;
 }
 
 }  // namespace gearwright

@@ -11,10 +11,9 @@
 #include <numeric>
 
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/scatter/grades.hpp"
-#include "gearwright/scatter/long_period.hpp"
 #include "gearwright/scatter/member.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
+#include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright {
 namespace {
