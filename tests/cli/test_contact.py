@@ -258,6 +258,16 @@ class Contact(unittest.TestCase):
         spans = [c[when]["continuous_peak_to_peak_arcsec"] for when in ("before", "after")]
         self.assertAlmostEqual(*spans, delta=0.001)
 
+    def test_users_read_the_continuous_peak_to_peak(self):
+        crowned = "[gear1.modifications]\nlead_crowning_um = 8\nprofile_crowning_um = 4\n"
+        spec = STAGE.format(crowned, "crossing_deg = 0.04\n[contact]\npositions = 20")
+        c = self.ok("contact", spec)["contact"]
+        dense = self.ok("contact", spec.replace("= 20", "= 3000"))["contact"]["peak_to_peak_arcsec"]
+        self.assertLess(c["peak_to_peak_arcsec"], dense - 0.02)
+        self.assertAlmostEqual(c["continuous_peak_to_peak_arcsec"], dense, delta=0.002)
+        row = next(r for r in Run("contact", spec).out.splitlines() if "transmission error, peak to peak" in r)
+        self.assertEqual(row.split()[-2], f"{c['continuous_peak_to_peak_arcsec']:.4f}")
+
     def test_nothing_to_correct_is_said(self):
         run = Run("compensate", self.spec(HELICAL))
         self.assertEqual(run.status, 0, run.err)
