@@ -224,6 +224,7 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   ChangedState state;
   state.findings = depth == TryDepth::as_drawn ? findings_of(judged_of(changed, of_changed))
                                                : findings_within_tolerances(changed, of_changed);
+  state.place = pattern_place(judged_of(changed, of_changed));
   if (changed.pair) {
     state.contact_ratio = changed.pair->contact_ratio_true();
     state.backlash = changed.pair->normal_backlash();

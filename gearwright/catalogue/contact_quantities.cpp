@@ -280,12 +280,25 @@ void add_all(Quantities<V>& q) {
        [](const V& v) -> const auto& { return v.working->positions; })
       .doors(kJson);
   q.under(kContact);
-  q.term("peak_to_peak_arcsec", "over the positions with contact", [](const V& v) {
-     return v.working->peak_to_peak;
-   }).when(of_gear);
-  q.term("peak_to_peak_um", "over the positions with contact, along the rack", [](const V& v) {
-     return travel_um(v.working->rack, v.working->peak_to_peak);
-   }).when(of_rack);
+  q.term("peak_to_peak_arcsec", "over the positions with contact",
+         [](const V& v) { return v.working->peak_to_peak; })
+      .when(of_gear)
+      .doors(kJson);
+  // Users read the continuous value, unless contact is lost.
+  q.term("peak_to_peak_arcsec", "",
+         [](const V& v) { return v.continuous_span.value_or(v.working->peak_to_peak); })
+      .when(of_gear)
+      .doors(kPeople);
+  q.term("peak_to_peak_um", "over the positions with contact, along the rack",
+         [](const V& v) { return travel_um(v.working->rack, v.working->peak_to_peak); })
+      .when(of_rack)
+      .doors(kJson);
+  q.term("peak_to_peak_um", "",
+         [](const V& v) {
+           return travel_um(v.working->rack, v.continuous_span.value_or(v.working->peak_to_peak));
+         })
+      .when(of_rack)
+      .doors(kPeople);
   q.number("continuous_peak_to_peak_arcsec",
            "transmission error, peak to peak of the continuous curve", "",
            "difference between the extremes of the curve [T14.11]; it does not depend on the "

@@ -40,18 +40,18 @@ class Judge {
     const ContactScore score = worst(curves(zero));
     // If w is not given, corrections must not increase the peak to peak.
     if (!task.centering && !score.lost)
-      limit_ = std::max(kQuiet, score.peak_to_peak + 0.5 * kSameError).rad();
+      limit_ = std::max(kQuiet, score.span_or_sampled() + 0.5 * kSameError).rad();
     centering_ = task.centering.value_or(default_centering(score.peak_to_peak)).rad();
     place_of_none_ = place_cost(score);
   }
 
-  std::vector<ContactCurve> curves(const std::vector<double>& v, bool edges = false) {
-    count();
+  std::vector<ContactCurve> curves(const std::vector<double>& v) {
+    count_step(task_.progress);
     std::vector<ContactCurve> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
       if (!pair) return {};
-      all.push_back(contact_curve(*pair, positions_, task_.profile, edges));
+      all.push_back(contact_curve(*pair, positions_, task_.profile));
     }
     return all;
   }
@@ -66,7 +66,7 @@ class Judge {
       all.push_back(task_.aim->near(*pair, positions_));
     }
     return [this, center, all = std::move(all)](std::vector<double> v) {
-      count();
+      count_step(task_.progress);
       // The estimate is finite even if teeth with these corrections do not exist. Their existence
       // does not depend on the scenario.
       if (!task_.pair_at(v, 0)) return kInfinity;
@@ -97,14 +97,8 @@ class Judge {
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
   Angle centering() const { return Angle::radians(centering_); }
-  int evaluations() const { return evaluations_; }
 
  private:
-  void count() {
-    ++evaluations_;
-    count_step(task_.progress);
-  }
-
   double computed(const std::vector<double>& v) {
     if (model_) return model_(v);
     if (task_.aim) return aimed(v);
@@ -112,13 +106,13 @@ class Judge {
     if (all.empty()) return kInfinity;
     const ContactScore s = worst(all);
     if (s.lost) return kInfinity;
-    const double te = s.peak_to_peak.rad();
+    const double te = s.span_or_sampled().rad();
     const double f = te + place_cost(s);
     return te > limit_ ? f + place_of_none_ + kOverLimit * (te - limit_) : f;
   }
 
   double aimed(const std::vector<double>& v) {
-    count();
+    count_step(task_.progress);
     double worst = 0.0;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(v, s);
@@ -128,7 +122,7 @@ class Judge {
   }
 
   double place_cost(const ContactScore& s) const {
-    const double along = task_.along_face ? s.along_face * s.along_face : 0.0;
+    const double along = task_.along_face ? s.pattern_place * s.pattern_place : 0.0;
     return centering_ * (along + s.along_profile * s.along_profile);
   }
 
@@ -142,7 +136,6 @@ class Judge {
   int positions_;
   double limit_ = kInfinity;                      // limit of the peak to peak, rad
   double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
-  int evaluations_ = 0;
   Model model_;
   std::map<std::vector<double>, double> known_;
 };
@@ -202,6 +195,9 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   }
   return minimise(how, search, std::move(v));
 }
+
+// The fraction of the gain that rounding the values, or setting one of them to 0, may lose.
+constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.
 struct Best {
@@ -286,7 +282,6 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
-  constexpr double kPartLost = 0.01;  // fraction of the gain that rounding the values may lose
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
     // Tries the rounded values, and then the neighbours of each value, because rounding may move a
@@ -311,6 +306,46 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;
   return searched < refined - same ? written : best.v;
+}
+
+// The corrections without those that are not needed. In turn, from the last to the first, each
+// correction is fixed at 0 and the others are searched again. It stays 0 if f is as small then.
+std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& fine,
+                           std::vector<double> found) {
+  const std::size_t n = found.size();
+  std::vector<std::size_t> used;
+  for (std::size_t k = 0; k < n; ++k)
+    if (found[k] != 0.0) used.push_back(k);
+  const double gain = fine.value(std::vector<double>(n, 0.0)) - fine.value(found);
+  const double limit =
+      fine.value(found) + fine.same() + (std::isfinite(gain) ? kPartLost * gain : 0.0);
+  for (std::size_t i = used.size(); i-- > 0 && used.size() > 1;) {
+    std::vector<std::size_t> fewer = used;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto all = [fewer, n](const std::vector<double>& v) {
+      std::vector<double> whole(n, 0.0);
+      for (std::size_t k = 0; k < fewer.size(); ++k) whole[fewer[k]] = v[k];
+      return whole;
+    };
+    const auto part = [&](const auto& whole) {
+      std::remove_cvref_t<decltype(whole)> some;
+      for (const std::size_t k : fewer) some.push_back(whole[k]);
+      return some;
+    };
+    CompensationTask reduced = task;
+    reduced.corrections = part(task.corrections);
+    for (std::vector<double>& start : reduced.starts) start = part(start);
+    reduced.starts.push_back(part(found));
+    reduced.pair_at = [&task, all](const std::vector<double>& v, int s) {
+      return task.pair_at(all(v), s);
+    };
+    Judge search(reduced, coarse.positions()), last(reduced, fine.positions());
+    const auto alone = all(settled(reduced, last, searched(reduced, search)));
+    if (fine.value(alone) > limit) continue;
+    used = std::move(fewer);
+    found = alone;
+  }
+  return found;
 }
 
 // The task with its bounds moved so that, if only one correction is not 0, teeth exist up to the
@@ -371,6 +406,7 @@ Compensation compensate(const CompensationTask& given) {
   for (const Correction& c : given.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
   const CompensationTask task = within_teeth(given);
+  const std::vector<double> zero(task.corrections.size(), 0.0);
   // The usual number of evaluations in one search of the box and a descent from every start. Most
   // descents end early.
   constexpr std::int64_t kUsual = 1000;
@@ -379,14 +415,13 @@ Compensation compensate(const CompensationTask& given) {
   Judge fine(task, task.fine_positions);
   Compensation result;
   result.value = settled(task, fine, searched_nearby(task, coarse));
+  if (!task.aim) result.value = fewest(task, coarse, fine, result.value);
   result.centering = fine.centering();
-  result.evaluations = coarse.evaluations() + fine.evaluations();
-  const std::vector<double> zero(task.corrections.size(), 0.0);
-  for (const ContactCurve& c : fine.curves(zero, true)) {
+  for (const ContactCurve& c : fine.curves(zero)) {
     result.each_before.push_back(c.score);
     take_worst(result.before, c.score);
   }
-  for (const ContactCurve& c : fine.curves(result.value, true)) {
+  for (const ContactCurve& c : fine.curves(result.value)) {
     result.each_after.push_back(c.score);
     take_worst(result.after, c.score);
   }

@@ -2,9 +2,11 @@
 // that any of several sets of errors causes.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
-//   f(v) = max_S peak to peak TE + w · max_S (h² + p²)      [T8.24] of docs/theory/08-contact.md
+//   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   h   mean position of the contact along the face, −1 to 1
+//   TE  the continuous curve, because the peak to peak of the values at the computed positions
+//       changes with the place of the handovers between them
+//   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile; 0 if this position has no target. For
 //       circular-arc teeth, the target is the pressure angle of their racks
 //
@@ -56,7 +58,7 @@ struct CompensationTask {
                                      ///< default_centering() is used, and corrections must not
                                      ///< increase the transmission error
   bool along_face =
-      true;  ///< false if h is ignored, because the contact point moves along the whole face
+      true;  ///< false if q is ignored, because the contact point moves along the whole face
              ///< in any case
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
@@ -91,7 +93,6 @@ struct Compensation {
   ContactScore before, after;                         ///< each number is the worst of all scenarios
   std::vector<ContactScore> each_before, each_after;  ///< one score per scenario
   Angle centering;                                    ///< w
-  int evaluations = 0;                                ///< number of evaluations of f
 
   /// True if every value is 0, because no corrections lower f by more than kSameError (or the
   /// aim by more than CompensationAim::same).
@@ -124,11 +125,12 @@ std::vector<double> as_written(const std::vector<Correction>& corrections,
 /// Accuracy  a local minimum of f, namely the lowest that a deterministic search of the whole box
 ///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
 ///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
-///           values are 0 if the gain is below kSameError
+///           values are 0 if the gain is below kSameError. Without an aim, a value is 0 if the
+///           other corrections alone reach the same f within kSameError and 1 % of the gain
 /// Laws      (1) f(value) <= f(0) at fine_positions. If there is an aim, the worst value of the aim
 ///               over the scenarios is not greater with the corrections than without
-///           (2) without a given w and without an aim, after.peak_to_peak is at most the greater of
-///               before.peak_to_peak + kSameError and kQuiet
+///           (2) without a given w and without an aim, after.span is at most the greater of
+///               before.span + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);
 
 }  // namespace gearwright

@@ -7,6 +7,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/contact/continuous.hpp"
 
 namespace gearwright {
 
@@ -18,20 +19,76 @@ constexpr double kNoPlace = 1e-9;
 
 double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
 
+// The gap at which the density of the contact pattern has fallen to 1/e, mm. A small load closes
+// such a gap.
+constexpr double kPatternGap = 1e-3;
+
+struct Interval {
+  double lo, hi;
+};
+Interval face_of(const ContactPair& pair, int gear) {
+  Interval face{kInfinity, -kInfinity};
+  for (const FlankPatch& p : pair.patches(gear)) {
+    face.lo = std::min(face.lo, p.z_lo);
+    face.hi = std::max(face.hi, p.z_hi);
+  }
+  return face;
+}
+
+// The middle of the contact pattern at one position, relative to the common part of the faces. The
+// gap opens along the contact line from the touch, with the slope and the curvature of T there. The
+// middle is the mean height with the weight exp(−gap/kPatternGap).
+double pattern_middle(Transmission& transmission, const PairTouch& t,
+                      const std::array<Interval, 2>& faces) {
+  const GapJet j = transmission.jet_at(t, t.touch.s, t.touch.z);
+  const double arm = GapField::arm(j);
+  const double along = j.t.ss < 0.0 ? -j.t.sz / j.t.ss : 0.0;  // ds/dz of the contact line
+  const double slope = j.t.z + along * j.t.s;
+  const double bend = std::min(0.0, j.t.zz + along * j.t.sz);
+  const double moved = j.Z.v - t.touch.z;
+  const double lo = std::max(faces[0].lo, faces[1].lo - moved);
+  const double hi = std::min(faces[0].hi, faces[1].hi - moved);
+  if (!(lo < hi)) return 0.0;
+  constexpr int kParts = 32;
+  double weight = 0.0, sum = 0.0;
+  for (int i = 0; i < kParts; ++i) {
+    const double place = (2.0 * i + 1.0) / kParts - 1.0;
+    const double x = 0.5 * (lo + hi) + 0.5 * (hi - lo) * place - t.touch.z;
+    const double gap = -arm * x * (slope + 0.5 * bend * x);
+    const double w = std::exp(-std::max(0.0, gap) / kPatternGap);
+    weight += w;
+    sum += w * place;
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
+}
+
 }  // namespace
 
 bool ContactScore::nothing_touches() const { return std::isnan(peak_to_peak.rad()); }
 
-ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
-                           bool edges) {
+ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target) {
   GW_EXPECTS(positions >= 2);
   Transmission transmission(pair);
-  return curve_of(transmission, transmission.over_a_pitch(-0.5 * pair.pitch(), positions), target,
-                  edges);
+  auto touches = transmission.over_a_pitch(-0.5 * pair.pitch(), positions);
+  ContactCurve c = curve_of(transmission, touches, target);
+  const std::array<Interval, 2> faces{face_of(pair, 1), face_of(pair, 2)};
+  double middle = 0.0;
+  int n = 0;
+  for (const PairTouch& t : touches) {
+    if (!t.found()) continue;
+    middle += pattern_middle(transmission, t, faces);
+    ++n;
+  }
+  if (n > 0) c.score.pattern_place = without_rounding(middle / n, kNoPlace);
+  if (c.score.lost) return c;
+  if (pair.gear2_drives()) std::reverse(touches.begin(), touches.end());  // as in one_pitch()
+  c.score.span =
+      Angle::radians(without_rounding(continuous_extremes(transmission, touches).span(), kNoAngle));
+  return c;
 }
 
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
-                      const ProfileTarget& target, bool edges) {
+                      const ProfileTarget& target) {
   ContactCurve c;
   double z_half = 0.0;
   for (const FlankPatch& p : transmission.pair().patches(1))
@@ -54,7 +111,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
       if (angle) profile += (*angle - target.angle.rad()) / target.width.rad();
     }
-    if (edges && on_edge(transmission, t)) ++edge_touches;
+    if (on_edge(transmission, t)) ++edge_touches;
   }
   c.score.peak_to_peak = Angle::radians(without_rounding(peak_to_peak(c.te), kNoAngle));
   if (n == 0) return c;
@@ -71,7 +128,10 @@ void take_worst(ContactScore& worst, const ContactScore& s) {
   } else {
     worst.peak_to_peak = std::max(worst.peak_to_peak, s.peak_to_peak);
   }
+  if (s.span) worst.span = std::max(worst.span.value_or(Angle()), *s.span);
   if (std::abs(s.along_face) > std::abs(worst.along_face)) worst.along_face = s.along_face;
+  if (std::abs(s.pattern_place) > std::abs(worst.pattern_place))
+    worst.pattern_place = s.pattern_place;
   if (std::abs(s.along_profile) > std::abs(worst.along_profile))
     worst.along_profile = s.along_profile;
   worst.edge_share = std::max(worst.edge_share, s.edge_share);

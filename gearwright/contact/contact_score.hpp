@@ -2,10 +2,16 @@
 //
 //   TE  transmission error (transmission.hpp)     N   frame of contact_pair.hpp
 //   h   mean position of the contact along the face, −1 to 1, towards +z
+//   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile, relative to a target; 0 without a target
+//
+// The touches are the points at which rigid teeth meet. If a flank without crowning has a slope
+// error of a nanometre, its touches lie at an end of the face, although the teeth bear on the whole
+// face. h is then ±1, and q is 0.
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
@@ -19,8 +25,12 @@ struct ContactScore {
   double along_profile = 0.0;  ///< p; 0 without a target
   double edge_share = 0.0;     ///< fraction of the positions at which an edge touches; 0 to 1
   bool lost = false;           ///< true if contact is lost at some position
+  /// Peak to peak of the continuous curve; none if contact is lost or if it was not computed.
+  std::optional<Angle> span{};
+  double pattern_place = 0.0;  ///< q; 0 if it was not computed
 
   bool nothing_touches() const;
+  Angle span_or_sampled() const { return span && !lost ? *span : peak_to_peak; }
 };
 
 /// The target for the position along the profile. If its width is 0, p is not computed.
@@ -32,25 +42,25 @@ struct ProfileTarget {
 /// TE and score of a pair over one pitch.
 struct ContactCurve {
   std::vector<double> te;  ///< rad; NaN where contact is lost
-  ContactScore score;      ///< edge_share is 0 if contact_curve() got `edges` = false
+  ContactScore score;
 };
 
-/// TE and score of a pair over one pitch. edge_share is computed only if `edges` is true.
+/// TE and score of a pair over one pitch.
 ///
 /// Domain    positions ≥ 2 (contract)
 /// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0, and so are h and
-///           p below 1e-9
-ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target,
-                           bool edges);
+///           p below 1e-9; `span` as continuous_extremes(). q is exact to 1 % for flanks whose gap
+///           is a parabola along the contact line
+ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target);
 
 /// TE and score, computed from the touches of one pitch. TE has the sign that it has in N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
-                      const ProfileTarget& target, bool edges);
+                      const ProfileTarget& target);
 
 /// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
-  return contact_curve(pair, positions, target, true).score;
+  return contact_curve(pair, positions, target).score;
 }
 
 /// Sets each number of `worst` to the same number of `score` if this is worse. Positions are

@@ -10,6 +10,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
@@ -117,7 +118,7 @@ std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const Contact
   return answer;
 }
 
-constexpr int kPositions = 24;
+constexpr int kPositions = kLeastSpanPositions;
 // Under load, computing a curve of the transmission error takes a hundred times as long as without
 // load, so fewer positions and fewer corners of the range are computed.
 constexpr int kLoadPositions = 16, kLoadCurves = 120;

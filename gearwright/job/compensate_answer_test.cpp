@@ -41,8 +41,7 @@ center_distance_mm = [-0.02, 0.02]
     const auto answer = answer_compensate(job, nullptr, curves);
     ASSERT_TRUE(answer) << answer.error().message();
     const Compensation& found = answer->result;
-    EXPECT_LE(found.after.peak_to_peak, std::max(kQuiet, found.before.peak_to_peak + kSameError))
-        << curves;
+    EXPECT_LE(*found.after.span, std::max(kQuiet, *found.before.span + kSameError)) << curves;
   }
 }
 

@@ -51,8 +51,9 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   out += quantity_listing(units, scores.table(), {scores.of(a.before), scores.of(a.after)},
                           {"before", "after"});
   const auto arcsec = [](const ContactScore& s) {
-    return std::isfinite(s.peak_to_peak.rad()) ? fixed_decimals(s.peak_to_peak.arcsec(), 4) + " ″"
-                                               : std::string("no contact");
+    return std::isfinite(s.span_or_sampled().rad())
+               ? fixed_decimals(s.span_or_sampled().arcsec(), 4) + " ″"
+               : std::string("no contact");
   };
   if (a.scenarios.size() > 1)
     for (const Scenario& s : a.scenarios)

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
 
 namespace gearwright {
@@ -120,9 +121,11 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
     }
     const Under& u = list[i - 1];
     const ContactPair pair = setup.pair(u.errors, r.gear2_drives);
-    r.under[i - 1] = {u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
-                      Angle::radians(peak_to_peak(transmission_error(pair, positions))),
-                      u.as_specified};
+    r.under[i - 1] = {
+        u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
+        continuous_span(pair, std::max(kLeastSpanPositions, positions))
+            .value_or(Angle::radians(peak_to_peak(transmission_error(pair, positions)))),
+        u.as_specified};
   };
   parallel_for(list.size() + 1, make);
 }
@@ -180,6 +183,7 @@ void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer
     if (job.spec.errors.value[i] != 0.0)
       r.errors.push_back(named_error(i, job.spec.errors.value[i]));
   r.modifications = modifications_of(job);
+  r.span = answer.continuous_span;
   if (answer.map) {
     const auto& key = job.spec.contact.map->key;
     const auto& value = job.spec.errors.value;

@@ -6,7 +6,7 @@
 
 namespace gearwright {
 
-std::string contact_words(const ContactResult& contact) {
+std::string contact_words(const ContactResult& contact, std::optional<Angle> span) {
   if (contact.contact_lost) {
     return "At some positions no tooth pair touches, so the teeth would separate and collide. This "
            "pair needs a wider face, more teeth in mesh or smaller errors.";
@@ -24,7 +24,7 @@ std::string contact_words(const ContactResult& contact) {
                  "as intended."
                : "Motion is transmitted exactly, and the flanks touch as intended.";
   std::string text = fmt::format("The transmission error is {} peak to peak. ",
-                                 te_unit(contact.rack).text(contact.peak_to_peak));
+                                 te_unit(contact.rack).text(span.value_or(contact.peak_to_peak)));
   if (lines) return text + "The flanks touch along lines across the face, and no edge touches.";
   if (edges == 0.0) {
     text += "The contact is always inside the flanks, and no edge touches.";

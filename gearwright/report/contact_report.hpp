@@ -16,12 +16,14 @@ namespace gearwright {
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  Angle peak_to_peak;         ///< NaN if no teeth touch
+  Angle peak_to_peak;         ///< of the continuous TE if contact is not lost; NaN if no teeth
+                              ///< touch
   bool as_specified = false;  ///< true for all errors together, as in the other pictures
 };
 
 struct ContactReport : ContactScene {
   ContactResult other;            ///< the non-working flanks, at the positions of `driving`
+  std::optional<Angle> span;      ///< peak to peak of the continuous TE; none if contact is lost
   std::optional<Angle> min_play;  ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the contact point nearest to the middle of the flank
@@ -42,7 +44,8 @@ struct ContactReport : ContactScene {
 inline constexpr double kConjugate = 1e-6;
 
 /// The result of tooth contact in one or two sentences of plain text, for all interfaces: the
-/// transmission error, and whether the flanks touch along lines, at points or at edges.
-std::string contact_words(const ContactResult& contact);
+/// transmission error, and whether the flanks touch along lines, at points or at edges. `span` is
+/// the peak to peak of the continuous transmission error, if it was computed.
+std::string contact_words(const ContactResult& contact, std::optional<Angle> span = {});
 
 }  // namespace gearwright

@@ -23,7 +23,7 @@ namespace gearwright {
 namespace {
 
 std::string arcsec(const ContactScore& s) {
-  return s.nothing_touches() ? "no contact" : fixed(s.peak_to_peak.arcsec(), 4);
+  return s.nothing_touches() ? "no contact" : fixed(s.span_or_sampled().arcsec(), 4);
 }
 
 // A sentence about the result under load, for the torque that has the worst result before the

@@ -91,7 +91,7 @@ class FlankTouches {
     ContactScore worst;
     double edges = 0.0;
     for (std::size_t h = 0; h < touches_.size(); ++h) {
-      const ContactScore s = curve_of(transmissions_[h], touches_[h], profile, true).score;
+      const ContactScore s = curve_of(transmissions_[h], touches_[h], profile).score;
       take_worst(worst, s);
       edges += s.edge_share;
     }

@@ -88,49 +88,29 @@ std::vector<Finding> backlash_findings(double j_n, std::optional<double> recomme
   return {std::move(finding)};
 }
 
-std::vector<Finding> contact_findings(const ContactResult& contact,
-                                      const std::array<double, 2>& face_widths) {
+std::vector<Finding> contact_findings(const PatternPlace& place) {
   std::vector<Finding> findings;
-  std::size_t touching = 0, edges = 0, points = 0;
-  std::array<double, 2> places{};  // position on each face, relative to half its width
-  for (const ContactPoint& p : contact.positions) {
-    if (p.kind == TouchKind::none) continue;
-    ++touching;
-    if (is_edge(p.kind)) ++edges;
-    if (p.kind == TouchKind::line) continue;
-    ++points;
-    for (const std::size_t i : {0u, 1u}) places[i] += p.height[i] / (face_widths[i] / 2);
-  }
-  if (touching == 0) return findings;
-  const double share = static_cast<double>(edges) / static_cast<double>(touching);
-  if (edges > 0) {
+  if (place.edge_share > 0.0) {
     findings.push_back(
         {WarningCode::edge_contact,
          Level::amber,
          0,
          fmt::format("An edge is in contact during {:.0f} % of the rotation; edge contact causes "
                      "high pressure and wear.",
-                     std::max(1.0, 100 * share)),
+                     std::max(1.0, 100 * place.edge_share)),
          "",
-         {{"share", share, false}}});
+         {{"share", place.edge_share, false}}});
   }
-  if (points > 0) {
-    // On each face, the mean position of the contact is related to half of the face width. The
-    // position that is nearer to an end is used, which lies on the narrower face if the widths
-    // differ.
-    const double place = (std::abs(places[1]) > std::abs(places[0]) ? places[1] : places[0]) /
-                         static_cast<double>(points);
-    if (std::abs(place) > kCentralPlace && edges < touching) {
-      findings.push_back(
-          {WarningCode::contact_place,
-           Level::amber,
-           0,
-           fmt::format("The contact lies near the end of the face, at {:.0f} % of half the face "
-                       "width.",
-                       100 * std::abs(place)),
-           "",
-           {{"share_of_half_face", place, false}}});
-    }
+  if (place.mean && std::abs(*place.mean) > kCentralPlace && place.edge_share < 1.0) {
+    findings.push_back(
+        {WarningCode::contact_place,
+         Level::amber,
+         0,
+         fmt::format("The contact lies near the end of the face, at {:.0f} % of half the face "
+                     "width.",
+                     100 * std::abs(*place.mean)),
+         "",
+         {{"share_of_half_face", *place.mean, false}}});
   }
   return findings;
 }

@@ -20,8 +20,7 @@ std::vector<Finding> margin_findings(const Pair& pair);
 std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended);
 
 /// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
-std::vector<Finding> contact_findings(const ContactResult& contact,
-                                      const std::array<double, 2>& face_widths);
+std::vector<Finding> contact_findings(const PatternPlace& place);
 
 // Findings for safety factors that are too low, and changes that would raise them sufficiently.
 

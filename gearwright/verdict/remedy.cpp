@@ -77,6 +77,41 @@ struct Found {
   SpecChange change;
   Score score;
 };
+
+// The value of a number at which the contact lies nearest to the middle of the face. The search
+// halves the range of the number, because the contact moves in one direction as the number grows.
+// The result is nothing if the contact then lies more than kMiddlePlace from the middle, or if
+// edges touch more often than `before`.
+std::optional<Found> centring_change(Trials& trials, const Finding& finding, const Lever& lever,
+                                     const PatternPlace& before) {
+  const auto change_of = [&](double steps) {
+    return SpecChange{lever.what, lever.gear, lever.in_steps(steps)};
+  };
+  const auto place_at = [&](double steps) {
+    const auto& state = trials.of(change_of(steps), TryDepth::with_contact);
+    return state ? state->place : std::nullopt;
+  };
+  const auto mean_at = [&](double steps) {
+    const auto place = place_at(steps);
+    return place ? place->mean : std::nullopt;
+  };
+  double hi = std::floor(lever.span / lever.step()), lo = -hi;
+  const auto at_lo = mean_at(lo), at_hi = mean_at(hi);
+  if (!at_lo || !at_hi || *at_lo * *at_hi > 0.0) return std::nullopt;
+  while (hi - lo > 1.0) {
+    const double middle = std::floor((lo + hi) / 2);
+    const auto mean = mean_at(middle);
+    if (!mean) return std::nullopt;
+    (*mean * *at_hi > 0.0 ? hi : lo) = middle;
+  }
+  const double best = std::abs(*mean_at(lo)) < std::abs(*mean_at(hi)) ? lo : hi;
+  const PatternPlace place = *place_at(best);
+  if (std::abs(*place.mean) > kMiddlePlace || place.edge_share > before.edge_share)
+    return std::nullopt;
+  const auto score = trials.score(finding, change_of(best), TryDepth::with_contact);
+  return score ? std::optional(Found{change_of(best), *score}) : std::nullopt;
+}
+
 // The smallest change of one number that reaches the best score. Values are multiples of the step,
 // so the printed value is exactly the value that was tried.
 std::optional<Found> least_change(Trials& trials, const Finding& finding, const Lever& lever,
@@ -135,6 +170,7 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
 void add_remedies(std::vector<Finding>& findings, const Judged& judged, const TryChange& attempt) {
   const std::vector<Finding> before = findings;
   Trials trials(before, attempt);
+  const auto place = pattern_place(judged);
   std::string strength;  // the remedy shared by all findings about safety factors
   for (Finding& finding : findings) {
     const bool safety =
@@ -153,7 +189,9 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
                                                : TryDepth::as_drawn;
     std::optional<Found> best;
     for (const Lever& lever : levers(*cure, finding, judged)) {
-      const auto found = least_change(trials, finding, lever, depth);
+      const auto found = finding.code == WarningCode::contact_place
+                             ? centring_change(trials, finding, lever, *place)
+                             : least_change(trials, finding, lever, depth);
       if (found && (!best || found->score < best->score)) best = found;
       // For a finding of a contact analysis, the search stops at the first change that removes the
       // finding, because each trial takes milliseconds.

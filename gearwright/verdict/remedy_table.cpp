@@ -101,9 +101,7 @@ const std::vector<Cure>& cures() {
        true},
       {C::contact_place,
        "the contact lies in the middle of the face",
-       {{A::lead_slope, W::first, +1},
-        {A::lead_slope, W::first, -1},
-        {A::lead_crowning, W::first, +1}},
+       {{A::lead_slope, W::first, +1}},
        true},
   };
   return kAll;

@@ -272,13 +272,32 @@ std::vector<Finding> findings_of(const Judged& judged) {
   }
   if (judged.rack) add(detail::backlash_findings(judged.rack->normal_backlash(), {}));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
-  if (judged.contact && judged.pair)
-    add(detail::contact_findings(*judged.contact, {judged.pair->gear(1).spec.face_width,
-                                                   judged.pair->gear(2).spec.face_width}));
-  if (judged.contact && judged.rack)
-    add(detail::contact_findings(
-        *judged.contact, {judged.rack->pinion.spec.face_width, judged.rack->rack.face_width}));
+  if (const auto place = pattern_place(judged)) add(detail::contact_findings(*place));
   return findings;
+}
+
+std::optional<PatternPlace> pattern_place(const Judged& judged) {
+  if (!judged.contact || !(judged.pair || judged.rack)) return std::nullopt;
+  const std::array<double, 2> face_widths =
+      judged.pair
+          ? std::array{judged.pair->gear(1).spec.face_width, judged.pair->gear(2).spec.face_width}
+          : std::array{judged.rack->pinion.spec.face_width, judged.rack->rack.face_width};
+  std::size_t touching = 0, edges = 0, points = 0;
+  std::array<double, 2> sum{};
+  for (const ContactPoint& p : judged.contact->positions) {
+    if (p.kind == TouchKind::none) continue;
+    ++touching;
+    if (is_edge(p.kind)) ++edges;
+    if (p.kind == TouchKind::line) continue;
+    ++points;
+    for (const std::size_t i : {0u, 1u}) sum[i] += p.height[i] / (face_widths[i] / 2);
+  }
+  if (touching == 0) return std::nullopt;
+  PatternPlace place{static_cast<double>(edges) / static_cast<double>(touching), {}};
+  if (points > 0)
+    place.mean =
+        (std::abs(sum[1]) > std::abs(sum[0]) ? sum[1] : sum[0]) / static_cast<double>(points);
+  return place;
 }
 
 namespace {

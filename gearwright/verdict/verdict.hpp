@@ -99,6 +99,9 @@ constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
 /// width, at which the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
+/// The same distance for a contact pattern in the middle of the face. A remedy that centres the
+/// contact must reach it.
+constexpr double kMiddlePlace = 0.1;
 
 /// A rating, with the inputs that are needed to rate the gears again for a remedy.
 struct JudgedRating {
@@ -133,11 +136,23 @@ struct Judged {
 /// minimum is taken over both gears and all ratings. Empty if there is no rating.
 std::string safety_words(const std::vector<const Rating*>& ratings);
 
+/// Where the teeth touch, over all positions with contact.
+struct PatternPlace {
+  double edge_share;  ///< fraction of these positions at which an edge touches
+  /// Mean position along the face, relative to half of the face width, towards +z. It belongs to
+  /// the gear on which the contact is nearer to an end of the face, which is the narrower gear if
+  /// the widths differ. None if all positions have contact lines.
+  std::optional<double> mean;
+};
+/// None if the contact was not computed or if no teeth touch.
+std::optional<PatternPlace> pattern_place(const Judged& judged);
+
 /// The results of a changed spec.
 struct ChangedState {
   std::vector<Finding> findings;
   double contact_ratio = 0.0;  ///< 0 without a pair
   double backlash = 0.0;       ///< j_n  mm
+  std::optional<PatternPlace> place{};
 };
 /// How much is computed for a changed spec. as_drawn covers the nominal gears and the nominal pair.
 /// at_tolerances adds all combinations of tolerance ends. with_contact adds the contact under the

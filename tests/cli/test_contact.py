@@ -58,6 +58,23 @@ center_b = 0.3188932873401956
 {rest}
 """
 
+STAGE = """
+[gear1]
+teeth = 27
+normal_module_mm = 2.5
+helix_angle_deg = 18
+profile_shift = 0.18
+face_width_mm = 28
+thickness_allowance_mm = -0.06
+{}[gear2]
+teeth = 71
+thickness_allowance_mm = -0.08
+[pair]
+center_distance_mm = 129
+[errors]
+{}
+"""
+
 
 class Contact(unittest.TestCase):
     def ok(self, verb, spec, *args):
@@ -221,6 +238,35 @@ class Contact(unittest.TestCase):
         asked = self.ok("compensate", spec.replace("[compensate]", "[compensate]\ncentering_arcsec = 1"))["compensate"]
         self.assertEqual(asked["centering_arcsec"], 1)
         self.assertLess(abs(asked["after"]["contact_along_face"]), abs(c["after"]["contact_along_face"]))
+
+    def test_a_slope_alone_removes_the_error_of_uncrowned_flanks(self):
+        """Regression: compensate added a crowning of 50 µm. The slope is the oracle: f_Hβ cos α_t cos β_b."""
+        cos_at_cos_bb = 0.8937
+        for error in (40, -15):
+            c = self.ok("compensate", STAGE.format("", f"helix_slope1_um = {error}"))["compensate"]
+            slope, crowning = (x["value"] for x in c["corrections"])
+            self.assertAlmostEqual(slope, -error * cos_at_cos_bb, delta=0.1)
+            self.assertEqual(crowning, 0)
+
+    def test_the_middle_decides_between_slopes_of_equal_error(self):
+        """Regression: 0.48 µm with the contact 56 % off the middle, because the handovers moved between positions."""
+        crowned = "[gear1.modifications]\nlead_crowning_um = 8\nprofile_crowning_um = 4\n"
+        c = self.ok("compensate", STAGE.format(crowned, "crossing_deg = 0.04"))["compensate"]
+        self.assertAlmostEqual(c["corrections"][0]["value"], -17.44, delta=0.5)
+        self.assertEqual(c["corrections"][1]["value"], 0)
+        self.assertLess(abs(c["after"]["contact_along_face"]), 0.03)
+        spans = [c[when]["continuous_peak_to_peak_arcsec"] for when in ("before", "after")]
+        self.assertAlmostEqual(*spans, delta=0.001)
+
+    def test_users_read_the_continuous_peak_to_peak(self):
+        crowned = "[gear1.modifications]\nlead_crowning_um = 8\nprofile_crowning_um = 4\n"
+        spec = STAGE.format(crowned, "crossing_deg = 0.04\n[contact]\npositions = 20")
+        c = self.ok("contact", spec)["contact"]
+        dense = self.ok("contact", spec.replace("= 20", "= 3000"))["contact"]["peak_to_peak_arcsec"]
+        self.assertLess(c["peak_to_peak_arcsec"], dense - 0.02)
+        self.assertAlmostEqual(c["continuous_peak_to_peak_arcsec"], dense, delta=0.002)
+        row = next(r for r in Run("contact", spec).out.splitlines() if "transmission error, peak to peak" in r)
+        self.assertEqual(row.split()[-2], f"{c['continuous_peak_to_peak_arcsec']:.4f}")
 
     def test_nothing_to_correct_is_said(self):
         run = Run("compensate", self.spec(HELICAL))

@@ -21,6 +21,27 @@ face_width_mm = 20
 AMBER = GREEN.replace("teeth = 20", "teeth = 15").replace("profile_shift = 0.2", "profile_shift = 0")
 RED = GREEN + "profile_shift = 0\n[pair]\ncenter_distance_mm = 61\n"
 ASKEW = GREEN + "[errors]\ncrossing_deg = 0.05\nintersecting_deg = 0.3\n"
+MISALIGNED = """
+[gear1]
+teeth = 24
+normal_module_mm = 2.5
+helix_angle_deg = 15
+profile_shift = 0.3
+face_width_mm = 28
+thickness_allowance_mm = -0.05
+[gear1.modifications]
+lead_slope_um = {slope}
+lead_crowning_um = 8
+profile_crowning_um = 4
+[gear2]
+teeth = {teeth}
+thickness_allowance_mm = -0.05
+[errors]
+crossing_deg = {crossing}
+[contact]
+positions = 16
+driver = {driver}
+"""
 
 
 class VerdictTest(unittest.TestCase):
@@ -39,6 +60,32 @@ class VerdictTest(unittest.TestCase):
                         self.assertEqual(worst["level"], level)
                         self.assertTrue(worst["remedy"])
                         self.assertTrue(worst["change"])
+
+    def test_the_advised_slope_centres_the_contact(self):
+        """Regression: the advice was 7 µm where -31 µm centres the contact. With 7 µm an edge touched at every position,
+        and the contact off the middle was then no finding of its own."""
+        for teeth, driver, crossing in ((40, 1, 0.069), (40, 1, -0.072), (40, 2, 0.074), (40, 2, -0.078), (71, 1, -0.078),
+                                        (71, 2, -0.064), (-60, 1, 0.078), (-60, 2, 0.077)):
+            with self.subTest(teeth=teeth, driver=driver, crossing=crossing):
+                def contact(slope=0):
+                    run = Run("contact", MISALIGNED.format(teeth=teeth, driver=driver, crossing=crossing, slope=slope), "--json").json
+                    heights = [p["height_mm"][0] for p in run["contact"]["positions"]]
+                    return run, sum(heights) / len(heights) / 14
+
+                given = contact()[0]["verdict"]["findings"]
+                advice = next(f for f in given if f["code"] == "contact_place")
+                slope = advice["change"]["gear1.modifications.lead_slope_um"]
+                self.assertIn(f"With a lead slope of {slope:g} µm on gear 1, the contact lies in the middle", advice["remedy"])
+                run, place = contact(slope)
+                self.assertLess(abs(place), 0.05)
+                self.assertFalse({f["code"] for f in run["verdict"]["findings"]} & {"contact_place", "edge_contact"})
+                for other in (slope - 8, slope + 8):
+                    self.assertGreater(abs(contact(other)[1]), 0.15)
+
+    def test_advice_that_does_not_help_is_not_given(self):
+        """The crossing of 2° is far beyond the slopes that a flank can have."""
+        run = Run("contact", MISALIGNED.format(teeth=40, driver=1, crossing=2, slope=0), "--json").json
+        self.assertFalse([f for f in run["verdict"]["findings"] if "lies in the middle" in (f["remedy"] or "")])
 
     def test_a_gear_alone_has_one_too(self):
         cut_through = "[gear1]\nteeth = 4\nnormal_module_mm = 2\nprofile_shift = -0.6\nface_width_mm = 10\n"
