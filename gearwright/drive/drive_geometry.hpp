@@ -49,7 +49,8 @@ struct DriveGeometry {
 /// the backlash-free distance of the first one. If the tip diameter of a ring is not given, its
 /// tips stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
 /// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The pinion of a rack has
-/// the shift 0 if none is given. A rack is mounted without backlash if no distance is given.
+/// the shift 0 if none is given, and a circular-arc gear always has it. A rack is mounted without
+/// backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)

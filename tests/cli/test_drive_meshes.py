@@ -219,8 +219,8 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         for distance in (696.9, 696.8444):
             mesh = {"name": "m", "gears": ["p", "w"], "center_distance_mm": distance}
             drive = {"fixed": [], "input": "in", "output": "out", "body": [{"name": "in"}, {"name": "out"}],
-                     "gear": [{"name": "p", "body": "in", "profile_shift": 0, **gears[0]},
-                              {"name": "w", "body": "out", "profile_shift": 0, **gears[1]}],
+                     "gear": [{"name": "p", "body": "in", **gears[0]},
+                              {"name": "w", "body": "out", **gears[1]}],
                      "mesh": [mesh]}
             answer = Run("drive", json.dumps({"drive": drive}), "--json", name="drive.json").json
             pair = Run("pair", json.dumps({"gear1": gears[0], "gear2": gears[1],
@@ -254,6 +254,10 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
     def test_the_height_of_a_rack_reaches_its_pair(self):
         pair = Run("pair", Run("drive", self.LIFT, "--take", "1").out, "--json")
         self.assertEqual(pair.status, 0, pair.err)
+            train = {"stage": [{"gears": gears, "center_distance_mm": distance}]}
+            answer = Run("drive", json.dumps(train), "--json", name="drive.json").json
+            self.assertEqual(answer["drive"]["coaxial"] or {}, {})
+            self.assertNotEqual(answer["verdict"]["level"], "red", answer["verdict"]["headline"])
         self.assertAlmostEqual(pair.json["pair"]["mounting_distance_mm"], pair.json["pair"]["center_distance_mm"] + 18, 9)
         for height, word in (("height_mm = -1", "greater than 0"), ("form = \"gear\", teeth = 30, height_mm = 18", "form")):
             run = Run("drive", self.LIFT.replace('form = "rack", teeth = 30, height_mm = 18',
