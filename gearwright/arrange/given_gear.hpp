@@ -49,6 +49,12 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
+/// E of the given material, N/mm²: the given number, otherwise the value of the named material or of
+/// the kind, otherwise the value of steel.
+///
+/// Errors    `youngs_modulus` of `owner` for a plastic without a given number
+Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);
+
 /// The density of the given material, kg/mm³. The strength of the material need not be known. The
 /// density is unknown if the material is a plastic without a given density, or if neither `kind`
 /// nor the name of a material in the table is given.
