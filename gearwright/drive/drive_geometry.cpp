@@ -363,9 +363,9 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
-std::optional<double> DriveGeometry::normal_backlash(std::size_t mesh) const {
+std::optional<double> DriveGeometry::stated_backlash(std::size_t mesh) const {
   if (racks[mesh]) return racks[mesh]->normal_backlash();
-  return pairs[mesh] ? std::optional(pairs[mesh]->normal_backlash()) : std::nullopt;
+  return pairs[mesh] ? std::optional(pairs[mesh]->stated_backlash()) : std::nullopt;
 }
 
 std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh) {

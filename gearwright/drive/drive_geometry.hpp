@@ -39,8 +39,8 @@ struct DriveGeometry {
   const ParallelPair* involutes(std::size_t mesh) const {
     return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
   }
-  /// j_n of a mesh of any two gears, or of a pinion and its rack, mm; none without teeth.
-  std::optional<double> normal_backlash(std::size_t mesh) const;
+  /// Pair::stated_backlash() of a mesh, or j_n of a pinion and its rack, mm; none without teeth.
+  std::optional<double> stated_backlash(std::size_t mesh) const;
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
