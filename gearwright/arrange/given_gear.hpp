@@ -112,6 +112,7 @@ struct GearInput {
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section
   bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
+  bool rack_given = false;        ///< if false, the rack is ISO53-A
   std::optional<BaseGear<double>> basic;  ///< base cylinder; determines module, helix angle and
                                           ///< shift
   std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
@@ -134,6 +135,7 @@ struct GearInput {
     gear.profile_shift = spec.profile_shift;
     gear.helix_given = true;
     gear.face_width_given = spec.face_width > 0;
+    gear.rack_given = true;
     return gear;
   }
 
