@@ -153,6 +153,15 @@ void find_facts(Drive& drive) {
   };
   for (const GeometryFault& fault : drive.geometry.faults)
     say(WarningCode::not_coaxial, fault.message);
+  for (const DriveMesh& mesh : drive.graph.meshes)
+    for (const std::size_t g : mesh.gears) {
+      const DriveGear& gear = drive.graph.gears[g];
+      if (mesh.backlash && gear.spec && gear.spec->thickness_allowance > kNoBacklash)
+        say(WarningCode::thickened_for_backlash,
+            fmt::format("The backlash of {:g} mm in the mesh {} needs teeth of {} that are {:.4f} "
+                        "mm thicker than its profile shift requires.",
+                        *mesh.backlash, mesh.name, gear.name, gear.spec->thickness_allowance));
+    }
   for (const PlanetSet& set : drive.sets) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
     if (set.neighbours && set.neighbours->clearance < 0.0)
@@ -300,7 +309,7 @@ std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
 Result<Drive> make_drive(const DriveInput& input) {
   if (auto error = check_graph(normalised(input.graph))) return *error;
   Drive drive;
-  drive.graph = normalised(input.graph);
+  drive.graph = with_backlash(normalised(input.graph));
   auto motion = drive_motion(drive.graph);
   if (!motion) return motion.error();
   drive.motion = std::move(motion).take();

@@ -330,7 +330,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;
       }
-      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
+      // The idler is counter-clockwise from its planet.
+      angle = riders[j].angle + std::acos(cosine);
       break;
     }
     riders.push_back({*a, angle});

@@ -56,6 +56,17 @@ struct DriveGeometry {
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
+/// The graph with the thickness allowances with which every mesh has DriveMesh::backlash. They
+/// replace the allowances of both gears of such a mesh. If a gear has several such meshes, the mesh
+/// with the least thinning divides it equally between its gears, and the other gears of the other
+/// meshes get the rest.
+///
+/// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
+/// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last mesh
+///           follows from the others
+/// Accuracy  |j_n − backlash| < 1e-9 mm
+DriveGraph with_backlash(DriveGraph graph);
+
 /// Position of a planet in the frame of its carrier.
 struct RiderPlace {
   double distance;  ///< from the axis of the carrier to the axis of the planet  mm
