@@ -419,6 +419,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
   DriveSearchResult result;
   if (problem.kind == DriveKind::train) {
     search_trains(problem, result);
+    if (!result.is_complete) return result;
   } else {
     for (const M m : members_of(problem))
       GW_EXPECTS(teeth_band(problem, m)[0] >= 1 && teeth_band(problem, m)[1] <= kMostDriveTeeth);
