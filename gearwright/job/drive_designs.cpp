@@ -196,13 +196,13 @@ class Candidates {
   }
 
   // The train with the greatest face width that stage k permits if it has this module.
-  DriveCandidate widest_stage(DriveCandidate train, std::size_t k, double module) const {
-    if (!problem_.face_width) return train;
-    DriveCandidate alone = train;
-    alone.stages = {train.stages[k]};
-    alone.stage_modules = {module};
-    train.face_width = greatest_face_width(problem_, alone);
-    return train;
+  DriveCandidate widest_stage(const DriveCandidate& train, std::size_t k, double module) const {
+    DriveCandidate widest;
+    widest.stages = {train.stages[k]};
+    widest.module = module;
+    if (problem_.face_width) widest.face_width = greatest_face_width(problem_, widest);
+    widest.stages = train.stages;
+    return widest;
   }
 
   // True if the sliding of one stage of a train exceeds the limit. It depends neither on the other
