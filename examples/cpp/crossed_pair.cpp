@@ -22,7 +22,7 @@ int main() {
       mount(*gear_1, *gear_2, {.center_distance = 66.5, .shaft_angle = 90_deg, .friction = 0.05});
   if (!pair) return fail(pair.error());
   std::printf("contact ratio    %.4f\n", pair->contact_ratio());
-  std::printf("normal backlash  %.4f mm\n", pair->normal_backlash());
+  std::printf("normal backlash  %.4f mm\n", pair->crossed()->normal_backlash());
   const FaceWidths<double>& widths = pair->crossed()->face_widths;
   std::printf("face widths      %.4f and %.4f mm\n", widths.both_flanks[0], widths.both_flanks[1]);
 

@@ -28,6 +28,7 @@ void add_gear_warnings(Arranged& arranged, int which) {
                                              format_number(input.cylindrical.face_width)),
                                  which});
   }
+  if (auto note = note_rack(input, which)) arranged.warnings.push_back(*note);
   for (Warning w : arranged.gear(which).warnings) {
     w.gear = which;
     arranged.warnings.push_back(std::move(w));

@@ -10,18 +10,35 @@ namespace {
 
 constexpr double kPerCubicMillimetre = 1e-9;
 
+// The material of this name or kind, without the given numbers. None for a plastic, and if neither
+// name nor kind is known.
+std::optional<Material> usual_material(const MaterialInput& given) {
+  if (given.kind == MaterialKind::plastic) return std::nullopt;
+  const auto row = given.name ? material_named(*given.name) : std::nullopt;
+  return row || !given.kind ? row : material_of_kind(*given.kind);
+}
+
 }  // namespace
 
 std::optional<double> density_of(const MaterialInput& given) {
   if (given.density) return *given.density * kPerCubicMillimetre;
-  if (const auto row = given.name ? material_named(*given.name) : std::nullopt) return row->density;
-  if (!given.kind || given.kind == MaterialKind::plastic) return std::nullopt;
-  return material_of_kind(*given.kind).density;
+  const auto usual = usual_material(given);
+  return usual ? usual->density : std::nullopt;
+}
+
+Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner) {
+  if (given.youngs_modulus) return *given.youngs_modulus;
+  if (given.kind == MaterialKind::plastic)
+    return absent_input(owner + ".youngs_modulus",
+                        "; give the value of this plastic, because the default applies to steel");
+  return usual_material(given).value_or(Material{}).youngs_modulus;
 }
 
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition) {
-  Material m = given.kind ? material_of_kind(*given.kind) : Material{};
+  const bool plastic = given.kind == MaterialKind::plastic;
+  Material m = given.kind ? material_of_kind(*given.kind).value_or(Material{}) : Material{};
+  if (plastic) m.density.reset();
   if (given.name) {
     const auto row = material_named(*given.name, given.surface_hardness);
     const auto listed = material_named(*given.name);
@@ -37,7 +54,6 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
   if (given.sigma_Hlim || given.sigma_Flim) m.from_table = false;
   if (given.sigma_Hlim) m.sigma_Hlim = *given.sigma_Hlim;
   if (given.sigma_Flim) m.sigma_Flim = *given.sigma_Flim;
-  if (given.youngs_modulus) m.youngs_modulus = *given.youngs_modulus;
   if (given.poisson_ratio) m.poisson_ratio = *given.poisson_ratio;
   if (given.density) m.density = *given.density * kPerCubicMillimetre;
   if (given.surface_hardness) m.hardness_HV = given.surface_hardness;
@@ -58,7 +74,6 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
                     "material of gear 1 applies to both gears",
                     gear_field(2, "material")));
   }
-  const bool plastic = m.kind == MaterialKind::plastic;
   const bool by_temperature =
       !m.sigma_Hlim_by.empty() || !m.sigma_Flim_by.empty() || !m.youngs_modulus_by.empty();
   if (by_temperature && !plastic)
@@ -68,10 +83,10 @@ Result<Material> material_of(const MaterialInput& given, const std::string& owne
                  "is not covered by ISO 6336; to rate plastics by VDI 2736, give `rating.edition` "
                  "= \"VDI 2736:2014\""};
   }
-  if (plastic && !given.youngs_modulus && m.youngs_modulus_by.empty()) {
-    return absent_input(owner + ".youngs_modulus",
-                        "; give the value of this plastic, because the default applies to steel");
-  }
+  if (!m.youngs_modulus_by.empty()) return m;
+  const auto E = youngs_modulus_of(given, owner);
+  if (!E) return E.error();
+  m.youngs_modulus = *E;
   return m;
 }
 

@@ -49,6 +49,12 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
+/// E of the given material, N/mm²: the given number, otherwise the value of the named material or of
+/// the kind, otherwise the value of steel.
+///
+/// Errors    `youngs_modulus` of `owner` for a plastic without a given number
+Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);
+
 /// The density of the given material, kg/mm³. The strength of the material need not be known. The
 /// density is unknown if the material is a plastic without a given density, or if neither `kind`
 /// nor the name of a material in the table is given.
@@ -106,6 +112,7 @@ struct GearInput {
   bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
                                   ///< section
   bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
+  bool rack_given = false;        ///< if false, the rack is ISO53-A
   std::optional<BaseGear<double>> basic;  ///< base cylinder; determines module, helix angle and
                                           ///< shift
   std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
@@ -128,6 +135,7 @@ struct GearInput {
     gear.profile_shift = spec.profile_shift;
     gear.helix_given = true;
     gear.face_width_given = spec.face_width > 0;
+    gear.rack_given = true;
     return gear;
   }
 

@@ -158,7 +158,7 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
       if (part.mesh == m) state.findings.push_back(part.finding);
     const Pair& pair = *made->geometry.pairs[m];
     state.contact_ratio = pair.contact_ratio_true();
-    state.backlash = pair.normal_backlash();
+    state.backlash = pair.stated_backlash();
     return state;
   };
   std::vector<Finding> own;
@@ -204,7 +204,7 @@ std::string running(const Drive& drive) {
   std::optional<std::size_t> tight;  // the mesh with the least backlash
   double least = 0.0;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    const auto backlash = drive.geometry.normal_backlash(m);
+    const auto backlash = drive.geometry.stated_backlash(m);
     if (!backlash || (tight && *backlash >= least)) continue;
     tight = m;
     least = *backlash;

@@ -9,7 +9,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/gear/gear.hpp"
-#include "gearwright/rating/material.hpp"
 
 namespace gearwright {
 
@@ -24,9 +23,10 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
   const Gear& gear = arranged.gear(which);
   ElasticBody body;
   const MaterialInput& given = input.material;
-  const Material row = given.name ? material_named(*given.name).value_or(Material()) : Material();
-  body.youngs_modulus = given.youngs_modulus.value_or(row.youngs_modulus);
-  body.poisson_ratio = given.poisson_ratio.value_or(row.poisson_ratio);
+  const auto E = youngs_modulus_of(given, gear_field(which, "material"));
+  if (!E) return E.error();
+  body.youngs_modulus = *E;
+  body.poisson_ratio = given.poisson_ratio.value_or(body.poisson_ratio);
   if (!(body.poisson_ratio <= kMostPoisson)) {
     return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
                    {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");

@@ -68,6 +68,22 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
       0};
 }
 
+std::optional<Warning> note_rack(const GearInput& gear, int which) {
+  constexpr const char* kStandard = "AGMA-14.5";
+  const AgmaRack& standard = *agma_rack(kStandard);
+  const Angle difference = gear.cylindrical.normal_pressure_angle - standard.normal_pressure_angle;
+  if (gear.rack_given || gear.cut_by || gear.basic || std::abs(difference.deg()) > 1e-6)
+    return std::nullopt;
+  return Warning{
+      WarningCode::default_rack,
+      fmt::format("`rack` is not given; ISO53-A with a dedendum of {:g} modules is used. "
+                  "Standard gears of {:g}° are cut by `rack` = \"{}\" with a dedendum of "
+                  "{:g} modules.",
+                  dedendum_of(gear.cylindrical.rack), standard.normal_pressure_angle.deg(),
+                  kStandard, standard.rack.dedendum),
+      which};
+}
+
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {
   if (!pair.mounted().crossed_inside()) return std::nullopt;
   const CrossedPair* p = pair.as<CrossedPair>();

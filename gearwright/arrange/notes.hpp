@@ -20,6 +20,10 @@ bool shifts_follow(const GivenPair& given);
 /// or if all computed shifts are 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
+/// A note that names the standard rack of the pressure angle 14.5°, if the rack of such a gear is not
+/// given.
+std::optional<Warning> note_rack(const GearInput& gear, int which);
+
 /// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
 /// these shifts and gives possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);

@@ -55,6 +55,20 @@ Key torque_key() {
                 "torque on the input");
 }
 
+Key series_key() {
+  return Key::text("thickness_series", {}, "nominal teeth",
+                   "thickness allowances of all gears by DIN 3967, for example `\"cd25\"`; each "
+                   "allowance is the mean of its two limits; `\"none\"` gives nominal teeth")
+      .with_excludes({"thickness_allowance_mm"});
+}
+Key backlash_key(std::string_view form) {
+  return formed("backlash_mm", "j_n", form, "backlash of the thickness allowances",
+                "backlash in the normal section, j_bn/cos α_wn, for which the teeth are thinned; "
+                "of a band, the mean is used",
+                KeyRange::not_negative())
+      .with_excludes({"thickness_allowance_mm", "thickness_series"});
+}
+
 template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
   return Key::word(
@@ -92,6 +106,8 @@ const KeyTable& planetary_keys() {
        formed("profile_shift", "x", kMembers, "computed from the centre distance", "profile shift",
               gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
+       series_key(),
+       backlash_key("a number, a band [least, greatest], or a table of numbers by mesh"),
        formed("face_width_mm", "b", kMembers, "10 m_n",
               "face width; a planet that meshes with two rings or two suns has twice this width "
               "plus a gap",
@@ -151,6 +167,8 @@ const KeyTable& stage_keys() {
               "profile shifts", gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two numbers", "0",
               "thickness allowances"),
+       series_key(),
+       backlash_key("a number, or a band [least, greatest]; in a set, as in [planetary]"),
        formed("bore_mm", "", "a number, or a list of two numbers; in a set, as in [planetary]",
               "no bore",
               "diameters of the bores in the CAD files; a single number applies to both gears "
@@ -251,6 +269,11 @@ const KeyTable& drive_mesh_keys() {
                  "name of the mesh"),
        Key::positive("center_distance_mm", "a", &DriveMesh::center_distance,
                      "backlash-free distance", "centre distance"),
+       Key::number(
+           "backlash_mm", "j_n", KeyRange::not_negative(), &DriveMesh::backlash,
+           "backlash of the thickness allowances",
+           "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both gears "
+           "are thinned, in place of their thickness allowances"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "computed from `friction_coefficient` and the teeth",
                    "efficiency of the mesh when its frame is at rest"),

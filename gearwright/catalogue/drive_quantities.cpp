@@ -265,6 +265,26 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
            "moment of the axial forces of the teeth about an axis across the body; for planets, "
            "value of one planet [T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return newton_metres(f.tilting); });
+    const auto play = [&q](const char* deg, const char* mm, const char* words,
+                           std::size_t (*held)(const DriveGraph&)) {
+      q.number(deg, words, "",
+               "rotation of the body between the two contacts of the teeth [T13.20]; null for a "
+               "rack and if `backlash` of the drive is null",
+               [held](const V& v) -> std::optional<Angle> {
+                 const auto motion = v.drive->play(v.body, held(v.drive->graph));
+                 return motion ? rotation(*motion, v.drive->lever(v.body)) : std::nullopt;
+               });
+      q.number(mm, words, "",
+               "travel of a rack between the two contacts of the teeth; null for a body that turns",
+               [held](const V& v) -> std::optional<double> {
+                 const auto motion = v.drive->play(v.body, held(v.drive->graph));
+                 return motion ? travel(*motion, v.drive->lever(v.body)) : std::nullopt;
+               });
+    };
+    play("backlash_input_held_deg", "backlash_input_held_mm", "backlash, input held",
+         [](const DriveGraph& graph) { return graph.inputs.front(); });
+    play("backlash_output_held_deg", "backlash_output_held_mm", "backlash, output held",
+         [](const DriveGraph& graph) { return graph.output; });
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
       if (!flows(*v.drive) || !v.drive->graph.torque_Nm || !n) return {};
@@ -284,6 +304,11 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
            });
     q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
              [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
+    q.number("phases", "phases of the planets", "γ",
+             "phase by which the mesh of each planet follows that of the first planet, in periods; "
+             "null for other meshes than those of planets with a central gear [T13.16]",
+             [](const V& v) { return phase_list(v.drive->phases(v.mesh)); })
+        .list({0});
     q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {
       const auto teeth = v.drive->frequency_ratio(v.mesh);
       const auto n = v.drive->speed_rpm(v.drive->graph.inputs.front());

@@ -54,6 +54,8 @@ std::optional<double> rated_mesh_load_factor(const Drive& drive);
 
 /// [p, q] in lowest terms, or null if one of the two numbers has more than 63 bits.
 Value exact_fraction(const Rational& r);
+/// Phases in periods, or null if there are none.
+Value phase_list(const std::vector<Rational>& phases);
 
 /// The rating of a mesh, with the same quantities as for a pair. A mesh without power has no
 /// rating.

@@ -42,6 +42,21 @@ std::string_view drive_objective_called(std::string_view word) {
                                                                          : objective;
 }
 
+Key normal_modules() {
+  Key k = Key::number(
+              "normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
+              "no geometry; sizes are in modules",
+              "normal module of all meshes; if several modules are given, every set is tried with "
+              "each module, and in a rated search for trains each stage gets the least module with "
+              "which it has the required safeties")
+              .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}})
+              .with_form(
+                  "`\"ISO54-I\"`, `\"ISO54-II\"`, `\"ISO54-I+II\"`, a number, or a list of 1 "
+                  "to 100 numbers in rising order");
+  k.words = {"ISO54-I", "ISO54-II", "ISO54-I+II"};
+  return k;
+}
+
 Key face_width() {
   Key k = of_set("face_width_mm");
   k.form += ", or a band [least, greatest]";
@@ -118,11 +133,7 @@ const KeyTable& drive_search_keys() {
        of_set("fixed"),
        of_set("input"),
        of_set("output"),
-       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
-                   "no geometry; sizes are in modules",
-                   "normal module of all meshes; if several modules are given, every set is tried "
-                   "with each module")
-           .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}}),
+       normal_modules(),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest permitted diameter over the planets and over the root circles of "
                      "the rings, without the rims; for a train, greatest permitted sum of the "
@@ -131,10 +142,8 @@ const KeyTable& drive_search_keys() {
        of_set("helix_angle_deg"),
        of_set("profile_shift", "chosen for each set, without undercut"),
        of_set("thickness_allowance_mm", "by `thickness_series`"),
-       Key::text("thickness_series", &Problem::series, "\"cd25\"",
-                 "thickness allowances of all gears by DIN 3967, used if a module is given; each "
-                 "allowance is the mean of its two limits; `\"none\"` gives nominal teeth")
-           .with_excludes({"thickness_allowance_mm"}),
+       of_set("thickness_series", "\"cd25\" if a module is given"),
+       of_set("backlash_mm", "backlash by `thickness_series`"),
        face_width(),
        Key::positive(
            "face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",

@@ -93,10 +93,22 @@ void add_found(Quantities<F>& q) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
   q.number("normal_module_mm", "normal module", "m_n",
-           "normal module of all meshes; null without geometry", [](const F& f) {
+           "normal module of all meshes; null without geometry, and if the stages of a train have "
+           "different modules",
+           [](const F& f) {
              const auto& gear = f.drive.geometry.gears.front();
-             return gear ? Value(f.candidate.module) : Value();
+             return gear && f.candidate.has_one_module() ? Value(f.candidate.stage_module(0))
+                                                         : Value();
            });
+  q.number("stage_modules_mm", "normal modules of the stages", "m_n",
+           "normal module of each stage of a train; null if all stages have the same module",
+           [](const F& f) {
+             ValueList list;
+             if (f.candidate.has_one_module()) return Value();
+             for (const double m : f.candidate.stage_modules) list.emplace_back(m);
+             return Value(list);
+           })
+      .list({0});
   q.number("face_width_mm", "face width", "b", "null if the search does not size the faces",
            [](const F& f) { return f.candidate.face_width; });
   q.number(

@@ -30,13 +30,6 @@ const char* words_of(PhasingClass kind) {
   return "";
 }
 
-Value phases(const std::vector<Rational>& list) {
-  if (list.empty()) return {};
-  ValueList values;
-  for (const Rational& r : list) values.emplace_back(r.value());
-  return values;
-}
-
 template <class Show>
 ValueList each(const std::vector<Rational>& list, Show show) {
   ValueList values;
@@ -45,6 +38,13 @@ ValueList each(const std::vector<Rational>& list, Show show) {
 }
 
 }  // namespace
+
+Value phase_list(const std::vector<Rational>& phases) {
+  if (phases.empty()) return {};
+  ValueList values;
+  for (const Rational& r : phases) values.emplace_back(r.value());
+  return values;
+}
 
 const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
@@ -86,10 +86,10 @@ const Quantities<PlanetSet>& phasing_quantities() {
      }).one_of({"in_phase", "sequential", "counter", "mixed"});
     q.number("sun_phase", "phases of the sun's meshes", "γ",
              "phase by which each mesh follows the first mesh, in periods [T13.16]",
-             [](const P& p) { return phases(p.sun_phases); })
+             [](const P& p) { return phase_list(p.sun_phases); })
         .list({0});
     q.number("ring_phase", "phases of the ring's meshes", "γ", "as `sun_phase`", [](const P& p) {
-       return phases(p.ring_phases);
+       return phase_list(p.ring_phases);
      }).list({0});
     q.number("sun_ring_phase", "phase of the ring relative to the sun", "γ_rs",
              "at the same planet [T13.17]", &P::sun_ring_phase);

@@ -57,6 +57,11 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 /// −kNoBacklash or less, where r and β are the reference radius and the helix angle of `moved`. A
 /// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
 /// pinion if gear 2 is a rack.
+///
+/// Formula   r cos β times the play is the backlash in the normal section at the reference cylinder,
+///           j_n cos α_wn/cos α_n. The limit kNoBacklash applies to j_n, so no factor cos α_n is
+///           needed, which would give j_bn. For α_n = 20° and α_wn from 15° to 30° the product
+///           differs from j_n by 8 % at most, which is 4e-6 mm at the limit
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing

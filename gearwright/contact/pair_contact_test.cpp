@@ -4,6 +4,7 @@
 
 #include <type_traits>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
 
 namespace gearwright {
@@ -40,6 +41,44 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
   by_hand.place.errors = errors;
   EXPECT_EQ(owned->peak_to_peak, analyse_contact(by_hand.pair(), {}).peak_to_peak);
   EXPECT_EQ(transmission_error(*owned->pair, 32), transmission_error(by_hand.pair(), 32));
+}
+
+// The backlash j_t on the working pitch cylinders is what the two tooth thicknesses leave of the
+// pitch. The play of gear 2, found by turning its flanks, is j_t/r_w2. The product of which jams()
+// tests the limit is j_t cos β_w times r cos β/(r_w cos β_w), and not j_bn = j_t cos α_wt cos β_b.
+TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
+  for (const double helix_deg : {0.0, 15.0, 30.0}) {
+    testing::SamplePair p = testing::involutes(20, 41, helix_deg);
+    const double beta = helix_deg * std::numbers::pi / 180;
+    const double alpha_t = std::atan(std::tan(std::numbers::pi / 9) / std::cos(beta));
+    const double r_1 = 20 / std::cos(beta), r_2 = 41 / std::cos(beta);
+    p.place.center_distance += 0.7;
+    const double a = p.place.center_distance;
+    const double r_w1 = a * 20 / 61, r_w2 = a * 41 / 61;
+    const double alpha_wt = std::acos((r_1 + r_2) * std::cos(alpha_t) / a);
+    const auto inv = [](double angle) { return std::tan(angle) - angle; };
+    const auto thickness = [&](double r_w, int z) {
+      return r_w * (std::numbers::pi / z + 2 * (inv(alpha_t) - inv(alpha_wt)));
+    };
+    const double j_t = 2 * std::numbers::pi * r_w1 / 20 - thickness(r_w1, 20) - thickness(r_w2, 41);
+    const auto driving = analyse_contact(p.pair(), {});
+    p.place.gear2_drives = true;
+    const auto other = analyse_contact(p.pair(), {});
+    const double play = least_play(driving, other, false)->rad();
+    EXPECT_NEAR(play, j_t / r_w2, 1e-10);
+    const double beta_w = std::atan(std::tan(beta) * r_w2 / r_2);
+    const double j_n = j_t * std::cos(beta_w);
+    const double cosine_wn = std::cos(std::atan(std::tan(alpha_wt) * std::cos(beta_w)));
+    const double judged = play * r_2 * std::cos(beta);
+    EXPECT_NEAR(judged, j_n * cosine_wn / std::cos(std::numbers::pi / 9), 1e-9);
+    const auto pair =
+        testing::taken(mount_as<ParallelPair>(p.gears[0], p.gears[1], {.center_distance = a}));
+    EXPECT_NEAR(pair.mesh.backlash.normal, j_n, 1e-9);
+    EXPECT_NEAR(pair.mesh.backlash.normal_base, j_n * cosine_wn, 1e-9);
+    const double limit = -kNoBacklash / (r_2 * std::cos(beta));
+    EXPECT_TRUE(jams(Angle::radians(limit * 1.001), p.gears[1]));
+    EXPECT_FALSE(jams(Angle::radians(limit * 0.999), p.gears[1]));
+  }
 }
 
 TEST(PairContact, asks_for_a_lead_that_can_change) {

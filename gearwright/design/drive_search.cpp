@@ -12,7 +12,6 @@
 #include "gearwright/design/drive_space.hpp"
 #include "gearwright/drive/drive_motion.hpp"
 #include "gearwright/drive/power_flow.hpp"
-#include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
 
@@ -283,8 +282,9 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
 // Replaces every candidate by one candidate for each module, and converts the size from modules to
 // mm. A candidate whose size exceeds the limit is rejected.
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
-  const std::vector<double>& modules = problem.modules;
+  std::vector<double> modules = problem.modules;
   if (modules.empty()) return;
+  if (problem.module_per_stage) modules.resize(1);
   const auto count = static_cast<std::int64_t>(modules.size());
   result.tested *= count;
   for (std::int64_t& n : result.rejected) n *= count;
@@ -299,16 +299,14 @@ void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) 
       each.push_back(one);
       each.back().module = m;
       each.back().size *= m;
+      if (problem.module_per_stage) each.back().stage_modules.assign(one.stages.size(), m);
     }
   result.found = std::move(each);
 }
 
-// d = m_t z of a gear, mm.
-double reference_diameter(const DriveSearchProblem& problem, const DriveCandidate& candidate,
-                          int teeth) {
+double cosine_of_helix(const DriveSearchProblem& problem) {
   const PerMember& helix = problem.base.helix_deg;
-  const double beta = Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad();
-  return candidate.module * teeth / std::cos(beta);
+  return std::cos(Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad());
 }
 
 }  // namespace
@@ -365,21 +363,15 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
   return set;
 }
 
-double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
-                      int teeth) {
-  const auto ends =
-      thickness_allowances(problem.series, reference_diameter(problem, candidate, teeth));
-  return ends ? ((*ends)[0] + (*ends)[1]) / 2 : 0.0;
-}
-
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
   GW_EXPECTS(problem.face_width);
-  int least = std::numeric_limits<int>::max();
+  double least = kInfinity;  // m_n z of the smallest gear
   for (const int z : candidate.teeth)
-    if (z > 0) least = std::min(least, z);
-  for (const auto& [z1, z2] : candidate.stages) least = std::min({least, z1, z2});
+    if (z > 0) least = std::min(least, candidate.module * z);
+  for (std::size_t k = 0; k < candidate.stages.size(); ++k)
+    for (const int z : candidate.stages[k]) least = std::min(least, candidate.stage_module(k) * z);
   return std::min((*problem.face_width)[1],
-                  problem.face_diameters * reference_diameter(problem, candidate, least));
+                  problem.face_diameters * (least / cosine_of_helix(problem)));
 }
 
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
@@ -427,6 +419,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
   DriveSearchResult result;
   if (problem.kind == DriveKind::train) {
     search_trains(problem, result);
+    if (!result.is_complete) return result;
   } else {
     for (const M m : members_of(problem))
       GW_EXPECTS(teeth_band(problem, m)[0] >= 1 && teeth_band(problem, m)[1] <= kMostDriveTeeth);

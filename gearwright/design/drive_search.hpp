@@ -13,8 +13,10 @@
 // of the best sets.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,7 +54,7 @@ struct DriveSearchProblem {
   TeethBand planets{3, 3};
   /// Bands for the members of this kind of set. By default, the bands of teeth_band() are used.
   std::array<std::optional<TeethBand>, kSetMembers> teeth{};
-  TeethBand stages{2, 2};  ///< number of stages of a train, all with one module
+  TeethBand stages{2, 2};  ///< number of stages of a train
   TeethBand pinion{17, 40}, wheel{17, 150};
   /// Greatest permissible difference between the sums of teeth of meshes with a common centre
   /// distance. The default is 1, or the number of planets if two rings mesh with one planet gear.
@@ -65,17 +67,17 @@ struct DriveSearchProblem {
   /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth
   /// geometry is computed, and sizes are in modules.
   std::vector<double> modules;
+  /// True if each stage of a train may have another one of the modules. Every train is then found
+  /// once, with the least module in all stages, and the caller chooses the modules.
+  bool module_per_stage = false;
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
                                                     ///<    the search chooses, both ends included
   double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear, if the
                                                     ///< search chooses the face width
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
-  std::string
-      series;  ///< tolerance series of DIN 3967, such as "cd25", for the allowances of all gears;
-               ///< if empty, the allowances given in `base` are used
-  /// Helix angle, losses, spacing, and the fixed and driving members. Numbers of teeth in `base`
-  /// are ignored.
+  /// Helix angle, losses, allowances, backlash, spacing, and the fixed and driving members. Numbers
+  /// of teeth in `base` are ignored.
   PlanetarySpec base;
 
   double target() const { return target_ratio.value_or((ratio[0] + ratio[1]) / 2); }
@@ -106,11 +108,20 @@ struct DriveCandidate {
             ///< for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
-  std::optional<double> face_width{};  ///< b  mm, if the search sizes the face width
-  GearShifts shifts{};                 ///< x  if the search chooses the profile shifts
+  std::optional<double> face_width{};   ///< b  mm, if the search sizes the face width
+  GearShifts shifts{};                  ///< x  if the search chooses the profile shifts
+  std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, all have `module`
   /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
   /// not requested, or if a mesh loses contact.
   std::optional<double> noise{};
+
+  double stage_module(std::size_t stage) const {
+    return stage_modules.empty() ? module : stage_modules[stage];
+  }
+  bool has_one_module() const {
+    return std::adjacent_find(stage_modules.begin(), stage_modules.end(), std::not_equal_to<>()) ==
+           stage_modules.end();
+  }
 };
 
 struct DriveSearchResult {
@@ -118,7 +129,13 @@ struct DriveSearchResult {
   std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
   std::vector<DriveCandidate> found;  ///< sorted by the first objective, the best first, and then
                                       ///< by size
+  bool is_complete = true;  ///< false if a search for trains was stopped at one of its limits
 };
+
+/// Greatest number of trains that a search finds, before modules are considered, and greatest
+/// number of combinations of all numbers of teeth except the last that it tries.
+inline constexpr std::size_t kMostTrains = 1'000'000;
+inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 
 /// All candidates that meet the limits.
 ///
@@ -135,14 +152,12 @@ void complete_ends(DriveSearchProblem& problem);
 /// The set of a candidate, with the losses and the fixed, input and output members of the
 /// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+/// The train with these modules of its stages, and with the size that follows from them.
+DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
+                            const std::vector<double>& modules);
 /// The greatest face width that the search may choose, mm. It is limited by the band of face widths
 /// and by the greatest b/d.
 double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-
-/// The mean thickness allowance of a gear by the series of the problem, mm. It is 0 for a gear that
-/// the series does not contain.
-double mean_allowance(const DriveSearchProblem& problem, const DriveCandidate& candidate,
-                      int teeth);
 
 /// The number by which candidates are ranked for an objective; a smaller number is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,

@@ -27,6 +27,10 @@ GearShifts undercut_limits(const DriveGraph& graph) {
     CylindricalSpec spec = *gear.spec;
     spec.teeth = gear.teeth;
     spec.profile_shift = 0.0;
+    // A backlash thins both gears of its mesh by j_n/2 or less, because α_wn ≥ α_n if Σx ≥ 0.
+    for (const DriveMesh& mesh : graph.meshes)
+      if (mesh.backlash && (&graph.gear(mesh, 0) == &gear || &graph.gear(mesh, 1) == &gear))
+        spec.thickness_allowance = std::min(spec.thickness_allowance, -*mesh.backlash / 2);
     const auto made = make_gear(spec);
     const auto least = made ? made->undercut_free_shift() : std::nullopt;
     if (least) limits.back() = *least - made->reference().generating_profile_shift;

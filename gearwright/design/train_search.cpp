@@ -22,7 +22,7 @@ class TrainSearch {
 
  private:
   void next(int left, double ratio) {
-    for (int z1 = problem_.pinion[0]; z1 <= problem_.pinion[1]; ++z1) {
+    for (int z1 = problem_.pinion[0]; z1 <= problem_.pinion[1] && result_.is_complete; ++z1) {
       if (left == 1) {
         last(z1, ratio);
         continue;
@@ -36,6 +36,8 @@ class TrainSearch {
   }
 
   void last(int z1, double before) {
+    ++trials_;
+    result_.is_complete = trials_ <= kMostTrainTrials && result_.found.size() <= kMostTrains;
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
@@ -82,6 +84,7 @@ class TrainSearch {
   const DriveSearchProblem& problem_;
   DriveSearchResult& result_;
   std::vector<std::array<int, 2>> stages_;
+  std::int64_t trials_ = 0;
 };
 
 }  // namespace
@@ -89,6 +92,17 @@ class TrainSearch {
 double estimated_efficiency(int z1, int z2, double friction) {
   constexpr double kPath = 0.7;  // usual value of 1 − ε_α + ε_1² + ε_2²
   return 1.0 - kPath * std::numbers::pi * friction * (1.0 / z1 + 1.0 / z2);
+}
+
+DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
+                            const std::vector<double>& modules) {
+  GW_EXPECTS(modules.size() == train.stages.size());
+  train.stage_modules = modules;
+  train.size = 0.0;
+  for (std::size_t k = 0; k < modules.size(); ++k)
+    train.size += modules[k] * (train.stages[k][0] + train.stages[k][1]) / 2;
+  train.size /= std::cos(Angle::degrees(problem.base.helix_deg.all.value_or(0.0)).rad());
+  return train;
 }
 
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result) {

@@ -67,19 +67,23 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
   stages_ = std::move(fits);
 }
 
+bool TrainStrength::may_hold(const DriveCandidate& candidate, std::size_t stage,
+                             const StageSafety& required) const {
+  if (candidate.stages.size() > stages_.size()) return true;
+  const StageShape s = shapes_of(candidate)[stage];
+  const auto log_of = [&](const Fit& fit) {
+    return fit.constant + fit.per_teeth * s.log_teeth + fit.per_ratio * s.log_ratio +
+           fit.per_load * s.log_load;
+  };
+  const StageFit& fit = stages_[stage];
+  return log_of(fit.flank) - s.log_intensity / 2 >= std::log(required.flank) &&
+         log_of(fit.root) - s.log_load >= std::log(required.root);
+}
+
 bool TrainStrength::is_hopeless(const DriveCandidate& candidate,
                                 const StageSafety& required) const {
-  if (candidate.stages.size() > stages_.size()) return false;
-  const std::vector<StageShape> shapes = shapes_of(candidate);
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    const StageShape& s = shapes[k];
-    const auto log_of = [&](const Fit& fit) {
-      return fit.constant + fit.per_teeth * s.log_teeth + fit.per_ratio * s.log_ratio +
-             fit.per_load * s.log_load;
-    };
-    if (log_of(stages_[k].flank) - s.log_intensity / 2 < std::log(required.flank)) return true;
-    if (log_of(stages_[k].root) - s.log_load < std::log(required.root)) return true;
-  }
+  for (std::size_t k = 0; k < candidate.stages.size(); ++k)
+    if (!may_hold(candidate, k, required)) return true;
   return false;
 }
 

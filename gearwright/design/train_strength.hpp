@@ -45,6 +45,9 @@ class TrainStrength {
   /// Fits the safeties of all stages. Stages with the same index from the input share one fit.
   explicit TrainStrength(const std::vector<RatedTrain>& rated);
 
+  /// False if, by the estimate, this stage of the train cannot have the required safeties.
+  bool may_hold(const DriveCandidate& candidate, std::size_t stage,
+                const StageSafety& required) const;
   /// True if, by the estimate, a stage of the train cannot have the required safeties.
   ///
   /// `candidate`  with the greatest face width, if the search chooses it

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -114,7 +115,7 @@ std::optional<double> phase_between(const Drive& drive, const CentralMesh& sun,
 }
 
 Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmonics) {
-  PlanetSet set{group, {}, {}, {}, {}, {}, {}, {}, {}};
+  PlanetSet set{group, {}, {}, {}, {}, {}, {}};
   auto assembly = assemble(drive.graph, group);
   if (!assembly) return assembly.error();
   set.assembly = std::move(assembly).take();
@@ -123,8 +124,6 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   const auto ring = first_central(drive.graph, group, true);
   if (sun) set.sun_phases = mesh_phases(sun->central->teeth, turns);
   if (ring) set.ring_phases = mesh_phases(ring->central->teeth, turns);
-  if (sun) set.sun_teeth = sun->central->teeth;
-  if (ring) set.ring_teeth = ring->central->teeth;
   if (sun && ring) set.sun_ring_phase = phase_between(drive, *sun, *ring);
   const std::vector<Rational>& phases = sun ? set.sun_phases : set.ring_phases;
   if (!phases.empty()) set.phasing = phasing(phases, turns, harmonics);
@@ -135,29 +134,11 @@ Result<PlanetSet> planet_set(Drive& drive, const PlanetGroup& group, int harmoni
   return set;
 }
 
-// Computes the backlash at `body`, which is the input or the output: Σ_m |λ_m/T| 2π j_bt,m/p_bt,m,
-// rad. [T13.20]
-std::optional<double> play_at(const Drive& drive, std::size_t body) {
-  const auto loads = lossless_loads(drive.graph, drive.motion, body);
-  double sum = 0.0;
-  for (std::size_t m = 0; m < loads.size(); ++m) {
-    if (!loads[m].fits()) return std::nullopt;
-    if (loads[m].zero()) continue;
-    const auto backlash = transverse_base_backlash(drive.geometry, m);
-    if (!backlash) return std::nullopt;
-    const Gear& gear = *drive.geometry.gears[drive.graph.meshes[m].gears[0]];
-    sum += std::abs(loads[m].value()) * kTurn * *backlash / gear.reference().base_pitch_transverse;
-  }
-  return sum;
-}
-
 std::optional<DriveBacklash> backlash_of_drive(const Drive& drive) {
-  if (drive.motion.freedom != 1 || !drive.motion.redundant.empty()) return std::nullopt;
-  const auto in = play_at(drive, drive.graph.inputs.front());
-  const auto out = play_at(drive, drive.graph.output);
+  const std::size_t input = drive.graph.inputs.front(), output = drive.graph.output;
+  const auto in = drive.play(input, output), out = drive.play(output, input);
   if (!in || !out) return std::nullopt;
-  return DriveBacklash{*in, *out, drive.lever(drive.graph.inputs.front()),
-                       drive.lever(drive.graph.output)};
+  return DriveBacklash{*in, *out, drive.lever(input), drive.lever(output)};
 }
 
 std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& meshes) {
@@ -172,6 +153,15 @@ void find_facts(Drive& drive) {
   };
   for (const GeometryFault& fault : drive.geometry.faults)
     say(WarningCode::not_coaxial, fault.message);
+  for (const DriveMesh& mesh : drive.graph.meshes)
+    for (const std::size_t g : mesh.gears) {
+      const DriveGear& gear = drive.graph.gears[g];
+      if (mesh.backlash && gear.spec && gear.spec->thickness_allowance > kNoBacklash)
+        say(WarningCode::thickened_for_backlash,
+            fmt::format("The backlash of {:g} mm in the mesh {} needs teeth of {} that are {:.4f} "
+                        "mm thicker than its profile shift requires.",
+                        *mesh.backlash, mesh.name, gear.name, gear.spec->thickness_allowance));
+    }
   for (const PlanetSet& set : drive.sets) {
     const std::string planet = drive.graph.bodies[set.group.riders.front()].name;
     if (set.neighbours && set.neighbours->clearance < 0.0)
@@ -267,6 +257,32 @@ std::optional<std::size_t> Drive::frame_of_body(std::size_t body) const {
   return std::nullopt;
 }
 
+std::optional<double> Drive::play(std::size_t body, std::size_t held) const {
+  if (motion.freedom != 1 || !motion.redundant.empty()) return std::nullopt;
+  const auto loads = lossless_loads(graph, motion, body, held);
+  double sum = 0.0;
+  for (std::size_t m = 0; m < loads.size(); ++m) {
+    if (!loads[m].fits()) return std::nullopt;
+    if (loads[m].zero()) continue;
+    const auto backlash = transverse_base_backlash(geometry, m);
+    if (!backlash) return std::nullopt;
+    const Gear& gear = *geometry.gears[graph.meshes[m].gears[0]];
+    sum += std::abs(loads[m].value()) * kTurn * *backlash / gear.reference().base_pitch_transverse;
+  }
+  return sum;
+}
+
+std::vector<Rational> Drive::phases(std::size_t mesh) const {
+  for (const PlanetSet& set : sets) {
+    const auto& own = set.group.meshes;
+    if (std::find(own.begin(), own.end(), mesh) == own.end()) continue;
+    for (const std::size_t g : graph.meshes[mesh].gears)
+      if (graph.body(graph.gears[g]).carrier != set.group.carrier)
+        return mesh_phases(graph.gears[g].teeth, set.assembly.turns);
+  }
+  return {};
+}
+
 std::optional<double> Drive::relative_speed_ratio(std::size_t body) const {
   const auto own = speed_ratio(body);
   const auto frame = frame_of_body(body);
@@ -292,7 +308,7 @@ std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
 Result<Drive> make_drive(const DriveInput& input) {
   if (auto error = check_graph(normalised(input.graph))) return *error;
   Drive drive;
-  drive.graph = normalised(input.graph);
+  drive.graph = with_backlash(normalised(input.graph));
   auto motion = drive_motion(drive.graph);
   if (!motion) return motion.error();
   drive.motion = std::move(motion).take();

@@ -26,7 +26,6 @@ struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
   std::optional<Neighbours> neighbours;           ///< none for a single planet or without geometry
-  std::optional<int> sun_teeth, ring_teeth;       ///< z of the first sun, of the first ring
   std::vector<Rational> sun_phases, ring_phases;  ///< γ_i at the sun, at the ring
   std::optional<double>
       sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with a sun and a ring, or without
@@ -147,6 +146,12 @@ struct Drive {
   std::optional<double> relative_speed_ratio(std::size_t body) const;
   /// Mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
+  /// Play of a body while `held`, the input or the output, does not move, rad; for a rack, its
+  /// travel with 2π per pitch. None with several inputs, with redundant meshes, or if a mesh
+  /// between the two bodies has no involute teeth. [T13.20]
+  std::optional<double> play(std::size_t body, std::size_t held) const;
+  /// γ_i of the copies of a mesh of planets with a central gear; empty for any other mesh [T13.16].
+  std::vector<Rational> phases(std::size_t mesh) const;
   std::optional<std::size_t> frame_of_body(std::size_t body) const;
 };
 

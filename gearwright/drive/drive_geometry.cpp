@@ -24,6 +24,13 @@ bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
 
+// The profile shift of a gear before absent shifts are computed. The position of its arcs determines
+// the depth of a rack of arcs, so a circular-arc gear has no profile shift.
+std::optional<double> known_shift(const DriveGear& gear) {
+  const bool arcs = gear.spec && !is_straight(gear.spec->rack);
+  return arcs ? gear.shift.value_or(0.0) : gear.shift;
+}
+
 ShiftProblem shift_problem(const DriveGraph& graph, const DriveMesh& mesh,
                            const DriveGeometry& made) {
   const DriveGear& a = graph.gear(mesh, 0);
@@ -139,7 +146,7 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   } else {
     std::string why = pair.error().rule;
     while (why.ends_with('.')) why.pop_back();
-    const bool given = graph.gear(mesh, 0).shift && graph.gear(mesh, 1).shift;
+    const bool given = known_shift(graph.gear(mesh, 0)) && known_shift(graph.gear(mesh, 1));
     made.faults.push_back(
         {Fault::Kind::no_pair,
          fmt::format("{} the mesh {} at a centre distance of {:.4f} mm{} profile shifts of {:.4f} "
@@ -284,7 +291,7 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   made.pairs.resize(graph.meshes.size());
   made.racks.resize(graph.meshes.size());
   made.gears.resize(graph.gears.size());
-  for (const DriveGear& gear : graph.gears) made.shift.push_back(gear.shift);
+  for (const DriveGear& gear : graph.gears) made.shift.push_back(known_shift(gear));
   Completion completion(graph, made);
   for (const auto& meshes : distance_classes(graph)) completion.of_class(meshes);
   for (const DriveMesh& mesh : graph.meshes)
@@ -323,7 +330,8 @@ std::optional<std::vector<RiderPlace>> rider_places(
                              graph.bodies[group.carrier].name, *a, r, *between)};
         return std::nullopt;
       }
-      angle = riders[j].angle + (graph.idler_left ? 1 : -1) * std::acos(cosine);
+      // The idler is counter-clockwise from its planet.
+      angle = riders[j].angle + std::acos(cosine);
       break;
     }
     riders.push_back({*a, angle});
@@ -356,9 +364,9 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
-std::optional<double> DriveGeometry::normal_backlash(std::size_t mesh) const {
+std::optional<double> DriveGeometry::stated_backlash(std::size_t mesh) const {
   if (racks[mesh]) return racks[mesh]->normal_backlash();
-  return pairs[mesh] ? std::optional(pairs[mesh]->normal_backlash()) : std::nullopt;
+  return pairs[mesh] ? std::optional(pairs[mesh]->stated_backlash()) : std::nullopt;
 }
 
 std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh) {

@@ -39,8 +39,8 @@ struct DriveGeometry {
   const ParallelPair* involutes(std::size_t mesh) const {
     return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
   }
-  /// j_n of a mesh of any two gears, or of a pinion and its rack, mm; none without teeth.
-  std::optional<double> normal_backlash(std::size_t mesh) const;
+  /// Pair::stated_backlash() of a mesh, or j_n of a pinion and its rack, mm; none without teeth.
+  std::optional<double> stated_backlash(std::size_t mesh) const;
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
@@ -49,11 +49,23 @@ struct DriveGeometry {
 /// the backlash-free distance of the first one. If the tip diameter of a ring is not given, its
 /// tips stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
 /// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The pinion of a rack has
-/// the shift 0 if none is given. A rack is mounted without backlash if no distance is given.
+/// the shift 0 if none is given, and a circular-arc gear always has it. A rack is mounted without
+/// backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
+
+/// The graph with the thickness allowances with which every mesh has DriveMesh::backlash. They
+/// replace the allowances of both gears of such a mesh. If a gear has several such meshes, the mesh
+/// with the least thinning divides it equally between its gears, and the other gears of the other
+/// meshes get the rest.
+///
+/// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
+/// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last mesh
+///           follows from the others
+/// Accuracy  |j_n − backlash| < 1e-9 mm
+DriveGraph with_backlash(DriveGraph graph);
 
 /// Position of a planet in the frame of its carrier.
 struct RiderPlace {

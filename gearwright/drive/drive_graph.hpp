@@ -69,6 +69,7 @@ struct DriveMesh {
   /// the shafts are in one line.
   std::optional<Angle> direction{};
   std::optional<double> friction{};  ///< μ; by default DriveGraph::friction
+  std::optional<double> backlash{};  ///< j_n  mm, for which the teeth of both gears are thinned
 };
 
 /// Axial gap between the faces of adjacent gears, in m_n.
@@ -84,7 +85,6 @@ struct DriveGraph {
   std::optional<double> torque_Nm;  ///< on the first input
   double friction = 0.05;           ///< μ of meshes whose efficiency is not given
   Spacing spacing = Spacing::nearest;
-  bool idler_left = true;  ///< true if an idler is counter-clockwise from its planet
 
   const DriveGear& gear(const DriveMesh& mesh, int which) const {
     return gears[mesh.gears[static_cast<std::size_t>(which)]];

@@ -154,8 +154,8 @@ const PlanetSet* set_of(const Drive& drive, std::size_t mesh) {
 
 std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive) {
   const DriveGraph& graph = drive.graph;
-  const auto to_output = lossless_loads(graph, drive.motion, graph.output);
-  const auto to_input = lossless_loads(graph, drive.motion, graph.inputs.front());
+  const auto to_output = lossless_loads(graph, drive.motion, graph.output, graph.inputs.front());
+  const auto to_input = lossless_loads(graph, drive.motion, graph.inputs.front(), graph.output);
   std::vector<MeshPhase> phases(graph.meshes.size());
   for (std::size_t m = 0; m < phases.size(); ++m) {
     MeshPhase& phase = phases[m];

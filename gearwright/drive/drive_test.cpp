@@ -272,6 +272,83 @@ TEST(Drive, GeometryOfASet) {
   EXPECT_NEAR(drive.backlash->input, j / drive.geometry.gears[0]->base_radius(), 1e-12);
 }
 
+// The play of every body is the range of its rotation over all positions of the teeth in their gaps.
+// The extreme rotations occur if each mesh touches one of its two flanks. For each combination of
+// flanks, the kinematic equations z_a ω_a + z_b ω_b = (z_a + z_b) ω_c of the meshes are solved with
+// the motion of the teeth on the right.
+TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
+  PlanetarySpec set;
+  set.z(M::sun) = 20;
+  set.z(M::planet) = 25;
+  set.z(M::planet2) = 22;
+  set.z(M::ring2) = 67;
+  set.planets = 3;
+  set.normal_module = 2.0;
+  set.allowance.all = -0.04;
+  const Drive drive = made(set);
+  // The order of the bodies is sun, ring2, carrier, planet.
+  const std::array<std::array<double, 4>, 2> mesh{{{20, 0, -45, 25}, {0, -67, 45, 22}}};
+  std::array<double, 2> gap{};
+  for (const std::size_t m : {0, 1}) {
+    const auto& pair = *drive.geometry.pairs[m]->parallel();
+    gap[m] = 2 * std::numbers::pi * pair.mesh.backlash.normal_base /
+             std::cos(pair.gears[0].reference().base_helix_angle) /
+             pair.gears[0].reference().base_pitch_transverse;
+  }
+  ASSERT_EQ(drive.graph.bodies[2].name, "carrier");
+  ASSERT_EQ(drive.graph.bodies[3].name, "planet");
+  for (const std::size_t held : {0, 2}) {
+    std::array<double, 4> least{}, greatest{};
+    for (const double u : {0.0, gap[0]}) {
+      for (const double v : {0.0, gap[1]}) {
+        // The ring and `held` stand still. The first unknown is the carrier or the sun, the second
+        // one is the planet.
+        const std::size_t free = held == 0 ? 2 : 0;
+        const double a = mesh[0][free], b = mesh[0][3], c = mesh[1][free], d = mesh[1][3];
+        const double determinant = a * d - b * c;
+        std::array<double, 4> turned{};
+        turned[free] = (u * d - b * v) / determinant;
+        turned[3] = (a * v - c * u) / determinant;
+        for (std::size_t body = 0; body < 4; ++body) {
+          least[body] = std::min(least[body], turned[body]);
+          greatest[body] = std::max(greatest[body], turned[body]);
+        }
+      }
+    }
+    for (std::size_t body = 0; body < 4; ++body) {
+      const auto play = drive.play(body, held);
+      ASSERT_TRUE(play);
+      EXPECT_NEAR(*play, greatest[body] - least[body], 1e-14) << held << " " << body;
+    }
+  }
+  EXPECT_EQ(*drive.play(2, 0), drive.backlash->output);
+  EXPECT_EQ(*drive.play(0, 2), drive.backlash->input);
+}
+
+// Ring 2 has its own phases. The teeth of ring 2 pass a planet as often as those of ring 1, if the
+// planet has one gear.
+TEST(Drive, EveryCentralGearHasItsPhases) {
+  PlanetarySpec set;
+  set.z(M::planet) = 21;
+  set.z(M::ring) = 57;
+  set.z(M::ring2) = 60;
+  set.planets = 3;
+  set.fixed = {"ring"};
+  set.inputs = {"carrier"};
+  set.output = "ring2";
+  const Drive drive = made(set);
+  const auto& turns = drive.sets.front().assembly.turns;
+  for (const std::size_t m : {0, 1}) {
+    const double z = m == 0 ? -57 : -60;
+    const auto phases = drive.phases(m);
+    ASSERT_EQ(phases.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double events = z * turns[i].value();
+      EXPECT_NEAR(phases[i].value(), events - std::floor(events), 1e-12);
+    }
+  }
+}
+
 TEST(Drive, RackMovesOnePitchPerTooth) {
   DriveGraph graph;
   graph.bodies = {{"pinion", {}, 1, {}}, {"bar", {}, 1, {}}};

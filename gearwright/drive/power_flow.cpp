@@ -17,12 +17,12 @@ constexpr double kIdle = 1e-11;
 /// Up to this number of loaded meshes, all patterns of their signs are tried.
 constexpr std::size_t kMostSigns = 16;
 
-// The bodies with an unknown external torque: fixed bodies, inputs and the output, except `given`.
-std::vector<std::size_t> reacting(const DriveGraph& graph, std::size_t given) {
+// The bodies with an unknown external torque: fixed bodies, the output, and all inputs except the
+// first one.
+std::vector<std::size_t> reacting(const DriveGraph& graph) {
   std::vector<std::size_t> list = graph.fixed;
-  for (const std::size_t in : graph.inputs)
-    if (in != given) list.push_back(in);
-  if (graph.output != given) list.push_back(graph.output);
+  list.insert(list.end(), graph.inputs.begin() + 1, graph.inputs.end());
+  list.push_back(graph.output);
   return list;
 }
 
@@ -30,10 +30,7 @@ class Statics {
  public:
   Statics(const DriveGraph& graph, const std::vector<double>& speeds,
           const std::vector<MeshEfficiency>& efficiencies)
-      : graph_(graph),
-        speeds_(speeds),
-        efficiencies_(efficiencies),
-        reacting_(reacting(graph, graph.inputs.front())) {}
+      : graph_(graph), speeds_(speeds), efficiencies_(efficiencies), reacting_(reacting(graph)) {}
 
   // Computes the flow for given driving gears of all meshes. A mesh with driver −1 has no friction.
   PowerFlow solve(const std::vector<int>& driver) const {
@@ -189,11 +186,13 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
 }
 
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,
-                                     std::size_t body) {
+                                     std::size_t body, std::size_t held) {
   GW_EXPECTS(motion.freedom == 1 && motion.redundant.empty());
+  GW_EXPECTS(held == graph.output || graph.is_input(held));
   const std::size_t n = graph.bodies.size();
   const std::size_t meshes = graph.meshes.size();
-  const std::vector<std::size_t> reactions = reacting(graph, body);
+  std::vector<std::size_t> reactions = graph.fixed;
+  reactions.push_back(held);
   GW_EXPECTS(meshes + reactions.size() == n);
   RationalMatrix rows(n, std::vector<Rational>(n + 1));
   for (std::size_t m = 0; m < meshes; ++m) {

@@ -52,12 +52,12 @@ struct PowerFlow {
 Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>& speeds,
                              const std::vector<MeshEfficiency>& efficiencies);
 
-/// The exact load λ of each mesh without friction, per unit torque on `body`. If all other inputs
-/// and outputs are held, a motion of the teeth of a mesh turns `body` by λ times this motion
-/// [T13.20].
+/// The exact load λ of each mesh without friction, per unit torque on `body`, while the body `held`
+/// and the fixed bodies react. A motion of the teeth of a mesh then turns `body` by λ times this
+/// motion [T13.20]. All loads are 0 if `body` itself is held or fixed.
 ///
-/// Domain    one degree of freedom, independent meshes; `body` turns (contract)
+/// Domain    one degree of freedom, independent meshes; `held` is the input or the output (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,
-                                     std::size_t body);
+                                     std::size_t body, std::size_t held);
 
 }  // namespace gearwright

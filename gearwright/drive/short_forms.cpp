@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
 
@@ -59,7 +61,7 @@ bool spans_two(const PlanetarySpec& spec, M member) {
 
 CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   CylindricalSpec made;
-  made.normal_module = spec.module.of(member).value_or(spec.normal_module.value_or(0.0));
+  made.normal_module = *spec.normal_module;
   made.normal_pressure_angle = spec.normal_pressure_angle;
   const auto& own_helix = spec.helix_deg.each[static_cast<std::size_t>(member)];
   const double sun = spec.helix_deg.each[0].value_or(spec.helix_deg.all.value_or(0.0));
@@ -67,9 +69,11 @@ CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
   made.face_width = spec.face_width.of(member).value_or(10 * made.normal_module);
   if (!spec.face_width.each[static_cast<std::size_t>(member)] && spans_two(spec, member))
     made.face_width = 2 * made.face_width + kBetweenFaces * made.normal_module;
-  made.thickness_allowance = spec.allowance.of(member).value_or(0.0);
+  const double diameter =
+      made.normal_module * std::abs(*spec.z(member)) / std::cos(made.helix_angle.rad());
+  made.thickness_allowance =
+      spec.allowance.of(member).value_or(mean_allowance(spec.series, diameter));
   made.tip_diameter = spec.tip_diameter.of(member);
-  if (spec.rack) made.rack = *spec.rack;
   return made;
 }
 
@@ -101,6 +105,9 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
     return absent_input("planetary.ring",
                         "; a set of only sun and planets has no default for fixed, input and "
                         "output. Give a ring or a second sun, or give fixed, input and output");
+  if (!spec.normal_module && (spec.backlash.all || !spec.backlash.each.empty()))
+    return Error{"planetary.backlash", "",
+                 "needs `normal_module`, because there are no teeth without a module"};
   if (spec.planets < 1) return refused("planetary.planets", spec.planets, "must be at least 1");
   return std::nullopt;
 }
@@ -155,6 +162,7 @@ DriveGraph pair_graph(const PairStage& stage) {
                            stage.modifications[i], stage.bores[i], stage.double_helical[i]});
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
+  graph.meshes.front().backlash = stage.backlash;
   graph.inputs = {0};
   graph.output = 1;
   return graph;
@@ -207,6 +215,11 @@ const char* to_string(SetMember member) {
   return kNames[static_cast<std::size_t>(member)];
 }
 
+double mean_allowance(const std::string& series, double reference_diameter) {
+  const auto ends = thickness_allowances(series, reference_diameter);
+  return ends ? ((*ends)[0] + (*ends)[1]) / 2 : 0.0;
+}
+
 std::vector<std::string> set_member_names() {
   std::vector<std::string> names;
   for (const SetMember member : kMembers) names.emplace_back(to_string(member));
@@ -250,7 +263,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
     gear_of[static_cast<std::size_t>(m)] = graph.gears.size();
     DriveGear gear{to_string(m), *body,        teeth,
                    std::nullopt, std::nullopt, spec.profile_shift.of(m)};
-    if (spec.normal_module || spec.module.of(m)) gear.spec = teeth_of(spec, m);
+    if (spec.normal_module) gear.spec = teeth_of(spec, m);
     const auto& own_bore = spec.bore.each[static_cast<std::size_t>(m)];
     if (const auto bore = is_ring(m) ? own_bore : spec.bore.of(m)) gear.bore = Bore{*bore};
     graph.gears.push_back(std::move(gear));
@@ -265,6 +278,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
                              gear_of[static_cast<std::size_t>(mesh.second)]},
                             spec.efficiency.of(mesh.name),
                             named || graph.meshes.empty() ? distance : std::nullopt});
+    graph.meshes.back().backlash = spec.backlash.of(mesh.name);
   }
   graph.speeds_rpm = spec.speeds_rpm;
   graph.torque_Nm = spec.torque_Nm;

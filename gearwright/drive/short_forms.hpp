@@ -48,14 +48,15 @@ struct PlanetarySpec {
   int planets = 1;
   std::optional<double> normal_module;  ///< m_n  mm; if absent, there is no geometry
   Angle normal_pressure_angle = Angle::degrees(20);
-  PerMember module;         ///< m_n of single gears  mm
   PerMember profile_shift;  ///< x
   PerMember helix_deg;      ///< β; by default computed from β of the sun
   PerMember face_width;     ///< b  mm
   PerMember allowance;      ///< E_sn  mm
+  std::string series;       ///< of DIN 3967, for gears without an allowance; "" for nominal teeth
   PerMember tip_diameter;   ///< d_a  mm
   PerMember bore;           ///< bore mm; for a ring, outside of its rim, which `all` does not set
   PerMesh efficiency;
+  PerMesh backlash;                               ///< j_n  mm
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
   std::optional<std::vector<std::string>> fixed;  ///< by default the ring
@@ -65,7 +66,6 @@ struct PlanetarySpec {
   std::optional<double> torque_Nm;
   Spacing spacing = Spacing::nearest;
   std::vector<double> positions_deg;
-  std::optional<Rack> rack;
 
   std::optional<int>& z(SetMember member) { return teeth[static_cast<std::size_t>(member)]; }
   const std::optional<int>& z(SetMember member) const {
@@ -81,7 +81,7 @@ struct PairStage {
   std::array<std::array<FlankModifications, 2>, 2> modifications{};
   std::array<std::optional<Bore>, 2> bores{};
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
-  std::optional<double> efficiency, center_distance;
+  std::optional<double> efficiency, center_distance, backlash;
 };
 
 struct StageSpec {
@@ -91,6 +91,10 @@ struct StageSpec {
   std::optional<double> torque_Nm{};  ///< on the input of the pair
   double friction = 0.05;             ///< μ of the pair
 };
+
+/// The mean of the two allowances E_sn of a series of DIN 3967 for a reference diameter, mm. It is
+/// 0 without a series and for a diameter that the series does not contain.
+double mean_allowance(const std::string& series, double reference_diameter);
 
 /// The index of a body by its name.
 ///

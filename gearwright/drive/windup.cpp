@@ -140,8 +140,8 @@ WindupMesh StandardTeeth::mesh(int z1, int z2) const {
 std::optional<double> windup_variation(const Drive& set, const StandardTeeth& teeth) {
   if (!has_one_motion(set) || set.sets.empty()) return std::nullopt;
   const DriveGraph& graph = set.graph;
-  const auto to_output = lossless_loads(graph, set.motion, graph.output);
-  const auto to_input = lossless_loads(graph, set.motion, graph.inputs.front());
+  const auto to_output = lossless_loads(graph, set.motion, graph.output, graph.inputs.front());
+  const auto to_input = lossless_loads(graph, set.motion, graph.inputs.front(), graph.output);
   std::vector<WindupMesh> meshes;
   std::map<int, double> first_passing;  // by the number of teeth of the planet gear
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {

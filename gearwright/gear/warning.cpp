@@ -335,6 +335,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verbs rate and run, for a drive with [load]: K_γ of the planets under load is greater than "
      "K_γ of the rating",
      "the planets share the load less evenly than the rating assumes"},
+    {C::default_rack, "default_rack", kNote,
+     "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
+     "of this pressure angle"},
 }};
 
 constexpr bool each_has_its_row() {

@@ -126,6 +126,8 @@ enum class WarningCode {
   no_backlash,
   // A load of the rating that differs from a computed load.
   mesh_load_factor,
+  // A rack that is not given.
+  default_rack,
   count  ///< the number of codes, not a code
 };
 

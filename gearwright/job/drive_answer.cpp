@@ -235,6 +235,9 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   if (table.contains("helix_angle_deg"))
     table["helix_angle_deg"] = table["helix_angle_deg"].get<double>() + 0.0;
   const auto& solved = job.drive.geometry.gears[gear];
+  const auto& given = job.spec.drive->graph.gears[gear].spec;
+  if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
+    table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
   if (!solved || !solved->involute() || table.contains("basic")) return table;
   table.erase("profile_shift_pair");
   table["profile_shift"] = solved->spec.profile_shift;

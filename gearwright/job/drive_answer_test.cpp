@@ -4,6 +4,7 @@
 // the verb rate rates every mesh.
 #include "gearwright/job/drive_answer.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -254,7 +255,17 @@ TEST(DriveAnswerTest, SearchesGiveTheBacklashOfTheirSeries) {
     }
     for (const double j : backlash("thickness_series = \"none\"\n")) EXPECT_NEAR(j, 0.0, 1e-12);
     for (const double j : backlash("thickness_allowance_mm = -0.03\n")) EXPECT_NEAR(j, 0.06, 0.003);
+    // A backlash is the backlash of every mesh, and a band is represented by its mean.
+    for (const double j : backlash("backlash_mm = 0.12\n")) EXPECT_NEAR(j, 0.12, 1e-9);
+    for (const double j : backlash("backlash_mm = [0.05, 0.09]\n")) EXPECT_NEAR(j, 0.07, 1e-9);
   }
+  for (const char* keys :
+       {"backlash_mm = 0.1\n", "backlash_mm = -0.1\nnormal_module_mm = 2\n",
+        "backlash_mm = [0.2, 0.1]\nnormal_module_mm = 2\n",
+        "backlash_mm = 0.1\nthickness_series = \"cd25\"\nnormal_module_mm = 2\n"})
+    EXPECT_EQ(refused_drive_key(fmt::format("[search]\nkind = \"planetary\"\nratio = 4\n{}", keys)),
+              "search.backlash_mm")
+        << keys;
   EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\nnormal_module_mm = 2\n"
                               "thickness_series = \"zz9\"\n"),
             "search.thickness_series");

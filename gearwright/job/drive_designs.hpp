@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56".
+/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56", for a train with different
+/// modules of its stages with these modules, "19:58 (m 1.5), 20:66 (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
 /// A candidate as a spec for the verb `drive`, from the keys that all candidates share and the
@@ -25,7 +26,8 @@ bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem);
 /// several objectives, up to `top` more from the Pareto front. The next candidate replaces a
 /// candidate without a green verdict, until kMostComputedDrives candidates of the same module have
 /// been computed. Trains are left out if, by the estimate of design/train_strength.hpp, they cannot
-/// have the required safeties.
+/// have the required safeties, or if the sliding of one stage exceeds the limit. If each stage may
+/// have its own module, it gets the least one with which it has the required safeties.
 ///
 /// Law       a search over a list of modules finds a drive if a search with one of these modules
 ///           alone finds a drive

@@ -99,9 +99,13 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         "{} sets were not computed, because at most {} sets of each module are computed.\n",
         designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
-  if (!f.problem.series.empty())
+  if (!f.problem.base.series.empty())
     text += fmt::format("All gears have the mean thickness allowances of series {} (DIN 3967).\n",
-                        f.problem.series);
+                        f.problem.base.series);
+  if (const auto& backlash = f.problem.base.backlash.all)
+    text += wrapped(sentence_in(
+        units,
+        fmt::format("The teeth are thinned for a backlash of {:g} mm in every mesh.", *backlash)));
   if (f.default_face_load)
     text += wrapped(fmt::format(
         "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).",
@@ -162,7 +166,9 @@ bool searches_drives(const JobSpec& spec) {
 
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int threads) {
   GW_EXPECTS(searches_drives(spec));
-  const DriveSearchProblem problem = read_drive_search(spec.tree->tables["search"]);
+  DriveSearchProblem problem = read_drive_search(spec.tree->tables["search"]);
+  problem.module_per_stage =
+      problem.kind == DriveKind::train && problem.modules.size() > 1 && rates_drives(spec, problem);
   auto result = search_drives(problem, threads);
   if (!result) {
     Error error = result.error();
@@ -171,6 +177,13 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
       error.field = "search." + error.field.substr(kGraph.size());
     return error;
   }
+  if (!result->is_complete)
+    return Error{
+        "search.stages", std::to_string(problem.stages[1]),
+        fmt::format("gives too many trains; a search finds at most {} trains and tries at most {} "
+                    "combinations of all numbers of teeth except the last. Narrow the band ratio, "
+                    "pinion_teeth or wheel_teeth, or give coaxial_teeth",
+                    kMostTrains, kMostTrainTrials)};
   auto designs = drive_designs(spec, problem, *result, top, threads);
   if (!designs) return designs.error();
   const auto face_load = rates_drives(spec, problem) && has_default_face_load(spec)

@@ -100,10 +100,16 @@ double tip_as_drawn(double d, bool ring) {
   return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
 }
 
-Json pinion_json(const CylindricalSpec& c) {
+// The pinion, with its module or its diametral pitch as in the given table.
+Json pinion_json(const CylindricalSpec& c, const Json& given) {
+  constexpr const char* kPitch = "normal_diametral_pitch_per_in";
   Json g;
   g["teeth"] = c.teeth;
-  g["normal_module_mm"] = c.normal_module;
+  if (given.contains(kPitch)) {
+    g[kPitch] = given[kPitch];
+  } else {
+    g["normal_module_mm"] = c.normal_module;
+  }
   g["normal_pressure_angle_deg"] = drawn(c.normal_pressure_angle.deg());
   g["helix_angle_deg"] = drawn(c.helix_angle.deg());
   g["profile_shift"] = drawn(c.profile_shift);
@@ -119,13 +125,13 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   const Json& given = spec.tree->tables;
   Json tree;
   if (given.contains("title")) tree["title"] = given["title"];
-  Json pinion = pinion_json(d.pinion);
+  Json pinion = pinion_json(d.pinion, given["gear1"]);
   pinion["face_width_mm"] = d.face_width;
   Json wheel{{"teeth", d.pair.gears[1].spec.teeth},
              {"profile_shift", shift_as_drawn(d.wheel_shift)}};
   wheel["face_width_mm"] = d.face_width;
   wheel["tip_diameter_mm"] = tip_as_drawn(d.wheel_tip_diameter, d.pair.gears[1].internal());
-  wheel["cut_by"] = pinion_json(d.cutter);
+  wheel["cut_by"] = pinion_json(d.cutter, given["gear1"]);
   for (Json* g : {&pinion, &wheel}) {
     const char* name = g == &pinion ? "gear1" : "gear2";
     if (given[name].contains("bore")) (*g)["bore"] = given[name]["bore"];

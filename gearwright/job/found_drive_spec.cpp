@@ -19,7 +19,10 @@ std::string teeth_text(const DriveCandidate& c) {
   for (std::size_t m = 0; m < kSetMembers; ++m)
     if (c.teeth[m] > 0)
       list.push_back(fmt::format("{} {}", to_string(static_cast<SetMember>(m)), c.teeth[m]));
-  for (const auto& [z1, z2] : c.stages) list.push_back(fmt::format("{}:{}", z1, z2));
+  for (std::size_t k = 0; k < c.stages.size(); ++k) {
+    list.push_back(fmt::format("{}:{}", c.stages[k][0], c.stages[k][1]));
+    if (!c.has_one_module()) list.back() += fmt::format(" (m {:g})", c.stage_modules[k]);
+  }
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
@@ -33,22 +36,21 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
   if (problem.safety_flank) made["rating"]["safety_flank_min"] = *problem.safety_flank;
   if (problem.safety_root) made["rating"]["safety_root_min"] = *problem.safety_root;
   const bool train = !c.stages.empty();
-  const auto allowance = [&](int teeth) { return mean_allowance(problem, c, teeth); };
   Json shared = shared_keys(search, train);
   if (!problem.modules.empty()) shared["normal_module_mm"] = c.module;
   if (c.face_width) shared["face_width_mm"] = *c.face_width;
+  if (!problem.base.series.empty()) shared["thickness_series"] = problem.base.series;
   if (train) {
     for (std::size_t k = 0; k < c.stages.size(); ++k) {
       Json stage = shared;
       for (const char* key : {"speed_rpm", "torque_Nm"})
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
+      if (!problem.modules.empty()) stage["normal_module_mm"] = c.stage_module(k);
       // The hand alternates from stage to stage, so that both gears of an intermediate shaft have
       // the same hand and their axial forces have opposite directions.
       if (const auto& beta = problem.base.helix_deg.all; beta && k % 2 == 1 && *beta != 0.0)
         stage["helix_angle_deg"] = -*beta;
-      if (!problem.series.empty())
-        stage["thickness_allowance_mm"] = {allowance(c.stages[k][0]), allowance(c.stages[k][1])};
       if (const auto& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
         stage["profile_shift"] = {*x[2 * k], *x[2 * k + 1]};
       made["stage"].push_back(std::move(stage));
@@ -59,7 +61,6 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
     if (c.teeth[m] == 0) continue;
     const char* member = to_string(static_cast<SetMember>(m));
     shared[member] = c.teeth[m];
-    if (!problem.series.empty()) shared["thickness_allowance_mm"][member] = allowance(c.teeth[m]);
     if (g < c.shifts.size() && c.shifts[g]) shared["profile_shift"][member] = *c.shifts[g];
     ++g;
   }

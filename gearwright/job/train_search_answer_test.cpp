@@ -1,5 +1,6 @@
-// Searches for trains: (1) a list of modules finds what its modules find alone; (2) the axial forces
-// on an intermediate shaft have opposite directions.
+// Searches for trains: (1) a list of modules finds a train that is not larger than those of its
+// modules alone; (2) the axial forces on an intermediate shaft have opposite directions; (3) each
+// stage has the least module with which it has the required safeties.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
@@ -28,12 +30,12 @@ Result<Answer> trains_of(const std::string& modules, const std::string& keys, st
 }
 
 // Law (1). The sets of each module are numerous enough for the estimate of the safeties.
-TEST(TrainSearchAnswerTest, AListOfModulesFindsWhatEachModuleFinds) {
+TEST(TrainSearchAnswerTest, AListOfModulesFindsATrainAsSmallAsEachModule) {
   const std::string keys =
       "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\nwheel_teeth = [50, 110]\n"
       "face_width_mm = [15, 60]\nsafety_flank_min = 1.5\nsafety_root_min = 1.6\n";
   constexpr std::size_t kTop = 4;
-  std::vector<double> sizes;
+  double smallest = kInfinity;
   long long hopeless = 0;
   for (const char* module : {"1.25", "2", "2.5"}) {
     const auto alone = trains_of(module, keys, kTop);
@@ -42,18 +44,82 @@ TEST(TrainSearchAnswerTest, AListOfModulesFindsWhatEachModuleFinds) {
     EXPECT_GT(search["feasible_count"], 1000) << module;
     EXPECT_EQ(search["beyond_limit"], 0);
     hopeless += search["hopeless"].get<long long>();
-    for (const Json& design : search["designs"]) sizes.push_back(design["size_mm"]);
+    for (const Json& design : search["designs"])
+      smallest = std::min(smallest, design["size_mm"].get<double>());
   }
   EXPECT_GT(hopeless, 1000);
-  std::sort(sizes.begin(), sizes.end());
-  ASSERT_GE(sizes.size(), kTop);
-  sizes.resize(kTop);
   const auto all = trains_of("[1.25, 2, 2.5]", keys, kTop);
   ASSERT_TRUE(all) << all.error().message();
-  const Json& search = all->record["search"];
-  std::vector<double> found;
-  for (const Json& design : search["designs"]) found.push_back(design["size_mm"]);
-  EXPECT_EQ(found, sizes);
+  const Json& designs = all->record["search"]["designs"];
+  ASSERT_EQ(designs.size(), kTop);
+  constexpr double kRounding = 1e-12;  // of the sum of the centre distances
+  EXPECT_LE(designs[0]["size_mm"], smallest * (1 + kRounding));
+}
+
+// Law (3). With a given face width, the safeties of a stage depend on its own module only, so the
+// least modules of the stages are found one by one with the verb `rate`.
+TEST(TrainSearchAnswerTest, EveryStageHasItsLeastModule) {
+  const std::vector<double> modules{1.25, 1.5, 2, 2.5, 3, 4};
+  const auto answer = trains_of("[1.25, 1.5, 2, 2.5, 3, 4]",
+                                "ratio = [11.8, 12.2]\npinion_teeth = [19, 20]\n"
+                                "wheel_teeth = [66, 70]\nface_width_mm = 30\n"
+                                "safety_flank_min = 1.2\nsafety_root_min = 1.4\n",
+                                2);
+  ASSERT_TRUE(answer) << answer.error().message();
+  ASSERT_EQ(answer->specs.size(), 2u);
+  EXPECT_FALSE(answer->record["search"]["designs"][0]["stage_modules_mm"].is_null());
+  for (std::size_t i = 0; i < answer->specs.size(); ++i) {
+    const Json& found = answer->record["search"]["designs"][i];
+    const auto safe = [&](std::size_t stage, double module) {
+      Json tree = answer->specs[i];
+      tree["stage"][stage]["normal_module_mm"] = module;
+      const auto spec = read_spec(toml_text(tree), SpecFormat::toml);
+      const auto job = solve_drive(*spec);
+      EXPECT_TRUE(job);
+      Drive drive = job->drive;
+      EXPECT_FALSE(rate_drive(*spec, drive));
+      const Rating& r = drive.ratings[stage]->rating;
+      return std::min(r.S_H[0].value, r.S_H[1].value) >= 1.2 &&
+             std::min(r.S_F[0].value, r.S_F[1].value) >= 1.4;
+    };
+    double size = 0.0;
+    for (const std::size_t stage : {0, 1}) {
+      const auto least =
+          std::find_if(modules.begin(), modules.end(), [&](double m) { return safe(stage, m); });
+      ASSERT_NE(least, modules.end());
+      EXPECT_EQ(found["stage_modules_mm"].is_null() ? found["normal_module_mm"]
+                                                    : found["stage_modules_mm"][stage],
+                *least);
+      const Json& teeth = found["stages"][stage];
+      size += *least * (teeth[0].get<int>() + teeth[1].get<int>()) / 2 /
+              std::cos(15 * std::acos(-1.0) / 180);
+    }
+    EXPECT_NEAR(found["size_mm"].get<double>(), size, 1e-9);
+  }
+}
+
+// Three stages with the default numbers of teeth have more than a million trains.
+TEST(TrainSearchAnswerTest, TooManyTrainsAreRefused) {
+  const auto answer = trains_of("2", "ratio = [-500, -5]\nstages = 3\n", 4);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().field, "search.stages");
+  EXPECT_NE(answer.error().rule.find("wheel_teeth"), std::string::npos);
+}
+
+// The sliding of a stage rules out all trains that contain it, without computing them.
+TEST(TrainSearchAnswerTest, TheSlidingOfAStageIsComputedOnce) {
+  const std::string keys =
+      "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\nwheel_teeth = [50, 110]\n";
+  const auto answer = trains_of("2", keys + "sliding_max = 1.4\n", 4);
+  ASSERT_TRUE(answer) << answer.error().message();
+  const Json& search = answer->record["search"];
+  EXPECT_EQ(search["beyond_limit"], 0);
+  const Json& left_out = search["left_out"];
+  EXPECT_GT(left_out["sliding"], 500);
+  EXPECT_EQ(search["computed"].get<std::size_t>(),
+            search["designs"].size() + left_out["no_teeth"].get<std::size_t>() +
+                left_out["safety"].get<std::size_t>() + left_out["verdict"].get<std::size_t>());
+  for (const Json& design : search["designs"]) EXPECT_LE(design["sliding_max"], 1.4);
 }
 
 // If no train has the safeties, the advice names keys of trains.

@@ -186,7 +186,7 @@ void find_backlash(ArcPair& pair) {
   // Turning gear 2 by dφ moves its flank along the normal by dφ (ẑ × r)·n.
   const Vec3 r = first.at.point - Vec3(pair.center_distance, 0.0, 0.0);
   const double lever = std::abs(r.x() * first.at.normal.y() - r.y() * first.at.normal.x());
-  pair.backlash_normal = of_gear_2.rad() * lever;
+  pair.base_backlash = of_gear_2.rad() * lever;
 }
 
 void warn(ArcPair& pair, WarningCode code, std::string message) {
@@ -255,11 +255,11 @@ void warn_about_pair(ArcPair& pair) {
                      "less than the spacing of the contact points, {:.4f} mm.",
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
-  if (pair.backlash_rotation && pair.backlash_normal <= -kNoBacklash) {
+  if (pair.backlash_rotation && pair.base_backlash <= -kNoBacklash) {
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
              "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",
-             pair.backlash_normal));
+             pair.base_backlash));
   }
   for (const int which : {1, 2}) {
     const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];
@@ -318,7 +318,7 @@ Result<ArcPair> mount_arcs(Gear gear_1, Gear gear_2, std::optional<double> dista
   // If the leads match, all transverse sections have the same outline at different rotations. A
   // comparison of the outlines therefore covers the whole bodies.
   if (pair.backlash_rotation) {
-    detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.backlash_normal);
+    detail::find_collisions(pair, pair.backlash_rotation->at(1).rad() / 2, pair.base_backlash);
     // Negative backlash and tips that cut into roots have their own warnings.
     for (const Collision& s : *pair.overlap) {
       if (s.cause != CollisionCause::negative_backlash && s.cause != CollisionCause::root)

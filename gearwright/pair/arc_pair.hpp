@@ -30,13 +30,13 @@ struct ArcPair : MountedGears {
   std::vector<ArcPairContact> contacts;  ///< empty if the leads of the gears do not match
   double face_for_contact;  ///< the least face width that always contains a point of contact, mm
   std::optional<std::array<Angle, 2>>
-      backlash_rotation;         ///< play of each gear with the mating gear held; none without
-                                 ///< contacts
-  double backlash_normal = 0.0;  ///< play along the normal at the contact that touches first, mm
+      backlash_rotation;       ///< play of each gear with the mating gear held; none without
+                               ///< contacts
+  double base_backlash = 0.0;  ///< j_bn  mm, along the common normal at the contact that touches
+                               ///< first
 
   double contact_ratio() const;  ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
-  double normal_backlash() const { return backlash_normal; }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
   /// The contact with the least angular backlash. It touches first.   Domain: there are contacts
   const ArcPairContact& first_contact() const;

@@ -120,7 +120,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   EXPECT_NEAR(pair.face_for_contact, p_x, 1e-12);
   EXPECT_NEAR(pair.tip_clearance[0], 0.15 * 4, 1e-12);
   EXPECT_NEAR(pair.tip_clearance[1], 0.30 * 4, 1e-12);
-  EXPECT_NEAR(pair.backlash_normal, 0.0, 1e-12);
+  EXPECT_NEAR(pair.base_backlash, 0.0, 1e-12);
   EXPECT_TRUE(pair.warnings.empty());
   // Thinner teeth cause backlash. It is the sum of the allowances along the datum line, projected
   // on the normal at θ.
@@ -128,7 +128,7 @@ TEST(ArcPair, numbers_of_the_pair) {
   auto P = spec_of(rack_of(Cutter::P), 40, -18);
   F.thickness_allowance = -0.06;
   P.thickness_allowance = -0.04;
-  EXPECT_NEAR(mounted(F, P).backlash_normal, 0.10 * std::cos(kPi / 6), 1e-5);
+  EXPECT_NEAR(mounted(F, P).base_backlash, 0.10 * std::cos(kPi / 6), 1e-5);
 }
 
 // Teeth with two contact points have continuous contact on a face narrower than the axial pitch.
@@ -141,7 +141,7 @@ TEST(ArcPair, double_arcs_need_less_face) {
   EXPECT_GT(pair.face_for_contact, p_x / 2);
   EXPECT_DOUBLE_EQ(pair.contact_ratio(), 2 * pair.overlap_ratio);
   // The backlash of the standard is e_f − S_a along the datum line, which is 0.06 m_n.
-  EXPECT_NEAR(pair.backlash_normal, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
+  EXPECT_NEAR(pair.base_backlash, (1.1773 - 1.1174) * 4 * std::cos(24 * kPi / 180), 2e-3);
   s_1.face_width = s_2.face_width = pair.face_for_contact * 0.99;
   EXPECT_TRUE(warns(mounted(s_1, s_2), WarningCode::contact_ratio));
   s_1.face_width = s_2.face_width = pair.face_for_contact * 1.01;

@@ -44,8 +44,8 @@ double Pair::contact_ratio_true() const {
   return visit([](const auto& p) { return p.contact_ratio_true(); });
 }
 
-double Pair::normal_backlash() const {
-  return visit([](const auto& p) { return p.normal_backlash(); });
+double Pair::stated_backlash() const {
+  return arcs() ? arcs()->base_backlash : involute()->normal_backlash();
 }
 
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
@@ -83,8 +83,8 @@ std::optional<PairBacklash> backlash_between(const ArcPair& p) {
   if (!p.backlash_rotation) return std::nullopt;
   const auto& j = *p.backlash_rotation;
   const auto d_w = p.working_pitch_diameter();
-  return PairBacklash{p.backlash_normal,
-                      p.backlash_normal / std::cos(p.first_contact().at.theta.rad()),
+  return PairBacklash{p.base_backlash,
+                      p.base_backlash / std::cos(p.first_contact().at.theta.rad()),
                       {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2},
                       j,
                       free_play_of(p)};

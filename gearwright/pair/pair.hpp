@@ -56,7 +56,9 @@ class Pair {
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
   double contact_ratio_true() const;  ///< contact ratio on the usable flanks
-  double normal_backlash() const;     ///< mm; for circular arcs, along the normal at the contact
+  /// The backlash that messages and verdicts state, mm: j_n of involute teeth, j_bn of circular
+  /// arcs.
+  double stated_backlash() const;
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
   Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }

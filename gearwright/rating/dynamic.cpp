@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 
@@ -97,7 +98,8 @@ double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materi
     const double outside = g.bore > 0.0 ? g.bore : g.root_diameter + 5 * pair.normal_module;
     const double hole = g.internal() ? outside : g.bore;
     const double rim = std::abs(std::pow(d_m, 4) - std::pow(hole, 4));
-    m[i] = std::numbers::pi / 8 * materials[i].density * rim / (g.base_diameter * g.base_diameter);
+    GW_EXPECTS(materials[i].density.has_value());
+    m[i] = std::numbers::pi / 8 * *materials[i].density * rim / (g.base_diameter * g.base_diameter);
   }
   return m[0] * m[1] / (m[0] + m[1]);
 }

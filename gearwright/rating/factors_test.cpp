@@ -241,5 +241,13 @@ TEST(Materials, TableHasItsReports) {
     EXPECT_TRUE(material_named(row.name).has_value()) << row.name;
 }
 
+// The elasticity and density of steel apply to no plastic.
+TEST(Materials, PlasticsHaveNoUsualValues) {
+  for (int k = 0; k <= static_cast<int>(MaterialKind::plastic); ++k) {
+    const auto kind = static_cast<MaterialKind>(k);
+    EXPECT_EQ(material_of_kind(kind).has_value(), kind != MaterialKind::plastic) << k;
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

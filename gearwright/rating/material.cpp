@@ -75,7 +75,8 @@ constexpr double kBrinellOfVickers = 0.95;
 
 }  // namespace
 
-Material material_of_kind(MaterialKind kind) {
+std::optional<Material> material_of_kind(MaterialKind kind) {
+  if (kind == K::plastic) return std::nullopt;
   Material m;
   m.kind = kind;
   if (kind == K::cast) {
@@ -119,7 +120,7 @@ std::optional<Material> material_named(std::string_view name, std::optional<doub
   const auto row = std::find_if(kTable.begin(), kTable.end(),
                                 [&](const NamedMaterial& m) { return m.name == name; });
   if (row == kTable.end()) return std::nullopt;
-  Material m = material_of_kind(row->kind);
+  Material m = *material_of_kind(row->kind);
   m.name = std::string(name);
   m.hardness_HV = hardness_HV.value_or(row->hardness_HV);
   m.yield_strength = row->yield_strength;

@@ -46,14 +46,14 @@ std::optional<double> at_temperature(const ByTemperature& list, double celsius);
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::case_hardened;
-  double sigma_Hlim = 0.0;                 ///< N/mm²
-  double sigma_Flim = 0.0;                 ///< N/mm²
-  double youngs_modulus = 206000.0;        ///< E  N/mm²
-  double poisson_ratio = 0.3;              ///< ν
-  double density = 7.83e-6;                ///< ρ  kg/mm³
-  std::optional<double> hardness_HV{};     ///< hardness of the surface
-  std::optional<double> yield_strength{};  ///< R_e  N/mm²
-  bool from_table = false;                 ///< true if the limits come from the built-in table
+  double sigma_Hlim = 0.0;                  ///< N/mm²
+  double sigma_Flim = 0.0;                  ///< N/mm²
+  double youngs_modulus = 206000.0;         ///< E  N/mm²
+  double poisson_ratio = 0.3;               ///< ν
+  std::optional<double> density = 7.83e-6;  ///< ρ  kg/mm³; none for a plastic of unknown density
+  std::optional<double> hardness_HV{};      ///< hardness of the surface
+  std::optional<double> yield_strength{};   ///< R_e  N/mm²
+  bool from_table = false;                  ///< true if the limits come from the built-in table
   /// Values of a plastic by temperature. If a list is not empty, it replaces the single number.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
@@ -67,8 +67,8 @@ struct Material {
 };
 
 /// A material of this kind with the usual elasticity and density of the kind, but without strength
-/// values. The elasticity and density of a plastic are not known; the caller must set them.
-Material material_of_kind(MaterialKind kind);
+/// values. None for a plastic, whose elasticity and density depend on its grade.
+std::optional<Material> material_of_kind(MaterialKind kind);
 
 struct NamedMaterial {
   std::string_view name;

@@ -149,6 +149,7 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   if (mesh.center_distance) j["center_distance_mm"] = *mesh.center_distance;
   if (mesh.efficiency) j["efficiency"] = *mesh.efficiency;
   if (mesh.friction) j["friction_coefficient"] = *mesh.friction;
+  if (mesh.backlash) j["backlash_mm"] = *mesh.backlash;
   return j;
 }
 

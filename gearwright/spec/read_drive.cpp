@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
+#include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -53,6 +54,19 @@ void read_meshes(TableReader& t, const std::string& key, PerMesh& to) {
              [&](std::size_t mesh, double value) { to.each.emplace_back(kMeshes[mesh], value); });
 }
 
+// Reads the series and the backlash, which replace the thickness allowances. A band of the backlash
+// becomes its mean, and a table by mesh is left for the caller.
+void read_play(TableReader& t, std::string& series, std::optional<double>& backlash) {
+  series = t.text("thickness_series").value_or("");
+  check_series(t, series);
+  const Json* value = t.any("backlash_mm");
+  if (!value || value->is_object()) return;
+  const std::vector<double> band = read_list(t, "backlash_mm");
+  if (band.size() > 2 || band.front() > band.back())
+    t.fail("backlash_mm", "must be a number, or a band of two numbers in rising order");
+  backlash = (band.front() + band.back()) / 2;
+}
+
 // Rejects the key double_helical outside the table of a gear. `where` is the reason.
 void refuse_halves(const Json& node, const std::string& path, const char* where) {
   if (node.contains("double_helical"))
@@ -76,6 +90,9 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   read_members(t, "bore_mm", set.bore);
   read_meshes(t, "center_distance_mm", set.center_distance);
   read_meshes(t, "mesh_efficiency", set.efficiency);
+  read_play(t, set.series, set.backlash.all);
+  if (t.has("backlash_mm") && node["backlash_mm"].is_object())
+    read_meshes(t, "backlash_mm", set.backlash);
   set.fixed = read_names(t, "fixed");
   set.inputs = read_names(t, "input").value_or(std::vector<std::string>());
   read_input_loads(t, set.speeds_rpm, set.torque_Nm);
@@ -90,12 +107,15 @@ namespace {
 // stage.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
-  for (const char* key :
-       {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
-        "center_distance_mm", "mesh_efficiency", "thickness_allowance_mm", "bore_mm",
-        "friction_coefficient", "speed_rpm", "torque_Nm", "material"}) {
+  for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
+                          "face_width_mm", "center_distance_mm", "mesh_efficiency", "bore_mm",
+                          "friction_coefficient", "speed_rpm", "torque_Nm", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
+  constexpr std::array kPlay{"thickness_allowance_mm", "thickness_series", "backlash_mm"};
+  if (std::none_of(kPlay.begin(), kPlay.end(), [&](auto key) { return set.contains(key); }))
+    for (const char* key : kPlay)
+      if (node.contains(key)) set[key] = node[key];
   return set;
 }
 
@@ -183,6 +203,17 @@ StageSpec read_stage(const Json& node, const std::string& path,
     read_teeth(t, stage.pair);
   }
   stage.pair.center_distance = t.number("center_distance_mm");
+  std::string series;
+  read_play(t, series, stage.pair.backlash);
+  if (stage.pair.backlash && !stage.pair.specs[0])
+    t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
+  for (const std::size_t i : {0, 1}) {
+    auto& spec = stage.pair.specs[i];
+    if (series.empty() || !spec || spec->thickness_allowance != 0.0) continue;
+    const double diameter =
+        spec->normal_module * std::abs(stage.pair.teeth[i]) / std::cos(spec->helix_angle.rad());
+    spec->thickness_allowance = mean_allowance(series, diameter);
+  }
   stage.friction = t.number("friction_coefficient").value_or(stage.friction);
   read_input_loads(t, stage.speeds_rpm, stage.torque_Nm);
   const auto eta = read_list(t, "mesh_efficiency");

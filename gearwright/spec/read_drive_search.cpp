@@ -53,7 +53,12 @@ Json shared_keys(const Json& search, bool train) {
   return shared;
 }
 
-DriveSearchProblem read_drive_search(const Json& search) {
+DriveSearchProblem read_drive_search(const Json& given) {
+  Json search = given;
+  if (const auto module = search.find("normal_module_mm");
+      module != search.end() && module->is_string())
+    if (const auto series = module_series(module->get<std::string>()); !series.empty())
+      *module = series;
   TableReader t(drive_search_keys(), search, "search");
   DriveSearchProblem p;
   t.read(p);
@@ -67,17 +72,15 @@ DriveSearchProblem read_drive_search(const Json& search) {
            "needs normal_module_mm, because without a module all sizes are in modules");
   if (p.modules.empty() && t.given("sliding_max"))
     t.fail("sliding_max", "needs normal_module_mm, because without a module no teeth are computed");
-  if (p.modules.empty() && t.given("thickness_series"))
-    t.fail("thickness_series",
-           "needs normal_module_mm, because without a module no teeth are computed");
-  if (!t.given("thickness_series") && !p.modules.empty() &&
-      !search.contains("thickness_allowance_mm"))
-    p.series = kUsualSeries;
-  check_series(t, p.series);
+  for (const char* key : {"thickness_series", "backlash_mm"})
+    if (p.modules.empty() && search.contains(key))
+      t.fail(key, "needs normal_module_mm, because without a module no teeth are computed");
   if (p.kind == DriveKind::train) {
     for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
       if (search.contains(key) && !search[key].is_number())
         t.fail(key, "must be one number for all stages of a train");
+    if (search.contains("backlash_mm") && search["backlash_mm"].is_object())
+      t.fail("backlash_mm", "must be one number or one band for all stages of a train");
   }
   Json set = shared_keys(search, false);
   set["planet"] = 20;
@@ -88,6 +91,9 @@ DriveSearchProblem read_drive_search(const Json& search) {
   }
   p.base = read_set(set, "search");
   if (!search.contains("spacing")) p.base.spacing = Spacing::equal;
+  if (!p.modules.empty() && !search.contains("thickness_series") &&
+      !search.contains("thickness_allowance_mm") && !search.contains("backlash_mm"))
+    p.base.series = kUsualSeries;
   complete_ends(p);
   return p;
 }

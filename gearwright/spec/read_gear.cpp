@@ -284,6 +284,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
       rack_angle(t, t.one_of("normal_pressure_angle_deg", "pressure angle", cos_beta));
   c.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
   c.rack = read_rack(t, module);
+  g.rack_given = t.has("rack");
   if (keys.find("cut_by")) {
     read_cut_by(t, node, mate, g);
   }

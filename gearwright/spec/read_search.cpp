@@ -24,6 +24,15 @@ const std::vector<double>& iso54_modules(int series) {
   return series == 1 ? kFirst : kSecond;
 }
 
+std::vector<double> module_series(std::string_view name) {
+  std::vector<double> modules;
+  if (name == "ISO54-I" || name == "ISO54-I+II") modules = iso54_modules(1);
+  if (name == "ISO54-II" || name == "ISO54-I+II")
+    modules.insert(modules.end(), iso54_modules(2).begin(), iso54_modules(2).end());
+  std::sort(modules.begin(), modules.end());
+  return modules;
+}
+
 namespace {
 
 // Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth
@@ -64,11 +73,7 @@ std::vector<double> read_modules(TableReader& t) {
   const Json& node = *given;
   std::vector<double> modules;
   if (node.is_string()) {
-    const auto name = node.get<std::string>();
-    if (name == "ISO54-I" || name == "ISO54-I+II") modules = iso54_modules(1);
-    if (name == "ISO54-II" || name == "ISO54-I+II") {
-      modules.insert(modules.end(), iso54_modules(2).begin(), iso54_modules(2).end());
-    }
+    modules = module_series(node.get<std::string>());
     if (modules.empty()) t.fail("modules_mm", "must be " + form_of(*t.keys().find("modules_mm")));
   } else {
     modules = *t.raw_numbers("modules_mm");

@@ -26,6 +26,9 @@ constexpr double default_face_step(UnitSystem units) {
 
 /// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);
+/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any other
+/// name.
+std::vector<double> module_series(std::string_view name);
 
 // Reads the inputs of a search that are outside its own table. If [search] requires safety, the
 // inputs of the rating are read from [rating] and the materials. If the search checks its designs

@@ -73,7 +73,7 @@ std::string running(const ArcPair& pair) {
       pair.overlap_ratio,
       pair.contacts.size() == 1 ? "one point of contact"
                                 : fmt::format("{} points of contact", pair.contacts.size()),
-      backlash_words(pair.backlash_normal, pair.center_distance, pair.gears[0].spec.normal_module));
+      backlash_words(pair.base_backlash, pair.center_distance, pair.gears[0].spec.normal_module));
 }
 
 bool uncut_ring(const Gear* gear) { return !gear->tooth; }
@@ -209,7 +209,7 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if (w.code == WarningCode::contact_ratio || w.code == WarningCode::no_contact)
     return {{"contact_ratio", judged.pair->contact_ratio_true(), false}};
   if (w.code == WarningCode::negative_backlash)
-    return {{"backlash", judged.pair->normal_backlash(), true}};
+    return {{"backlash", judged.pair->stated_backlash(), true}};
   const InvolutePair* p = judged.pair->involute();
   if (!p) return {};
   for (const Interference& found : p->interference) {
@@ -267,7 +267,7 @@ std::vector<Finding> findings_of(const Judged& judged) {
     add(detail::margin_findings(*judged.pair));
     const ArcPair* arcs = judged.pair->arcs();
     if (!arcs || !arcs->contacts.empty())
-      add(detail::backlash_findings(judged.pair->normal_backlash(),
+      add(detail::backlash_findings(judged.pair->stated_backlash(),
                                     recommended_backlash(judged.pair->center_distance(), module)));
   }
   if (judged.rack) add(detail::backlash_findings(judged.rack->normal_backlash(), {}));

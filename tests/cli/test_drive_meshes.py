@@ -211,16 +211,57 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertEqual(tight.json["verdict"]["level"], "red")
         self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")
 
+    def test_a_backlash_thins_the_teeth(self):
+        """Every mesh has the given backlash, and the printed specs of its meshes have it, too."""
+        for text, wanted in ((SET + "backlash_mm = 0.1\n", {"sun_planet": 0.1, "planet_ring": 0.1}),
+                             (SET + "backlash_mm = [0.06, 0.1]\n", {"sun_planet": 0.08, "planet_ring": 0.08}),
+                             (SET + "backlash_mm = { sun_planet = 0.05, planet_ring = 0.3 }\n",
+                              {"sun_planet": 0.05, "planet_ring": 0.3}),
+                             ("[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\nhelix_angle_deg = 20\n"
+                              "profile_shift = [0.3, 0.2]\nbacklash_mm = 0.15\n", {"s1_gear1_gear2": 0.15}),
+                             ("[[stage]]\nnormal_module_mm = 2\nbacklash_mm = 0.15\n[stage.planetary]\nsun = 20\n"
+                              "planet = 25\nring = 70\n", {"s1_sun_planet": 0.15, "s1_planet_ring": 0.15})):
+            run = Run("drive", text, "--json")
+            self.assertEqual(run.status, 0, run.err)
+            meshes = run.json["drive"]["meshes"]
+            for number, (name, backlash) in enumerate(wanted.items(), 1):
+                self.assertAlmostEqual(meshes[name]["pair"]["backlash"]["normal_mm"], backlash, delta=1e-9)
+                pair = Run("pair", Run("drive", text, "--take", number).out, "--json").json["pair"]
+                self.assertAlmostEqual(pair["backlash"]["normal_mm"], backlash, delta=1e-9)
+            expanded = Run("drive", text, "--expand").out
+            self.assertEqual(Run("drive", expanded, "--json").json["drive"]["meshes"], meshes)
+            self.assertNotIn("thickened_for_backlash", [w["code"] for w in run.json["verdict"]["findings"]])
+        run = Run("drive", SET.replace("normal_module_mm", "#") + "backlash_mm = 0.1\n", "--json")
+        self.assertEqual(run.json["error"]["key"], "planetary.backlash_mm")
+        for keys in ("thickness_allowance_mm = -0.05\n", 'thickness_series = "cd25"\n'):
+            run = Run("drive", SET + keys + "backlash_mm = 0.1\n", "--json")
+            self.assertEqual(run.json["error"]["key"], "planetary.backlash_mm")
+
+    def test_a_series_gives_the_means_of_its_allowances(self):
+        """cd25 has −69 µm up to 50 mm and −90 µm up to 125 mm in the mean."""
+        text = SET + 'thickness_series = "cd25"\n'
+        expanded = tomllib.loads(Run("drive", text, "--expand").out)["drive"]["gear"]
+        for gear in expanded:
+            d = abs(gear["teeth"]) * gear["normal_module_mm"]
+            self.assertAlmostEqual(gear["thickness_allowance_mm"], -0.069 if d <= 50 else -0.09 if d <= 125 else -0.12, delta=1e-12)
+        stage = '[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\nthickness_series = "cd25"\n'
+        expanded = tomllib.loads(Run("drive", stage, "--expand").out)["drive"]["gear"]
+        self.assertEqual([g["thickness_allowance_mm"] for g in expanded], [-0.069, -0.09])
+
     def test_circular_arcs_have_a_backlash(self):
         """The headline of a drive whose teeth are circular arcs states their backlash along the normal, as that of
         the pair does."""
         arcs = tomllib.loads((SOURCE / "examples/circular_arc_drive.toml").read_text())
         gears = [{key: value for key, value in arcs[f"gear{i}"].items() if key != "bore"} for i in (1, 2)]
         for distance in (696.9, 696.8444):
+            train = {"stage": [{"gears": gears, "center_distance_mm": distance}]}
+            answer = Run("drive", json.dumps(train), "--json", name="drive.json").json
+            self.assertEqual(answer["drive"]["coaxial"] or {}, {})
+            self.assertNotEqual(answer["verdict"]["level"], "red", answer["verdict"]["headline"])
             mesh = {"name": "m", "gears": ["p", "w"], "center_distance_mm": distance}
             drive = {"fixed": [], "input": "in", "output": "out", "body": [{"name": "in"}, {"name": "out"}],
-                     "gear": [{"name": "p", "body": "in", "profile_shift": 0, **gears[0]},
-                              {"name": "w", "body": "out", "profile_shift": 0, **gears[1]}],
+                     "gear": [{"name": "p", "body": "in", **gears[0]},
+                              {"name": "w", "body": "out", **gears[1]}],
                      "mesh": [mesh]}
             answer = Run("drive", json.dumps({"drive": drive}), "--json", name="drive.json").json
             pair = Run("pair", json.dumps({"gear1": gears[0], "gear2": gears[1],

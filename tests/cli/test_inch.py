@@ -206,6 +206,24 @@ class Words(unittest.TestCase):
             run = Run("gear", gear + "normal_pressure_angle_deg = 17.5\n")
             self.assertIn(f"has a pressure angle of {degrees}°", run.err)
 
+    def test_a_gear_of_14_5_degrees_names_its_standard_rack(self):
+        gear = "[gear1]\nteeth = 40\nnormal_diametral_pitch_per_in = 4\nnormal_pressure_angle_deg = {}\n{}"
+        for angle, rack, noted in ((14.5, "", True), (20, "", False), (14.5, 'rack = "AGMA-14.5"\n', False),
+                                   (14.5, 'rack = "ISO53-A"\n', False)):
+            run = Run("gear", gear.format(angle, rack), "--json")
+            notes = [w["message"] for w in run.json["warnings"] if w["code"] == "default_rack"]
+            self.assertEqual(bool(notes), noted, (angle, rack))
+            if noted:
+                self.assertIn('rack = "AGMA-14.5"', notes[0])
+
+    def test_a_fitted_pair_keeps_its_diametral_pitch(self):
+        text = (SOURCE / "examples/printed_drive_fit.toml").read_text()
+        text = text.replace("normal_module_mm = 2", "normal_diametral_pitch_per_in = 12.7")
+        taken = tomllib.loads(Run("fit", text, "--take", 1).out)
+        for gear in (taken["gear1"], taken["gear2"]["cut_by"]):
+            self.assertEqual(gear["normal_diametral_pitch_per_in"], 12.7)
+            self.assertNotIn("normal_module_mm", gear)
+
     def test_a_search_tries_diametral_pitches(self):
         text = ('units = "inch"\n[search]\nratio = [2.9, 3.1]\npinion_teeth = [18, 22]\ncenter_distance_in = [3, 12]\n'
                 "diametral_pitches_per_in = {}\n")

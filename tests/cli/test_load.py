@@ -184,6 +184,7 @@ class Load(unittest.TestCase):
             ({"rest": DRAFT + 'torque_Nm = "ten"\n'}, "load.torque_Nm"),
             ({"gear1": "material = { youngs_modulus_MPa = 0 }"}, "gear1.material.youngs_modulus_MPa"),
             ({"gear1": "material = { poisson_ratio = 0.5 }"}, "gear1.material.poisson_ratio"),
+            ({"gear1": 'material = { kind = "plastic" }'}, "gear1.material.youngs_modulus_MPa"),
             ({"rest": "[load]\ntorque_Nm = 30000\npositions = 4\nslices = 128\naccuracy = \"draft\"\n"},
              "load.slices"),
             ({"rest": "[[load.probe]]\ndiameter_mm = 200\n"}, "load.probe[0].diameter_mm"),
@@ -192,6 +193,13 @@ class Load(unittest.TestCase):
             run = load(**words)
             self.assertEqual(run.status, 1, words)
             self.assertEqual(run.json["error"]["key"], key)
+
+    def test_a_kind_has_its_elasticity(self):
+        """The elasticity follows from the kind of the material, as in a rating."""
+        by_kind = load(gear1='material = { kind = "cast" }', rest=DRAFT + "torque_Nm = 50\n")
+        by_number = load(gear1="material = { youngs_modulus_MPa = 126000 }", rest=DRAFT + "torque_Nm = 50\n")
+        self.assertEqual(by_kind.status, 0, by_kind.err)
+        self.assertEqual(by_kind.json["load"], by_number.json["load"])
 
     def test_bore_above_the_root(self):
         text = PAIR.format(gear1="", gear2="", rest=DRAFT + "torque_Nm = 10\n")

@@ -1,0 +1,227 @@
+#include "gearwright/job/drive_designer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/drive/drive_rating.hpp"
+#include "gearwright/drive/windup.hpp"
+#include "gearwright/job/drive_designs.hpp"
+#include "gearwright/job/drive_job.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_search.hpp"
+
+namespace gearwright {
+
+namespace {
+
+bool has_gears(const Drive& drive) {
+  return std::none_of(
+      drive.geometry.faults.begin(), drive.geometry.faults.end(),
+      [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
+}
+
+bool is_safe(const Drive& drive, const WantedSafety& wanted) {
+  const auto holds = [&](FactorPair Rating::*safety, double least) {
+    const auto own = least_safety(drive, safety);
+    return !own || *own >= least;
+  };
+  return holds(&Rating::S_H, wanted.flank) && holds(&Rating::S_F, wanted.root);
+}
+
+}  // namespace
+
+struct DriveDesigner::MadeDrive {
+  JobSpec spec;
+  Drive drive;
+};
+
+DriveDesigner::DriveDesigner(const JobSpec& spec, const DriveSearchProblem& problem)
+    : spec_(spec), problem_(problem), rates_(rates_drives(spec, problem)) {}
+
+DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
+  const bool same_cost = !problem_.module_per_stage && !problem_.asks(DriveObjective::efficiency) &&
+                         !problem_.asks(DriveObjective::efficiency_backward) &&
+                         !problem_.asks(DriveObjective::clearance) &&
+                         !problem_.asks(DriveObjective::noise);
+  std::optional<DriveOutcome> best;
+  for (GearShifts& shifts : trials(candidate)) {
+    if (best && same_cost && std::holds_alternative<FoundDrive>(*best)) break;
+    candidate.shifts = std::move(shifts);
+    DriveOutcome other =
+        problem_.module_per_stage ? with_stage_modules(candidate) : sized(candidate);
+    if (!best || is_better(other, *best)) best = std::move(other);
+  }
+  return best ? std::move(*best) : DriveFault::no_teeth;
+}
+
+std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
+  if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+  RatedTrain best{candidate, std::vector<StageSafety>(candidate.stages.size())};
+  bool any = false;
+  for (GearShifts& shifts : trials(candidate)) {
+    candidate.shifts = std::move(shifts);
+    const auto safeties = stage_safeties(candidate);
+    if (!safeties) continue;
+    any = true;
+    for (std::size_t k = 0; k < best.stages.size(); ++k) {
+      best.stages[k].flank = std::max(best.stages[k].flank, (*safeties)[k].flank);
+      best.stages[k].root = std::max(best.stages[k].root, (*safeties)[k].root);
+    }
+  }
+  return any ? std::optional(std::move(best)) : std::nullopt;
+}
+
+double DriveDesigner::least_sliding(DriveCandidate candidate) const {
+  std::vector<GearShifts> all = trials(candidate);
+  double least = all.empty() ? 0.0 : kInfinity;
+  for (GearShifts& shifts : all) {
+    candidate.shifts = std::move(shifts);
+    const auto made = made_from(candidate);
+    const auto sliding = made ? greatest_sliding(made->drive.geometry) : std::nullopt;
+    least = std::min(least, sliding.value_or(0.0));
+  }
+  return least;
+}
+
+StageSafety DriveDesigner::required() const {
+  return {problem_.safety_flank.value_or(spec_.rating.safety_flank_min.value_or(1.0)),
+          problem_.safety_root.value_or(spec_.rating.safety_root_min.value_or(1.0))};
+}
+
+// The profile shifts to be tried. If the search gives shifts, only these are tried. The list is
+// empty if the teeth of the candidate are impossible. The shifts do not depend on the face width.
+std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
+  if (spec_.tree->tables["search"].contains("profile_shift")) return {candidate.shifts};
+  if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+  const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+  return own ? shift_trials(own->drive->graph) : std::vector<GearShifts>();
+}
+
+// The safeties of the stages of a train, each the smaller value of its two gears. None if the
+// train cannot be made or rated.
+std::optional<std::vector<StageSafety>> DriveDesigner::stage_safeties(
+    const DriveCandidate& candidate) const {
+  auto made = made_from(candidate);
+  if (!made || rate_drive(made->spec, made->drive)) return std::nullopt;
+  std::vector<StageSafety> list;
+  for (const auto& mesh : made->drive.ratings) {
+    if (!mesh) return std::nullopt;
+    const Rating& r = mesh->rating;
+    list.push_back(
+        {std::min(r.S_H[0].value, r.S_H[1].value), std::min(r.S_F[0].value, r.S_F[1].value)});
+  }
+  return list;
+}
+
+// Raises the modules of the stages until every stage has the required safeties at the greatest
+// face width. The smallest gear limits this width. If a stage with the greatest module is still
+// too weak, the stage with the smallest pinion gets a greater module.
+DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
+  const StageSafety least = required();
+  candidate = with_modules(problem_, candidate, candidate.stage_modules);
+  for (bool grows = true; grows;) {
+    grows = false;
+    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+    const auto safeties = stage_safeties(candidate);
+    if (!safeties) break;
+    std::vector<double> modules = candidate.stage_modules;
+    for (std::size_t k = 0; k < modules.size(); ++k) {
+      if ((*safeties)[k].flank >= least.flank && (*safeties)[k].root >= least.root) continue;
+      std::size_t raised = k;
+      if (modules[k] == problem_.modules.back())
+        for (std::size_t j = 0; j < modules.size(); ++j)
+          if (modules[j] * candidate.stages[j][0] < modules[raised] * candidate.stages[raised][0])
+            raised = j;
+      const auto greater =
+          std::upper_bound(problem_.modules.begin(), problem_.modules.end(), modules[raised]);
+      if (greater == problem_.modules.end()) return DriveFault::safety;
+      modules[raised] = *greater;
+      grows = true;
+    }
+    candidate = with_modules(problem_, std::move(candidate), modules);
+    if (candidate.size > problem_.size_max) return DriveFault::safety;
+  }
+  return sized(std::move(candidate));
+}
+
+// Compares two designs by the objectives in their order.
+bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) const {
+  const auto costs = [&](const DriveOutcome& outcome) {
+    const auto* found = std::get_if<FoundDrive>(&outcome);
+    std::vector<double> list;
+    for (const DriveObjective o : problem_.objectives)
+      list.push_back(found ? cost_of(problem_, found->candidate, o) : kInfinity);
+    return list;
+  };
+  return costs(a) < costs(b);
+}
+
+DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
+  if (!problem_.face_width) return with_width(std::move(candidate));
+  // The least sufficient width in whole steps is found by bisection, because the safeties grow
+  // with the width. A limit that is meant as a whole number of steps may differ from this
+  // multiple by rounding.
+  constexpr double kRounding = 1e-9;
+  const double step = default_face_step(spec_.units());
+  // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
+  constexpr double kPlaces = 1e6;
+  const auto whole_steps = [&](double steps) {
+    return std::round(steps * step * kPlaces) / kPlaces;
+  };
+  double low = std::ceil((*problem_.face_width)[0] / step - kRounding) - 1.0;
+  double high = std::floor(greatest_face_width(problem_, candidate) / step + kRounding);
+  if (high <= low) return DriveFault::safety;
+  candidate.face_width = whole_steps(high);
+  DriveOutcome best = with_width(candidate);
+  if (!std::holds_alternative<FoundDrive>(best)) return best;
+  while (high - low > 1.0) {
+    const double middle = std::floor((low + high) / 2);
+    candidate.face_width = whole_steps(middle);
+    DriveOutcome narrower = with_width(candidate);
+    if (std::holds_alternative<FoundDrive>(narrower)) {
+      best = std::move(narrower);
+      high = middle;
+    } else {
+      low = middle;
+    }
+  }
+  return best;
+}
+
+// Makes the drive of the candidate. None if its spec or its drive is impossible.
+std::optional<DriveDesigner::MadeDrive> DriveDesigner::made_from(
+    const DriveCandidate& candidate) const {
+  auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+  if (!own) return std::nullopt;
+  auto made = make_drive(*own->drive);
+  if (!made) return std::nullopt;
+  return MadeDrive{std::move(own).take(), std::move(made).take()};
+}
+
+DriveOutcome DriveDesigner::with_width(DriveCandidate candidate) const {
+  auto made = made_from(candidate);
+  if (!made || !has_gears(made->drive)) return DriveFault::no_teeth;
+  auto& [own, drive] = *made;
+  if (!drive.sets.empty() && drive.sets.front().neighbours) {
+    candidate.clearance = drive.sets.front().neighbours->clearance / candidate.module;
+    if (candidate.clearance < problem_.neighbour_clearance) return DriveFault::neighbours;
+  }
+  if (greatest_sliding(drive.geometry).value_or(0.0) > problem_.sliding) return DriveFault::sliding;
+  const WantedSafety wanted = wanted_safety(own);
+  if (rates_) {
+    if (drive.flow && drive.flow->self_locking()) return DriveFault::safety;
+    if (auto error = rate_drive(own, drive)) return *error;
+    if (!is_safe(drive, wanted)) return DriveFault::safety;
+  }
+  const bool any_spacing = problem_.base.spacing == Spacing::nearest;
+  if (drive_level(drive, wanted, !any_spacing) != Level::green) return DriveFault::verdict;
+  if (drive.flow) candidate.efficiency = drive.flow->efficiency;
+  if (drive.backward) candidate.efficiency_backward = drive.backward->efficiency;
+  if (problem_.asks(DriveObjective::noise) && !problem_.modules.empty())
+    candidate.noise = windup_variation(drive);
+  return FoundDrive{std::move(candidate), std::move(drive)};
+}
+
+}  // namespace gearwright
