@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gearwright/arrange/load_standard.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/halves.hpp"
@@ -314,8 +315,8 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
     auto found = probe_compliance(gear, (*bodies)[p.gear - 1],
                                   {p.diameter, p.z, p.half_width, p.read_z}, input.accuracy);
     if (!found) {
-      const std::string& of = found.error().field;
-      const bool of_body = of == "teeth" || of == "bore.diameter";
+      const GearMember of = subject_of(found.error().field).member;
+      const bool of_body = of == GearMember::teeth || of == GearMember::bore;
       return of_body ? of_gear(p.gear, found.error()) : within(field, found.error());
     }
     answer.probes.push_back(std::move(found).take());

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
@@ -143,7 +145,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   for (Place& p : all) {
     if (p.path == path) continue;  // a table of another kind at the same path
     const bool outside = p.path.find('.') == std::string::npos;
-    if (p.table == &gear_keys() && own == "gear2") p.path = own;
+    if (p.table == &gear_keys() && subject_of(own).gear == 2) p.path = own;
     const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
     if (found && of_one_kind(unit, key_unit(found->key))) return named(*found, p.path);
   }

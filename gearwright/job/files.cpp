@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
@@ -217,7 +218,9 @@ std::string_view ending(FileKind kind) {
 }
 
 Error of_body(Error error, const std::string& name) {
-  const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
+  const GearMember of = subject_of(error.field).member;
+  const bool of_spec =
+      of == GearMember::teeth || of == GearMember::bore || of == GearMember::keyway;
   if (of_spec) return within(name, std::move(error));
   return {name, "", error.rule};
 }
