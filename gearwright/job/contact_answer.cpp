@@ -236,12 +236,8 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
 ContactErrors errors_of(const SolvedJob& job) {
   if (!job.pair && !job.rack) return {};
   // An error of the rack's teeth is rejected later, so the pinion may replace the rack here.
-  const std::array<const Gear*, 2> gears{job.rack ? &job.rack->pinion : &job.pair->gear(1),
-                                         job.rack ? &job.rack->pinion : &job.pair->gear(2)};
-  ContactErrors errors;
-  for (std::size_t i = 0; i < kErrorCount; ++i)
-    error_entries()[i].set(errors, gears, job.spec.errors.value[i]);
-  return errors;
+  if (job.rack) return job.spec.errors.of({&job.rack->pinion, &job.rack->pinion});
+  return job.spec.errors.of({&job.pair->gear(1), &job.pair->gear(2)});
 }
 
 Result<ContactSetup> setup_of(const SolvedJob& job) {
