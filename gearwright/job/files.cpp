@@ -399,8 +399,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   }
   std::move(files.begin(), files.end(), std::back_inserter(all));
   Json result = job_json(job, report.verdict);
-  if (*contact) result["contact"] = to_json(contact_record(job, contact.value()->answer));
-  if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
+  if (*contact) result["contact"] = to_json(contact_quantities().of(contact.value()->answer));
+  if (*load) result["load"] = to_json(load_quantities().of(load.value()->answer));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
   if (rated) result["rating"] = to_json(rating_quantities().of(*rated));
