@@ -10,6 +10,7 @@
 #include "apps/cli/verbs.hpp"
 #include "apps/common/output.hpp"
 #include "apps/common/watch.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
@@ -44,17 +45,6 @@ FileOptions file_options(const Options& o) {
   options.step_schema = o.step_schema == "ap214" ? StepSchema::ap214 : StepSchema::ap242;
   options.on_file = SlowProgress();
   return options;
-}
-
-// Splits the text at commas.
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(',', at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
 }
 
 // Returns the first output that would overwrite another output or the spec, or an empty text if
@@ -154,7 +144,8 @@ int run_verb(const Options& o) {
   }
   FileOptions options = file_options(o);
   if (o.only) {
-    options.only = parts_of(*o.only);
+    const auto parts = split(*o.only, ',');
+    options.only.assign(parts.begin(), parts.end());
     const std::vector<std::string> known(kRunParts.begin(), kRunParts.end());
     for (const std::string& part : options.only) {
       if (std::find(known.begin(), known.end(), part) != known.end()) continue;

@@ -50,7 +50,8 @@ ContactValue contact_of(const PairValue& pair, const py::object& errors,
                         const py::object& modifications, const py::kwargs& keys) {
   return answered<ContactValue>(
       asked_model(pair, errors, modifications, contact_keys(), "contact", keys), answer_contact,
-      contact_record, [](const SolvedJob& job, const ContactAnswer& a) {
+      [](const SolvedJob&, const ContactAnswer& a) { return contact_quantities().of(a); },
+      [](const SolvedJob& job, const ContactAnswer& a) {
         return judge(job, {.contact = &a.judged()});
       });
 }
@@ -67,10 +68,7 @@ LoadedValue loaded_of(const PairValue& pair, const py::object& errors,
                       const py::object& modifications, const py::kwargs& keys) {
   return answered<LoadedValue>(
       with_two_gears(asked_model(pair, errors, modifications, load_keys(), "load", keys)),
-      answer_load,
-      [](const SolvedJob& job, const LoadAnalysis& a) {
-        return load_quantities().of(load_view(job, a));
-      },
+      answer_load, [](const SolvedJob&, const LoadAnalysis& a) { return load_quantities().of(a); },
       [](const SolvedJob& job, const LoadAnalysis&) { return judge(job, {.load = true}); });
 }
 
@@ -166,7 +164,7 @@ py::object fit(const py::object& given) {
   const JobSpec spec = read_spec_of(given);
   const FitAnswer found =
       watched_result(spec.given, [&](Progress* progress) { return answer_fit(spec, progress); });
-  return by_name(Value(fit_quantities().of(fit_view(found))));
+  return by_name(Value(fit_quantities().of(found)));
 }
 
 py::object compensate(const py::object& given, const py::kwargs& kwargs) {

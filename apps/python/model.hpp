@@ -16,8 +16,6 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/solved_job.hpp"
 

@@ -173,7 +173,7 @@ py::object ranked_by_scatter(const Found& found, const std::optional<long long>&
     options.progress = progress;
     return run_study(spec, options);
   });
-  return to_python(parse_json(study_json_text(spec, run))["scatter_designs"]);
+  return to_python(study_json(spec, run));
 }
 
 // A pickle contains the finished search in packed form, because a search may take hours.
@@ -251,9 +251,7 @@ void bind_search(py::module_& m) {
           "feasible")
       .def(
           "as_dict",
-          [](const Found& f) {
-            return to_python(parse_json(search_json_text(*f.search, f.run, f.spec.units())));
-          },
+          [](const Found& f) { return to_python(search_json(*f.search, f.run, f.spec.units())); },
           "The output of the program with --json")
       .def(
           "report", [](const Found& f) { return search_page(f.spec, *f.search, f.run); },

@@ -7,6 +7,7 @@
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/pair_keys.hpp"
 
@@ -55,15 +56,15 @@ std::vector<Swept> swept_keys(const py::kwargs& kwargs) {
   std::vector<Swept> all;
   for (const auto& [name_of_key, column] : kwargs) {
     const std::string name = py::str(name_of_key);
-    if (name != "gear1" && name != "gear2") {
+    const auto [gear, member] = subject_of(name);
+    if (gear == 0 || member != GearMember::none) {
       all.push_back(swept(pair_keys(), 0, name, column));
       continue;
     }
     if (!py::isinstance<py::dict>(column))
       raise(Error{name, "", "must be a dict with keys of the gear and their arrays"});
     for (const auto& [inner, numbers] : py::reinterpret_borrow<py::dict>(column))
-      all.push_back(
-          swept(gear_keys(), name == "gear1" ? 1 : 2, std::string(py::str(inner)), numbers));
+      all.push_back(swept(gear_keys(), gear, std::string(py::str(inner)), numbers));
   }
   if (all.empty())
     raise(Error{"sweep", "",

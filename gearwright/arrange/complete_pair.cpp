@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -94,7 +95,7 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
 // Attributes an invalid sum of two shifts to the given shift. If both shifts are given, it is the
 // larger one.
 Error of_given_shift(const Error& error, const GivenPair& given) {
-  if (error.field != "profile_shift") return error;
+  if (subject_of(error.field).member != GearMember::profile_shift) return error;
   const auto size = [&](std::size_t i) {
     const auto& x = given.gears[i]->profile_shift;
     return x ? std::abs(*x) : -1.0;

@@ -1,4 +1,4 @@
-#include "gearwright/arrange/contact_warnings.hpp"
+#include "gearwright/arrange/notes.hpp"
 
 #include <fmt/format.h>
 

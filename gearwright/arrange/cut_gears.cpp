@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 
@@ -165,7 +166,8 @@ std::optional<Error> make_cut_gear(GivenPair& given, int which, MadeGears& made)
                         {gear.cylindrical.teeth, *distance, face, gear.cylindrical.tip_diameter});
   if (!result) {
     const Error& error = result.error();
-    if (!by_distance || error.field != "cut_by") return of_given_gear(error, given, which);
+    if (!by_distance || subject_of(error.field).member != GearMember::cutter)
+      return of_given_gear(error, given, which);
     // The generating distance is also the centre distance of the pair, so the error names the
     // centre distance.
     return Error{
@@ -256,9 +258,10 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
 
 Error of_given_gear(Error error, const GivenPair& given, int which) {
   const GearInput& gear = given.gear(which);
+  const GearMember of = subject_of(error.field).member;
   const bool own =
-      error.field == "face_width" || error.field == "tip_diameter" || error.field == "teeth";
-  if (error.field == "tip_diameter" && !gear.cylindrical.tip_diameter) {
+      of == GearMember::face_width || of == GearMember::tip_diameter || of == GearMember::teeth;
+  if (of == GearMember::tip_diameter && !gear.cylindrical.tip_diameter) {
     // The tip diameter is not given, so it was computed from the profile shift and the addendum of
     // the rack. The error names the profile shift if it is given, and otherwise the addendum.
     const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
@@ -280,11 +283,12 @@ Error of_basic(const Error& error, const GivenPair& given) {
     if (!gear || !gear->basic) continue;
     const BaseGear<double>& base = *gear->basic;
     for (const auto& [of_rack, own, value] :
-         {std::tuple{"normal_module", "basic.base_diameter", 2 * base.radius},
-          std::tuple{"helix_angle", "basic.base_helix_angle",
+         {std::tuple{GearMember::normal_module, "basic.base_diameter", 2 * base.radius},
+          std::tuple{GearMember::helix_angle, "basic.base_helix_angle",
                      Angle::radians(base.helix_angle).deg()},
-          std::tuple{"profile_shift", "basic.base_tooth_thickness", base.tooth_thickness}}) {
-      if (error.field != gear_field(which, of_rack)) continue;
+          std::tuple{GearMember::profile_shift, "basic.base_tooth_thickness",
+                     base.tooth_thickness}}) {
+      if (subject_of(error.field) != Subject{which, of_rack}) continue;
       return following_from(gear_field(which, own), format_number(value),
                             "for the rack that describes this gear,", error);
     }
@@ -294,7 +298,7 @@ Error of_basic(const Error& error, const GivenPair& given) {
 
 Error of_clearance(const Error& error, const GivenPair& given, int which) {
   const GearInput& gear = given.gear(which);
-  if (error.field != gear_field(which, "tip_fillet.end_radius")) return error;
+  if (subject_of(error.field) != Subject{which, GearMember::tip_end_radius}) return error;
   const double clearance =
       gear.tip_clearance.value_or(default_tip_clearance(gear.cylindrical.normal_module));
   return {
@@ -303,15 +307,13 @@ Error of_clearance(const Error& error, const GivenPair& given, int which) {
 }
 
 Error of_distance(const Error& error, const GivenPair& given) {
-  for (const int which : {1, 2}) {
-    if (error.field != gear_field(which, "profile_shift") || !given.pair.center_distance ||
-        given.gear(which).profile_shift)
-      continue;
-    return not_placed(following_from("pair.center_distance",
-                                     format_number(*given.pair.center_distance),
-                                     "this value requires", error));
-  }
-  return error;
+  const auto [which, member] = subject_of(error.field);
+  if (which == 0 || member != GearMember::profile_shift || !given.pair.center_distance ||
+      given.gear(which).profile_shift)
+    return error;
+  return not_placed(following_from("pair.center_distance",
+                                   format_number(*given.pair.center_distance),
+                                   "this value requires", error));
 }
 
 Error not_placed(Error error) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/arrange/contact_warnings.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -26,22 +25,29 @@ struct JudgedMesh {
   std::vector<Warning> warnings;
 };
 
+// The mesh of two gears, or of a pinion and its rack.
 JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
-  const Pair& pair = *drive.geometry.pairs[m];
   JudgedMesh made;
-  made.warnings = pair.warnings();
-  for (const int which : {1, 2}) {
-    const Gear& gear = pair.gear(which);
-    const auto& halves = drive.graph.gear(drive.graph.meshes[m], which - 1).double_helical;
-    const auto groove = halves ? groove_diameter(gear, *halves) : std::nullopt;
-    if (auto w = body_warning(gear, groove, which)) made.warnings.push_back(*w);
-    for (Warning w : gear.warnings) {
+  if (const auto& rack = drive.geometry.racks[m]) {
+    made.judged.gears = {&rack->pinion};
+    made.judged.rack = &*rack;
+    made.warnings = rack->warnings;
+  } else {
+    const Pair& pair = *drive.geometry.pairs[m];
+    made.judged.gears = {&pair.gear(1), &pair.gear(2)};
+    made.judged.pair = &pair;
+    made.warnings = pair.warnings();
+  }
+  int which = 0;
+  for (const Gear* gear : made.judged.gears) {
+    const auto& halves = drive.graph.gear(drive.graph.meshes[m], which++).double_helical;
+    const auto groove = halves ? groove_diameter(*gear, *halves) : std::nullopt;
+    if (auto w = body_warning(*gear, groove, which)) made.warnings.push_back(*w);
+    for (Warning w : gear->warnings) {
       w.gear = which;
       made.warnings.push_back(std::move(w));
     }
   }
-  made.judged.gears = {&pair.gear(1), &pair.gear(2)};
-  made.judged.pair = &pair;
   if (!drive.contacts.empty() && drive.contacts[m]) {
     const MeshContact& c = *drive.contacts[m];
     warn_of_contact(c.driving, c.other, c.least_play, made.judged.gears, made.warnings);
@@ -54,26 +60,7 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   return made;
 }
 
-// The findings of a pinion and its rack.
-std::vector<Finding> rack_findings(const Drive& drive, std::size_t m) {
-  const RackPair& rack = *drive.geometry.racks[m];
-  std::vector<Warning> warnings = rack.warnings;
-  if (auto w = body_warning(rack.pinion, std::nullopt, 1)) warnings.push_back(*w);
-  for (Warning w : rack.pinion.warnings) {
-    w.gear = 1;
-    warnings.push_back(std::move(w));
-  }
-  Judged judged{.gears = {&rack.pinion}, .rack = &rack, .warnings = &warnings};
-  if (!drive.contacts.empty() && drive.contacts[m]) {
-    const MeshContact& c = *drive.contacts[m];
-    warn_of_contact(c.driving, c.other, c.least_play, judged.gears, warnings);
-    judged.contact = &c.judged();
-  }
-  return findings_of(judged);
-}
-
 std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
-  if (drive.geometry.racks[m]) return rack_findings(drive, m);
   JudgedMesh mesh = judged_mesh(drive, m, wanted);
   mesh.judged.warnings = &mesh.warnings;
   std::vector<Finding> findings = findings_of(mesh.judged);

@@ -1,4 +1,4 @@
-#include "gearwright/arrange/load_standard.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -188,7 +188,7 @@ std::vector<StiffnessFactor> factors_of(const Arranged& arranged, const LoadTask
 
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
                        std::vector<Warning>& warnings) {
-  const std::vector<LoadStandard> standard = load_standard(arranged, answer);
+  const std::vector<LoadStandard>& standard = answer.standard;
   for (std::size_t i = 0; i < standard.size(); ++i) {
     const LoadedTorque& t = answer.contact->torques[i];
     const double ratio = t.without_twist.mean / standard[i].stiffness;

@@ -1,4 +1,4 @@
-#include "gearwright/arrange/loaded_halves.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 
 #include <utility>
 
@@ -75,6 +75,7 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
   const double base_radius = first.contact->regime == LoadRegime::line ? gear_1.base_radius() : 0.0;
   whole.contact = whole_load({&*first.contact, &*second.contact}, base_radius, whole_pitch);
   whole.compliance = first.compliance;
+  whole.standard = first.standard;
   whole.halves.push_back(first);
   whole.halves.push_back(std::move(second));
   return whole;

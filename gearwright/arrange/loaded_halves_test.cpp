@@ -2,7 +2,7 @@
 // (2) the deflections of the halves agree with the deflection of the whole face   (3) a stagger s
 // multiplies harmonic k of the loaded TE by |cos πks|   (4) mirrored errors exchange the halves
 // (5) for a torque that vanishes, the teeth touch where they touch without load.
-#include "gearwright/arrange/loaded_halves.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "gearwright/arrange/load_standard.hpp"
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -176,7 +176,8 @@ Error no_touch(const LoadTask& task) {
   if (member.empty()) return nothing_touches(task.setup);
   const LoadRequest& r = task.request;
   const double um = (r.deflection_slope != 0.0 ? r.deflection_slope : r.deflection_bow) / kMmPerUm;
-  return {member, member.starts_with("load.") ? format_number(um) : "",
+  const bool by_shaft = r.shafts[0] || r.shafts[1];
+  return {member, by_shaft ? "" : format_number(um),
           "no teeth touch at any position under this deflection; a smaller deflection or a stiffer "
           "shaft would help",
           FailureKind::nothing_touches};
@@ -317,8 +318,8 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
     auto found = probe_compliance(gear, (*bodies)[p.gear - 1],
                                   {p.diameter, p.z, p.half_width, p.read_z}, input.accuracy);
     if (!found) {
-      const std::string& of = found.error().field;
-      const bool of_body = of == "teeth" || of == "bore.diameter";
+      const GearMember of = subject_of(found.error().field).member;
+      const bool of_body = of == GearMember::teeth || of == GearMember::bore;
       return of_body ? of_gear(p.gear, found.error()) : within(field, found.error());
     }
     answer.probes.push_back(std::move(found).take());
@@ -334,6 +335,7 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   auto contact = contact_of(warnings, task, *answer.compliance);
   if (!contact) return contact.error();
   answer.contact = std::move(contact).take();
+  answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
   return answer;
 }

@@ -2,12 +2,14 @@
 // bodies and of the resolution, and a check whether the result can be used.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/arrange/load_input.hpp"
+#include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/progress.hpp"
 #include "gearwright/compliance/probe.hpp"
 #include "gearwright/contact/contact_setup.hpp"
@@ -24,9 +26,11 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 struct LoadAnalysis {
   std::optional<LoadedContact> contact;      ///< none if the input contains only probes
   std::optional<PairCompliance> compliance;  ///< compliance of the teeth
+  std::vector<LoadStandard> standard;        ///< result of load_standard() for `contact`
   std::vector<ProbeAnswer> probes;           ///< results of LoadInput::probes
   /// The halves of a double-helical pair at z > 0 and z < 0; empty for other gears. If there are
-  /// halves, the other members describe the whole gears.
+  /// halves, the other members describe the whole gears. Each half carries half of the torque, so
+  /// the values of the standard for one half apply to the whole gears.
   std::vector<LoadAnalysis> halves{};
 };
 
@@ -89,5 +93,46 @@ Warning held_without_bore(const std::string& gear, bool internal, double diamete
 
 /// The warning that an edge of a tooth carries load under these torques, N mm.
 Warning edge_carries_at(const std::vector<double>& torques);
+
+// Mesh stiffness and root stress by ISO 6336, for comparison with the results of loaded contact.
+
+/// The values of ISO 6336 for solid discs, at each torque for which `answer` contains contact.
+/// Empty if the standard does not cover the pair.
+std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
+
+// Finds the reasons why teeth under load are softer or stiffer than ISO 6336 predicts. For this
+// purpose, the pair is computed again: without errors, then also without modifications, and then
+// with a wider face and with solid bodies.
+
+/// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note gives the
+/// factor of each cause and the remaining factor.
+///
+/// Domain    a result of this task with contact (contract)
+void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
+                       std::vector<Warning>& warnings);
+
+// Computes the halves of a double-helical pair under torque, and combines them into the results of
+// the whole gears.
+
+/// Computes each half under half of the torque, and combines the results. `arranged` is the half at
+/// z > 0. The deflections in `input` refer to the whole face including the gap. If the faces
+/// differ, this is the face of the narrower gear.
+///
+/// Domain    `halves` of both gears (contract)
+/// Errors    as loaded()
+Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
+                                   const std::array<std::optional<Halves>, 2>& halves,
+                                   const ContactErrors& errors, const LoadInput& input,
+                                   std::vector<Warning>& warnings, Progress* progress = nullptr);
+
+/// True if the load distributions of both halves are mirror images of each other. Only one of the
+/// halves is then computed.
+bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
+
+/// Derives the input for one half from the input for the whole gears: half of the torque, and the
+/// deflections over this half. If `below`, the half is the half at z < 0, and the rotations and the
+/// direction of z are those of its mirror image. Probes are omitted.
+LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
+                        bool below);
 
 }  // namespace gearwright

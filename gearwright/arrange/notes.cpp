@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
 
@@ -135,7 +136,7 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
   if (groove) *groove /= 2;
   const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove}, 0.0);
   if (!error) return std::nullopt;
-  const bool keyway = error->field == "bore.keyway_width";
+  const bool keyway = subject_of(error->field).member == GearMember::keyway;
   return Warning{
       WarningCode::no_body,
       fmt::format("A {} of {} mm {}: {}.", keyway ? "keyway" : "bore", error->value,

@@ -1,5 +1,5 @@
-// Notes on the input: profile shifts that follow from the centre distance, flanks that overlap, and
-// keys that were ignored.
+// Notes on the input (profile shifts that follow from the centre distance, flanks that overlap, keys
+// that were ignored) and warnings about the contact.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/contact/contact.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/warning.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -50,5 +52,20 @@ Bore rim(const Gear& ring);
 /// rim of an internal gear. The groove of a double-helical gear, with the diameter `groove` mm,
 /// also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
+
+// The warnings about the contact of a pair with errors of mounting. They state facts that the
+// numbers of the contact analysis do not show.
+
+/// Warns if the gears jam, see jams(). `touched` is the part of the message that names the surfaces
+/// in contact at the same time: "both flanks of a tooth space are".
+void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
+                 std::vector<Warning>& warnings);
+
+/// Warns of a jam, of lost contact, of contact below the usable flanks, and of searches that did
+/// not converge. `least_play` is none if the driving flanks or the other flanks never touch. For a
+/// pinion and its rack, `gears` contains only the pinion.
+void warn_of_contact(const ContactResult& driving, const ContactResult& other,
+                     std::optional<Angle> least_play, const std::vector<const Gear*>& gears,
+                     std::vector<Warning>& warnings);
 
 }  // namespace gearwright

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/span.hpp"
@@ -351,12 +352,7 @@ std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
   for (std::size_t k = 0; k < tolerances.size(); ++k) {
     if (corner[k]) list.push_back(words(tolerances[k], *corner[k]));
   }
-  std::string text = "At ";
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0) text += i + 1 == list.size() ? " and " : ", ";
-    text += list[i];
-  }
-  return text;
+  return "At " + enumerated(list);
 }
 
 }  // namespace gearwright

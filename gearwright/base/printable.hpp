@@ -1,9 +1,11 @@
-// Prepares foreign text, such as titles and file names, for sentences and terminals.
+// Prepares foreign text, such as titles and file names, for sentences and terminals. Also divides
+// and joins texts.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gearwright {
 
@@ -28,5 +30,11 @@ struct Utf8Point {
 Utf8Point first_of_utf8(std::string_view text);
 
 std::u32string code_points(std::string_view utf8);
+
+/// The parts of a text between the separators. A text without a separator is one part.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// "a", "a and b", "a, b and c".
+std::string enumerated(const std::vector<std::string>& words);
 
 }  // namespace gearwright

@@ -38,7 +38,7 @@ auto touching(F get) {
 // instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
-bool of_rack(const V& v) { return is_rack(*v.working); }
+bool of_rack(const V& v) { return is_rack(v.driving); }
 bool of_gear(const V& v) { return !of_rack(v); }
 
 double travel_um(const RackTravel& rack, Angle angle) { return kUmPerMm * rack.of(angle); }
@@ -180,13 +180,13 @@ const Quantities<ContactResult>& non_working_quantities() {
 // the keys.
 Value sensitivities(const V& v) {
   ValueMap all;
-  const RackTravel rack = v.working->rack;
+  const RackTravel rack = v.driving.rack;
   const double unit = rack ? kUmPerMm * rack.radius : kArcsecPerRad;
   for (std::size_t i = 0; i < v.slopes.size(); ++i) {
     ValueList te, points;
-    for (std::size_t k = 0; k < v.working->positions.size(); ++k) {
-      const Sensitivity& s = v.working->sensitivities[i][k];
-      const TouchKind kind = v.working->positions[k].kind;
+    for (std::size_t k = 0; k < v.driving.positions.size(); ++k) {
+      const Sensitivity& s = v.driving.sensitivities[i][k];
+      const TouchKind kind = v.driving.positions[k].kind;
       te.push_back(kind == TouchKind::none ? Value() : Value(s.te * v.slopes[i].unit * unit));
       // A contact line has no single contact point.
       const bool point = kind != TouchKind::none && kind != TouchKind::line;
@@ -277,25 +277,25 @@ const Quantities<V>& map_quantities() {
 void add_all(Quantities<V>& q) {
   q.record<position_quantities>(
        "positions", "one entry for each rotation, in the given order",
-       [](const V& v) -> const auto& { return v.working->positions; })
+       [](const V& v) -> const auto& { return v.driving.positions; })
       .doors(kJson);
   q.under(kContact);
   q.term("peak_to_peak_arcsec", "over the positions with contact",
-         [](const V& v) { return v.working->peak_to_peak; })
+         [](const V& v) { return v.driving.peak_to_peak; })
       .when(of_gear)
       .doors(kJson);
   // Users read the continuous value, unless contact is lost.
   q.term("peak_to_peak_arcsec", "",
-         [](const V& v) { return v.continuous_span.value_or(v.working->peak_to_peak); })
+         [](const V& v) { return v.continuous_span.value_or(v.driving.peak_to_peak); })
       .when(of_gear)
       .doors(kPeople);
   q.term("peak_to_peak_um", "over the positions with contact, along the rack",
-         [](const V& v) { return travel_um(v.working->rack, v.working->peak_to_peak); })
+         [](const V& v) { return travel_um(v.driving.rack, v.driving.peak_to_peak); })
       .when(of_rack)
       .doors(kJson);
   q.term("peak_to_peak_um", "",
          [](const V& v) {
-           return travel_um(v.working->rack, v.continuous_span.value_or(v.working->peak_to_peak));
+           return travel_um(v.driving.rack, v.continuous_span.value_or(v.driving.peak_to_peak));
          })
       .when(of_rack)
       .doors(kPeople);
@@ -309,36 +309,36 @@ void add_all(Quantities<V>& q) {
   q.number("continuous_peak_to_peak_um", "transmission error, peak to peak of the continuous curve",
            "", "as `continuous_peak_to_peak_arcsec`, but for the travel of a rack",
            [](const V& v) {
-             return v.continuous_span ? Value(travel_um(v.working->rack, *v.continuous_span))
+             return v.continuous_span ? Value(travel_um(v.driving.rack, *v.continuous_span))
                                       : Value();
            })
       .when(of_rack)
       .doors(kJson);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "least-squares slope over the rotation of gear 1, rad per rad",
-           [](const V& v) { return v.working->mean_slope; })
+           [](const V& v) { return v.driving.mean_slope; })
       .or_null()
       .when(of_gear)
       .doors(kJson);
   q.term("harmonics_arcsec",
          "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and at most as many as "
          "`positions` can resolve [T8.18]; empty if `rotation1_deg` is given or contact is lost",
-         [](const V& v) { return v.working->harmonics; })
+         [](const V& v) { return v.driving.harmonics; })
       .when(of_gear)
       .doors(kJson);
   q.term("harmonics_um", "as `harmonics_arcsec`, but for the travel of a rack",
          [](const V& v) {
            ValueList list;
-           for (const Angle h : v.working->harmonics) list.push_back(travel_um(v.working->rack, h));
+           for (const Angle h : v.driving.harmonics) list.push_back(travel_um(v.driving.rack, h));
            return list;
          })
       .when(of_rack)
       .doors(kJson);
   q.term("contact_lost", "true if no tooth pair touches at some position",
-         [](const V& v) { return v.working->contact_lost; });
+         [](const V& v) { return v.driving.contact_lost; });
   q.record<non_working_quantities>(
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
-       &V::non_working)
+       &V::other)
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
            "least play between the working and the non-working flanks over the positions; negative "
@@ -349,7 +349,7 @@ void add_all(Quantities<V>& q) {
   q.number("least_play_mm", "minimum backlash along the rack", "",
            "least play between the working and the non-working flanks over the positions; negative "
            "if pinion and rack jam; null if one of the flanks never touches",
-           [](const V& v) { return v.min_play ? Value(v.working->rack.of(*v.min_play)) : Value(); })
+           [](const V& v) { return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value(); })
       .when(of_rack);
   q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
@@ -364,17 +364,17 @@ void add_all(Quantities<V>& q) {
            "a double-helical pair share the load; null without contact [T8.27]",
            [](const V& v) {
              ValueList list;
-             for (const double mm : *v.float_axial)
+             for (const double mm : v.float_axial)
                list.push_back(std::isnan(mm) ? Value() : Value(mm * kUmPerMm));
              return list;
            })
-      .when([](const V& v) { return v.float_axial != nullptr; })
+      .when([](const V& v) { return !v.float_axial.empty(); })
       .doors(kJson);
   q.number("axial_float_peak_to_peak_um", "axial movement of the floating gear, peak to peak", "",
            "over the positions with contact",
-           [](const V& v) { return kUmPerMm * peak_to_peak(*v.float_axial); })
+           [](const V& v) { return kUmPerMm * peak_to_peak(v.float_axial); })
       .or_null()
-      .when([](const V& v) { return v.float_axial != nullptr; });
+      .when([](const V& v) { return !v.float_axial.empty(); });
   q.record<contact_quantities>(
        "halves",
        "contact of each half of a double-helical pair, first at z > 0, then at z < 0; all other "
@@ -387,11 +387,11 @@ void add_all(Quantities<V>& q) {
        "pattern",
        "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
        "`halves`")
-      .when([](const V& v) { return v.pattern != nullptr; })
+      .when([](const V& v) { return v.pattern.has_value(); })
       .doors(kJson);
   q.record<map_quantities>("map",
                            "peak-to-peak transmission error over the two errors of [contact.map]")
-      .when([](const V& v) { return v.map != nullptr; })
+      .when([](const V& v) { return v.map.has_value(); })
       .doors(kJson);
 }
 

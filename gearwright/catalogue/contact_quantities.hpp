@@ -21,21 +21,23 @@ struct NamedSlope {
 };
 
 /// A contact analysis with the results of additional requests. For a double-helical pair, it is the
-/// analysis of the whole gears.
+/// analysis of the whole gears. Their halves share the load, because one gear floats along its axis
+/// (contact/halves.hpp). Such an analysis has no pattern.
 struct ContactView {
-  const ContactResult* working;      ///< the working flanks
-  const ContactResult* non_working;  ///< the non-working flanks, at the same positions
-  double marking = 0.0;              ///< thickness of the marking compound, mm
-  std::optional<Angle> min_play{};   ///< least backlash as rotation of gear 2; < 0 if the gears jam
+  ContactResult driving;            ///< the working flanks for the given driving gear
+  ContactResult other;              ///< the non-working flanks, at the same positions
+  double marking = 0.0;             ///< thickness of the marking compound, mm
+  std::optional<Angle> min_play{};  ///< play of gear 2 between its flanks; < 0 if the gears jam
+  /// The peak to peak of the continuous transmission error of the working flanks, or nothing if
+  /// contact is lost.
+  std::optional<Angle> continuous_span{};
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
-  const std::array<FlankRaster, 2>* pattern = nullptr;
-  const ErrorMap* map = nullptr;
-  std::array<std::string, 2> map_axes{};             ///< names of the errors x and y of the map
-  std::optional<Angle> continuous_span{};            ///< peak-to-peak value of the continuous
-                                                     ///< transmission error
-  const std::vector<double>* float_axial = nullptr;  ///< Δz  mm, of gear 1 relative to gear 2 at
-                                                     ///< each position; null for a single helix
+  std::optional<ErrorMap> map{};
+  std::array<std::string, 2> map_axes{};                ///< names of the errors x and y of the map
+  std::optional<std::array<FlankRaster, 2>> pattern{};  ///< if requested in [contact]
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
+  std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2 at each position;
+                                      ///< empty for a single helix
 };
 
 const Quantities<ContactView>& contact_quantities();

@@ -70,6 +70,12 @@ Key backlash_key(std::string_view form) {
 }
 
 template <class Member>
+Key friction_key(Member place, std::string_view fallback = "0.05") {
+  return Key::not_negative("friction_coefficient", "μ", place, fallback,
+                           "coefficient of friction of the flanks");
+}
+
+template <class Member>
 Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
   return Key::word(
       "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
@@ -125,8 +131,7 @@ const KeyTable& planetary_keys() {
               "centre distance", KeyRange::positive()),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
               "efficiency of the meshes when the carrier is at rest", KeyRange::above(0, 1)),
-       Key::not_negative("friction_coefficient", "μ", &P::friction, "0.05",
-                         "coefficient of friction of the flanks"),
+       friction_key(&P::friction),
        fixed_key(),
        formed("input", "", kBodies, "the sun", "driving body or list of driving bodies"),
        Key::text("output", &P::output, "the carrier", "body that is driven"),
@@ -178,9 +183,7 @@ const KeyTable& stage_keys() {
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
        formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
               "efficiency of the mesh", KeyRange::above(0, 1)),
-       Key::not_negative("friction_coefficient", "μ", {}, "0.05",
-                         "coefficient of friction of the flanks"),
-       speed_key(), torque_key(),
+       friction_key(KeyPlace()), speed_key(), torque_key(),
        formed("material", "", "a name, or a table with the keys of [gear1.material]",
               "material of `[rating]`", "material of the teeth of both gears")}};
   return table;
@@ -212,9 +215,7 @@ const KeyTable& drive_keys() {
               "speed of the input if it is a rack, in place of `speed_rpm`"),
        formed("force_N", "F", "a number", "",
               "force on the input if it is a rack, in place of `torque_Nm`"),
-       spacing_key(&DriveGraph::spacing),
-       Key::not_negative("friction_coefficient", "μ", &DriveGraph::friction, "0.05",
-                         "coefficient of friction of the flanks"),
+       spacing_key(&DriveGraph::spacing), friction_key(&DriveGraph::friction),
        tables_key("body", drive_body_keys, "a body that turns or moves"),
        tables_key("gear", drive_gear_keys, "a gear on a body"),
        tables_key("mesh", drive_mesh_keys, "two gears that mesh")}};
@@ -277,8 +278,7 @@ const KeyTable& drive_mesh_keys() {
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "computed from `friction_coefficient` and the teeth",
                    "efficiency of the mesh when its frame is at rest"),
-       Key::not_negative("friction_coefficient", "μ", &DriveMesh::friction,
-                         "the value for the whole drive", "coefficient of friction of the flanks"),
+       friction_key(&DriveMesh::friction, "the value for the whole drive"),
        Key::number(
            "angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
            "direction from the axis of the first gear to the axis of the second gear, "

@@ -5,7 +5,6 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/drive/drive_forces.hpp"
 

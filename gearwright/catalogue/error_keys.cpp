@@ -71,6 +71,12 @@ std::optional<std::size_t> error_index(std::string_view key) {
   return std::nullopt;
 }
 
+ContactErrors ErrorsInput::of(const std::array<const Gear*, 2>& gears) const {
+  ContactErrors errors;
+  for (std::size_t i = 0; i < kErrorCount; ++i) error_entries()[i].set(errors, gears, value[i]);
+  return errors;
+}
+
 const KeyTable& error_keys() {
   static const KeyTable table = [] {
     KeyTable t{

@@ -50,6 +50,8 @@ struct ErrorsInput {
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }
+  /// All errors for these gears. If gear 2 is a rack, its pinion may replace it.
+  ContactErrors of(const std::array<const Gear*, 2>& gears) const;
 };
 
 /// The least and the greatest value of an error, as a list.

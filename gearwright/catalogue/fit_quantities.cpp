@@ -4,6 +4,17 @@ namespace gearwright {
 
 namespace {
 
+const Quantities<Fit>& nearest_quantities() {
+  return define("fit.nearest", [](Quantities<Fit>& q) {
+    q.term("center_distance_mm", "null if there is no near value", &Fit::nearest_distance)
+        .words("nearest centre distance at this shaft angle");
+    q.term("shaft_angle_deg", "null if there is no near value", &Fit::nearest_shaft_angle)
+        .words("nearest shaft angle at this centre distance");
+  });
+}
+
+}  // namespace
+
 const Quantities<BranchView>& branch_quantities() {
   using B = BranchView;
   return define("fit.branches", [](Quantities<B>& q) {
@@ -30,17 +41,6 @@ const Quantities<BranchView>& branch_quantities() {
   });
 }
 
-const Quantities<Fit>& nearest_quantities() {
-  return define("fit.nearest", [](Quantities<Fit>& q) {
-    q.term("center_distance_mm", "null if there is no near value", &Fit::nearest_distance)
-        .words("nearest centre distance at this shaft angle");
-    q.term("shaft_angle_deg", "null if there is no near value", &Fit::nearest_shaft_angle)
-        .words("nearest shaft angle at this centre distance");
-  });
-}
-
-}  // namespace
-
 const Quantities<FitView>& fit_quantities() {
   using V = FitView;
   return define("fit", [](Quantities<V>& q) {
@@ -50,15 +50,14 @@ const Quantities<FitView>& fit_quantities() {
         "solutions in the order of |β_1|, or in the order of α_wn if the gears are known",
         &V::branches);
     q.text("reason", "reason why there is no solution; null if there is a solution",
-           [](const V& v) { return v.fit->branches.empty() ? Value(v.fit->reason) : Value(); });
+           [](const V& v) { return v.branches.empty() ? Value(v.fit.reason) : Value(); });
     q.under("Nearest");
     q.record<nearest_quantities>(
         "nearest",
         "near values for which a solution exists; null if there are solutions or no near values",
         [](const V& v) {
-          const Fit& f = *v.fit;
-          const bool near = f.nearest_distance || f.nearest_shaft_angle;
-          return f.branches.empty() && near ? &f : nullptr;
+          const bool near = v.fit.nearest_distance || v.fit.nearest_shaft_angle;
+          return v.branches.empty() && near ? &v.fit : nullptr;
         });
   });
 }

@@ -1,4 +1,6 @@
-// The quantities of inverse design. A result contains them under `fit`.
+// The quantities of gears that a verb computes, because the spec does not give them completely.
+//
+// Inverse design: a result contains its quantities under `fit`.
 #pragma once
 
 #include <optional>
@@ -6,6 +8,7 @@
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/design/fit.hpp"
+#include "gearwright/inspection/identify.hpp"
 
 namespace gearwright {
 
@@ -13,14 +16,23 @@ struct BranchView {
   FitBranch branch;
   Value spec;                                        ///< the whole spec of this branch
   std::optional<double> transverse_contact_ratio{};  ///< only for a design with few teeth
-  std::optional<std::string> refused{};              ///< reason why the verb `pair` rejects `spec`
+  /// The reason why the verb `pair` rejects `spec`, if it does. A conjugate line of action does not
+  /// guarantee that the teeth are possible.
+  std::optional<std::string> refused{};
 };
+const Quantities<BranchView>& branch_quantities();
 
 struct FitView {
-  const Fit* fit;
-  std::vector<BranchView> branches;
+  Fit fit;
+  std::vector<BranchView> branches{};
 };
-
 const Quantities<FitView>& fit_quantities();
+
+// The quantities of `identify`: the gears that agree with the readings of an unknown gear.
+
+const Quantities<Identification>& identify_quantities();
+
+/// The quantities of one candidate.
+const Quantities<IdentifiedGear>& identified_gear_quantities();
 
 }  // namespace gearwright

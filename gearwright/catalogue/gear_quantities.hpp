@@ -4,6 +4,7 @@
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright {
 
@@ -30,5 +31,9 @@ ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
 
 /// Additional quantities of a double-helical gear.
 const Quantities<Halves>& double_helical_quantities();
+
+// The quantities of a verdict. A result contains them under `verdict`.
+
+const Quantities<Verdict>& verdict_quantities();
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
 
 namespace gearwright {
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
@@ -146,7 +148,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   for (Place& p : all) {
     if (p.path == path) continue;  // a table of another kind at the same path
     const bool outside = p.path.find('.') == std::string::npos;
-    if (p.table == &gear_keys() && own == "gear2") p.path = own;
+    if (p.table == &gear_keys() && subject_of(own).gear == 2) p.path = own;
     const Key* found = called(*p.table, word, outside ? by_symbol : by_word, false);
     if (found && of_one_kind(unit, key_unit(found->key))) return named(*found, p.path);
   }
@@ -165,22 +167,11 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// The words of a name, separated by underscores.
-std::vector<std::string_view> words_of(std::string_view name) {
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0; at <= name.size();) {
-    const std::size_t end = std::min(name.find('_', at), name.size());
-    words.push_back(name.substr(at, end - at));
-    at = end + 1;
-  }
-  return words;
-}
-
 // A key that differs in only one word out of four or more, for a name such as tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
-  const auto words = words_of(name);
+  const auto words = split(name, '_');
   return cheapest(table, -kLikeWords, [&](const Key& key) {
-    const auto own = words_of(key.key);
+    const auto own = split(key.key, '_');
     const auto common = std::count_if(own.begin(), own.end(), [&](std::string_view w) {
       return std::find(words.begin(), words.end(), w) != words.end();
     });

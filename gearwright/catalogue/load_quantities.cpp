@@ -236,28 +236,28 @@ void add_torque(Quantities<T>& q) {
       .doors(kJson);
 }
 
-const Quantities<ProbeView>& probe_quantities() {
-  return define("load.probes", [](Quantities<ProbeView>& q) {
+const Quantities<ProbeAnswer>& probe_quantities() {
+  return define("load.probes", [](Quantities<ProbeAnswer>& q) {
     q.number("own_um_per_N_mm", "displacement under the load", "",
              "displacement per line load, for a wide gear in plane strain, including the twist of "
              "the body",
-             [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
+             [](const ProbeAnswer& p) { return p.own * kUmPerMm; })
         .unit(Unit::none)
-        .when(&ProbeView::wide);
+        .when(&ProbeAnswer::wide);
     q.number("own_um_per_N", "displacement under the load", "",
              "mean displacement over the loaded length, per force distributed over `z_mm`",
-             [](const ProbeView& p) { return p.answer->own * kUmPerMm; })
+             [](const ProbeAnswer& p) { return p.own * kUmPerMm; })
         .unit(Unit::none)
-        .when([](const ProbeView& p) { return !p.wide; });
+        .when([](const ProbeAnswer& p) { return !p.wide; });
     q.number("profile_um_per_N", "displacements along the face", "",
              "displacements at `read_z_mm`, per force distributed over `z_mm`",
-             [](const ProbeView& p) {
+             [](const ProbeAnswer& p) {
                ValueList list;
-               for (const double u : p.answer->profile) list.push_back(Value(u * kUmPerMm));
+               for (const double u : p.profile) list.push_back(Value(u * kUmPerMm));
                return list;
              })
         .unit(Unit::none)
-        .when([](const ProbeView& p) { return !p.wide; });
+        .when([](const ProbeAnswer& p) { return !p.wide; });
   });
 }
 
@@ -306,10 +306,10 @@ const Quantities<LoadTorqueView>& load_torque_quantities() {
   return define<add_torque>("load.torques");
 }
 
-const Quantities<LoadView>& load_quantities() {
-  return define("load", [](Quantities<LoadView>& q) {
+const Quantities<LoadAnalysis>& load_quantities() {
+  return define("load", [](Quantities<LoadAnalysis>& q) {
     q.record<load_torque_quantities>("torques", "one entry for each torque, in the given order",
-                                     [](const LoadView& v) {
+                                     [](const LoadAnalysis& v) {
                                        return v.contact ? torque_views(*v.contact, v.standard)
                                                         : std::vector<T>();
                                      })
@@ -318,29 +318,29 @@ const Quantities<LoadView>& load_quantities() {
     q.word("regime", "kind of contact",
            "parallel involute teeth touch along lines; crossed and circular-arc teeth touch at "
            "points, with ellipses by Hertz",
-           [](const LoadView& v) {
+           [](const LoadAnalysis& v) {
              return v.contact ? Value(to_string(v.contact->regime)) : Value();
            })
         .one_of({"line", "point"})
-        .when([](const LoadView& v) { return v.contact != nullptr; });
+        .when([](const LoadAnalysis& v) { return v.contact.has_value(); });
     q.number("quietest_torque_Nm", "quietest torque", "",
              "given torque with the least peak-to-peak loaded transmission error",
-             [](const LoadView& v) {
+             [](const LoadAnalysis& v) {
                const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
                return t ? Value(newton_metres(t->torque)) : Value();
              })
-        .when([](const LoadView& v) { return v.contact && quietest(*v.contact); });
+        .when([](const LoadAnalysis& v) { return v.contact && quietest(*v.contact); });
     q.record<load_quantities>(
          "halves",
          "results of each half of a double-helical pair under half of the torque, first at z > 0, "
          "then at z < 0; all other numbers describe the whole gears, which have no shares and no "
          "values along the face",
-         &LoadView::halves)
+         &LoadAnalysis::halves)
         .list({2})
-        .when([](const LoadView& v) { return !v.halves.empty(); })
+        .when([](const LoadAnalysis& v) { return !v.halves.empty(); })
         .doors(kJson);
     q.record<probe_quantities>("probes", "one entry for each [[load.probe]], in the given order",
-                               &LoadView::probes)
+                               &LoadAnalysis::probes)
         .doors(kJson);
   });
 }

@@ -28,7 +28,6 @@
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/spec.hpp"
 

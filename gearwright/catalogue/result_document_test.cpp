@@ -14,18 +14,15 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/identify_quantities.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/propose_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/catalogue/testing/document_blocks.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/pair/collision.hpp"
 
 namespace gearwright {

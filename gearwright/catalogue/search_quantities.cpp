@@ -92,7 +92,7 @@ void add_search(Quantities<SearchView>& q) {
   const auto count = [&q](const char* key, const char* meaning,
                           std::int64_t SearchCounts::*member) -> Quantity<S>& {
     return q.add(Type::index, key, key, "", meaning,
-                 [member](const S& s) { return s.answer->counts.*member; });
+                 [member](const S& s) { return s.answer.counts.*member; });
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
   count("tested", "number of trials, that is combinations of module, z1, z2, helix angles and rack",
@@ -109,7 +109,7 @@ void add_search(Quantities<SearchView>& q) {
           ValueMap map;
           for (const Limit limit : s.problem->rejecting_limits())
             map.emplace_back(name(limit),
-                             s.answer->counts.rejected[static_cast<std::size_t>(limit)]);
+                             s.answer.counts.rejected[static_cast<std::size_t>(limit)]);
           return map;
         });
   q.record<margin_quantities>(
@@ -134,18 +134,18 @@ void add_search(Quantities<SearchView>& q) {
        &S::changes)
       .list({0})
       .always()
-      .when([](const S& s) { return s.answer->counts.feasible == 0; });
+      .when([](const S& s) { return s.answer.counts.feasible == 0; });
   q.record<design_quantities>(
        "safest",
        "rated design that comes nearest to the required safeties, among at most 10 000 designs; "
        "only if no design is feasible",
        [](const S& s) {
-         return s.safest ? Value(design_quantities().of({s.problem, s.safest})) : Value();
+         return s.safest ? Value(design_quantities().of({s.problem, &*s.safest})) : Value();
        })
-      .when([](const S& s) { return s.safest != nullptr; });
+      .when([](const S& s) { return s.safest.has_value(); });
   q.add(Type::index, "pareto", "Pareto front", "",
         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-        [](const S& s) { return s.answer->pareto; })
+        [](const S& s) { return s.answer.pareto; })
       .doors(kJson);
   q.record<design_quantities>(
       "designs", "feasible designs, the best first, at most 100 000, or as many as `--top` gives",

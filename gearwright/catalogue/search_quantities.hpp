@@ -24,12 +24,12 @@ const Quantities<DesignView>& design_quantities();
 /// A finished search. Its designs are not included. They are read one by one with
 /// design_quantities, because there may be many.
 struct SearchView {
-  const SearchProblem* problem;
-  const SearchAnswer* answer;
-  const std::vector<NearestChange>* changes;
-  const DesignRow* safest = nullptr;          ///< NearestChanges::safest
-  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
-                                              ///< spec gives none
+  const SearchProblem* problem = nullptr;
+  SearchAnswer answer;
+  std::vector<NearestChange> changes;       ///< changes that would help if nothing is feasible
+  std::optional<DesignRow> safest;          ///< the safest rated design if nothing is feasible
+  std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
+                                            ///< spec gives none
 };
 const Quantities<SearchView>& search_quantities();
 

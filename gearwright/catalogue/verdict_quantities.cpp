@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/verdict_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"

@@ -94,6 +94,7 @@ Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const Elast
   const double tau = twist * m;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(mesh.nodes.size());
   if (!probe.loaded) {
+    answer.wide = true;
     const Functional f = bump(mesh, s, c, 0.0);
     const Eigen::MatrixXd u = plane_strain(mesh, nu, {f});
     answer.own =

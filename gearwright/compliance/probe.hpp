@@ -30,6 +30,7 @@ struct ProbeAnswer {
   /// N/mm. Otherwise it is the mean over the loaded part of the face, in mm per N.
   double own = 0.0;
   std::vector<double> profile;  ///< deflection at each z of `read`, mm per N
+  bool wide = false;            ///< true for an infinitely wide gear, in plane strain
 };
 
 /// Computes the compliance of a tooth of the gear at the place of the probe.

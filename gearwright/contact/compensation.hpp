@@ -30,6 +30,9 @@
 
 namespace gearwright {
 
+struct ArcPair;      // pair/arc_pair.hpp
+class ContactSetup;  // contact/contact_setup.hpp
+
 struct Correction {
   double lo, hi;  ///< bounds, in the caller's unit
   double step;    ///< size of a small change, in the caller's unit
@@ -79,6 +82,9 @@ struct SettingAnswer {
                             ///< height of the contact
   double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
+/// The setting for the change of centre distance of the setup. None if the teeth have no contact as
+/// drawn.
+std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup& setup);
 
 /// The change of the lead angle of one gear that makes the slope of TE zero if the lead angle of
 /// the other gear does not change. [T8.22]
@@ -87,6 +93,11 @@ struct LeadAnswer {
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };
+/// The change of the lead angle for the errors of the setup. None for spur teeth, and if tooth pair
+/// 0 does not touch. Involute pairs have no such answer, because they touch along lines and their
+/// lead is corrected by helix slope modifications.
+std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactSetup& setup,
+                                             bool gear2_drives);
 
 struct Compensation {
   std::vector<double> value;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "gearwright/base/subject.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -77,7 +79,7 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
     const auto error =
         mates_error({a.double_helical, b.double_helical}, {a.spec->face_width, b.spec->face_width});
     if (error) {
-      const bool first = error->field.starts_with("gear1");
+      const bool first = subject_of(error->field).gear == 1;
       return wrong(fmt::format("the double-helical gears do not match: {}{} {}",
                                first ? a.name : b.name, error->field.substr(error->field.find('.')),
                                error->rule));

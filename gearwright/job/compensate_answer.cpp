@@ -2,121 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/worst_of_range.hpp"
 #include "gearwright/load/nearby_load.hpp"
-#include "gearwright/math/root.hpp"
-#include "gearwright/pair/arc_contact.hpp"
+#include "gearwright/scatter/scatter.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
 namespace {
-
-ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
-  const Gear& v = pair.gears[static_cast<std::size_t>(convex - 1)];
-  const Gear& c = pair.gears[static_cast<std::size_t>(2 - convex)];
-  return {convex_arcs(v).front(),
-          concave_arcs(c).front(),
-          v.reference_diameter / 2,
-          c.reference_diameter / 2,
-          Angle::radians(std::numbers::pi / 2 - std::abs(v.spec.helix_angle.rad())),
-          pair.center_distance};
-}
-
-// The slope dTE/dφ1 in the middle of the mesh of tooth pair 0, if the lead angle of `gear` is
-// changed by `delta_lambda`.
-std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
-                                   Angle delta_lambda) {
-  SetupChange change;
-  change.cutter_lead[static_cast<std::size_t>(gear - 1)] = delta_lambda;
-  const auto changed = setup.changed(change);
-  if (!changed) return std::nullopt;
-  const ContactPair pair = changed->pair(gear2_drives);
-  Transmission transmission(pair);
-  const PairTouch touch = transmission.of_pair_0(0.0);
-  if (!touch.found()) return std::nullopt;
-  return rotation_slope(transmission, touch);
-}
-
-std::optional<SettingAnswer> arc_setting(const SolvedJob& job, const ContactSetup& setup) {
-  const auto convex = setup.convex_gear();
-  const ArcPair* arcs = job.pair->arcs();
-  if (!convex || !arcs) return std::nullopt;
-  ArcMeshInput in = mesh_input(*arcs, *convex);
-  SettingAnswer answer{};
-  answer.angle_nominal = contact_angle(in);
-  if (!answer.angle_nominal) return std::nullopt;
-  const Angle theta = *answer.angle_nominal;
-  const double delta = setup.place().errors.center_distance;
-  answer.exact = tool_setting_change(in, theta, delta);
-  answer.first_order = -delta;  // [T8.21]
-  answer.thickness_change = thickness_change(in.convex, theta, answer.exact);
-  // Both flanks move along their normals by Δb sin θ.
-  answer.backlash_change = 2 * answer.exact * std::sin(theta.rad());
-  in.center_distance += delta;
-  answer.angle_displaced = contact_angle(in);
-  const double b = in.convex.b;
-  in.convex.b = b + answer.exact;
-  answer.angle_exact = contact_angle(in);
-  in.convex.b = b + answer.first_order;
-  answer.angle_first_order = contact_angle(in);
-  return answer;
-}
-
-std::optional<LeadAnswer> lead_without_slope(const SolvedJob& job, const ContactSetup& setup) {
-  // There is no result for an involute pair. It touches along lines, and `compensate` corrects its
-  // lead by helix slope modifications instead of a lead angle.
-  const ArcPair* arcs = job.pair->arcs();
-  if (!arcs || setup.gear(1).twist() == 0.0) return std::nullopt;
-  const bool gear2_drives = job.spec.contact.driver == 2;
-  const auto nominal = middle_slope(setup, gear2_drives, 1, Angle());
-  if (!nominal) return std::nullopt;
-  LeadAnswer answer{};
-  answer.slope = *nominal;
-  for (const int gear : {1, 2}) {
-    const auto slope = [&](double d) {
-      return middle_slope(setup, gear2_drives, gear, Angle::radians(d));
-    };
-    constexpr double kReach = 0.01;  // rad; greatest change of the lead angle, more than 0.5°
-    const auto lo = slope(-kReach);
-    const auto hi = slope(kReach);
-    if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // If contact is lost within the bracket, no root is found.
-    const auto or_lost = [&](double d) { return slope(d).value_or(kNoNumber); };
-    const Root root = find_root(or_lost, -kReach, kReach);
-    if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
-  }
-  if (!arcs->contacts.empty()) {
-    // Computes the change of the lead angle to first order for all errors together. [T8.22]
-    const double theta = arcs->first_contact().at.theta.rad();
-    const ContactErrors& e = setup.place().errors;
-    const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());
-    const double r1 = setup.gear(1).reference_diameter / 2;
-    const double r2 = setup.gear(2).reference_diameter / 2;
-    const double hand = setup.gear(1).twist() > 0.0 ? 1.0 : -1.0;
-    const double driven = gear2_drives ? -1.0 : 1.0;
-    answer.first_order =
-        Angle::radians(hand * sin_lambda * sin_lambda *
-                           (e.crossing.rad() + e.helix_twist[0] * r1 + e.helix_twist[1] * r2) -
-                       hand * driven * sin_lambda * e.intersecting.rad() * std::tan(theta) -
-                       e.cutter_lead[0].rad() + e.cutter_lead[1].rad());
-  }
-  return answer;
-}
 
 constexpr int kPositions = kLeastSpanPositions;
 // Under load, computing a curve of the transmission error takes a hundred times as long as without
@@ -169,6 +73,33 @@ std::vector<NamedErrors> scenarios_of(const ContactSetup& setup, const Compensat
     list.push_back(scenario_at(setup, ranged, value));
   }
   return list;
+}
+
+// The errors inside the ranges of [compensate.range], in the units of their keys, under which the
+// pair is worse than `known`. None if there are no such errors.
+std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const ContactSetup& setup,
+                                                                   const JobSpec& spec, Angle known,
+                                                                   Progress* progress) {
+  const std::vector<std::size_t> ranged = ranged_errors(spec.compensate);
+  std::array<double, kErrorCount> value = spec.errors.value;
+  std::vector<ScatterTolerance> tolerances;
+  for (const std::size_t i : ranged) {
+    const auto& [least, greatest] = *spec.compensate.range[i];
+    const ErrorEntry& e = error_entries()[i];
+    const auto around = Distribution::of({{least - value[i], greatest - value[i]}});
+    if (!around) return std::nullopt;
+    tolerances.push_back({std::string(e.key), e.si(), *around, static_cast<VaryingError>(i), {}});
+  }
+  if (ranged.empty()) return std::nullopt;
+  const auto x = worse_inside(setup, tolerances, spec.contact.driver == 2, known, progress);
+  if (!x) return std::nullopt;
+  for (std::size_t k = 0; k < ranged.size(); ++k) {
+    const auto& [least, greatest] = *spec.compensate.range[ranged[k]];
+    const double digit = std::pow(10.0, std::floor(std::log10(greatest - least)) - 3.0);
+    double& v = value[ranged[k]];
+    v = std::clamp(digit * std::round((v + (*x)[k]) / digit), least, greatest);
+  }
+  return value;
 }
 
 // Computes the corrections for the scenarios. Then the ranges are searched for errors under which
@@ -300,8 +231,10 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     task.curves = std::min(curves, kLoadCurves);
   }
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);
-  answer.setting = arc_setting(job, setup);
-  answer.lead = lead_without_slope(job, setup);
+  if (const ArcPair* arcs = job.pair->arcs()) {
+    answer.setting = arc_setting(*arcs, setup);
+    answer.lead = lead_without_slope(*arcs, setup, job.spec.contact.driver == 2);
+  }
   if (answer.setting && answer.setting->angle_nominal) {
     // Difference between the rack angle at the end of the flank and the rack angle of the drawing.
     constexpr Angle kProfileEnd = Angle::degrees(10);

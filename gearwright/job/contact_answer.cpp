@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/arrange/contact_warnings.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
@@ -121,7 +120,7 @@ auto both_flanks(const SolvedJob& job, const MeshOf& mesh, Progress* progress) {
 Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
                                 std::array<ContactResult, 2> found, const ContactInput& input,
                                 std::vector<Warning>& warnings, Progress* progress) {
-  ContactAnswer answer{std::move(setup), {}, {}, {}, {}, {}, {}};
+  ContactAnswer answer{{}, std::move(setup)};
   const bool gear2_drives = input.driver == 2;
   answer.driving = std::move(found[0]);
   answer.other = std::move(found[1]);
@@ -183,7 +182,7 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
   auto [driving, other] = both_flanks(
       job, [&](bool gear2_drives) -> const HalvesMesh& { return pairs[gear2_drives].mesh; },
       progress);
-  ContactAnswer whole{half, {}, {}, {}, {}, {}, {}};
+  ContactAnswer whole{{}, half};
   whole.on_halves = driving.on_halves();
   auto first = answer_of(job, half, {std::move(driving.half[0]), std::move(other.half[0])}, input,
                          job.warnings, progress);
@@ -211,8 +210,7 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
     };
     whole.map = make_map(*map, te_at, progress);
   }
-  whole.halves.push_back(std::move(first).take());
-  whole.halves.push_back(std::move(second));
+  whole.halves = {std::move(first).take(), std::move(second)};
   return whole;
 }
 
@@ -232,26 +230,37 @@ ContactOptions rack_options(const SolvedJob& job, Progress* progress) {
 }
 
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
-  if (job.rack) return answer_of_rack(job, progress);
-  auto setup = setup_of(job, errors_of(job));
-  if (!setup) return setup.error();
-  if (job.halves[0])
-    return answer_of_halves(job, {*setup, job.halves[0]->given.stagger_pitches}, progress);
-  auto found = both_flanks(
-      job, [&](bool gear2_drives) { return setup->pair(gear2_drives); }, progress);
-  return answer_of(job, std::move(setup).take(), std::move(found), job.spec.contact, job.warnings,
-                   progress);
+  const auto analysed = [&]() -> Result<ContactAnswer> {
+    if (job.rack) return answer_of_rack(job, progress);
+    auto setup = setup_of(job, errors_of(job));
+    if (!setup) return setup.error();
+    if (job.halves[0])
+      return answer_of_halves(job, {*setup, job.halves[0]->given.stagger_pitches}, progress);
+    auto found = both_flanks(
+        job, [&](bool gear2_drives) { return setup->pair(gear2_drives); }, progress);
+    return answer_of(job, std::move(setup).take(), std::move(found), job.spec.contact, job.warnings,
+                     progress);
+  };
+  auto made = analysed();
+  if (!made) return made;
+  ContactAnswer answer = std::move(made).take();
+  const ContactInput& input = job.spec.contact;
+  const auto add_names = [&](ContactView& view) {
+    view.marking = input.marking;
+    for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
+  };
+  add_names(answer);
+  for (ContactView& half : answer.halves) add_names(half);
+  for (const std::size_t i : {0, 1})
+    if (input.map) answer.map_axes[i] = error_entries()[input.map->key[i]].key;
+  return answer;
 }
 
 ContactErrors errors_of(const SolvedJob& job) {
   if (!job.pair && !job.rack) return {};
   // An error of the rack's teeth is rejected later, so the pinion may replace the rack here.
-  const std::array<const Gear*, 2> gears{job.rack ? &job.rack->pinion : &job.pair->gear(1),
-                                         job.rack ? &job.rack->pinion : &job.pair->gear(2)};
-  ContactErrors errors;
-  for (std::size_t i = 0; i < kErrorCount; ++i)
-    error_entries()[i].set(errors, gears, job.spec.errors.value[i]);
-  return errors;
+  if (job.rack) return job.spec.errors.of({&job.rack->pinion, &job.rack->pinion});
+  return job.spec.errors.of({&job.pair->gear(1), &job.pair->gear(2)});
 }
 
 Result<ContactSetup> setup_of(const SolvedJob& job) {

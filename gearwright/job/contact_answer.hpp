@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/value.hpp"
+#include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/contact/contact_setup.hpp"
-#include "gearwright/contact/error_map.hpp"
-#include "gearwright/contact/pattern.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/job/solved_job.hpp"
 
@@ -41,24 +39,10 @@ struct NamedInfluence {
 /// The influences of the modifications of a rack are not included.
 std::vector<NamedInfluence> influences_of(const SolvedJob& job);
 
-/// For a double-helical pair, the results describe the whole gears. Their halves share the load,
-/// because one gear floats along its axis (contact/halves.hpp). Such an answer has no pattern.
-struct ContactAnswer {
+struct ContactAnswer : ContactView {
   /// For a double-helical pair, the setup of the half at z > 0; none for a rack.
   std::optional<ContactSetup> setup;
-  ContactResult driving;          ///< the working flanks for the given driving gear
-  ContactResult other;            ///< the non-working flanks, at the same positions
-  std::optional<Angle> min_play;  ///< play of gear 2 between its flanks; < 0 if the gears jam
-  /// The peak to peak of the continuous transmission error of the working flanks, or nothing if
-  /// contact is lost.
-  std::optional<Angle> continuous_span;
-  std::optional<ErrorMap> map;
-  std::optional<std::array<FlankRaster, 2>> pattern;  ///< if requested in [contact]
-  std::vector<ContactAnswer>
-      halves{};                       ///< for a double-helical pair, the halves at z > 0 and z < 0
-  std::vector<double> float_axial{};  ///< mm, for each position; see HalvesContact
-  ContactResult on_halves{};          ///< the positions of both halves, from which the verdict is
-                                      ///< computed
+  ContactResult on_halves{};  ///< the positions of both halves, from which the verdict is computed
 
   /// The contact of the working flanks, in the form from which the verdict is computed.
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
@@ -70,8 +54,6 @@ ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
-/// The quantities of the result.
-ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer);
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);
 
 }  // namespace gearwright

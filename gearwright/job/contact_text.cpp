@@ -18,21 +18,6 @@ namespace gearwright {
 
 namespace {
 
-ContactView view_of(const SolvedJob& job, const ContactAnswer& answer) {
-  ContactView view{&answer.driving, &answer.other, job.spec.contact.marking, answer.min_play};
-  for (const NamedInfluence& i : influences_of(job)) view.slopes.push_back({i.key, i.unit});
-  view.continuous_span = answer.continuous_span;
-  if (answer.pattern) view.pattern = &*answer.pattern;
-  for (const ContactAnswer& half : answer.halves) view.halves.push_back(view_of(job, half));
-  if (!answer.halves.empty()) view.float_axial = &answer.float_axial;
-  if (answer.map) {
-    view.map = &*answer.map;
-    for (const std::size_t i : {0, 1})
-      view.map_axes[i] = error_entries()[job.spec.contact.map->key[i]].key;
-  }
-  return view;
-}
-
 // The kinds of contact with their shares of the positions. Words for contact at an edge are added
 // to `legend`.
 std::string kinds_of(const ContactResult& result, std::string& legend) {
@@ -100,13 +85,8 @@ std::string halves_listing(const ContactAnswer& answer, UnitSystem units) {
 
 }  // namespace
 
-ValueRecord contact_record(const SolvedJob& job, const ContactAnswer& answer) {
-  // The getters of the record refer to the view, which is temporary, but the values do not.
-  return contact_quantities().of(view_of(job, answer));
-}
-
 Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
-  return titled_record(job.spec, "contact", contact_record(job, answer));
+  return titled_record(job.spec, "contact", contact_quantities().of(answer));
 }
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
@@ -119,12 +99,12 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
                   : fixed_decimals(te.arcsec(), decimals);
   };
   std::string out = title_listing(job.spec);
-  std::vector<ValueRecord> records{contact_record(job, answer)};
+  std::vector<ValueRecord> records{contact_quantities().of(answer)};
   std::vector<std::string> columns;
-  for (const ContactAnswer& half : answer.halves) {
+  for (const ContactView& half : answer.halves) {
     if (columns.empty()) columns.emplace_back("whole");
     columns.emplace_back(columns.size() == 1 ? "half z > 0" : "half z < 0");
-    records.push_back(contact_record(job, half));
+    records.push_back(contact_quantities().of(half));
   }
   out += quantity_listing(job.spec.units(), contact_quantities().table(), records, columns);
   const auto row = [&](const char* what, const std::string& value) {

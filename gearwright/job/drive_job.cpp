@@ -61,14 +61,10 @@ std::optional<Error> find_halves(Drive& drive) {
 
 MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
   return [&](std::size_t mesh) {
-    ContactErrors errors;
     const auto& pair = drive.geometry.pairs[mesh];
-    const auto& rack = drive.geometry.racks[mesh];
-    const std::array<const Gear*, 2> gears{rack ? &rack->pinion : &pair->gear(1),
-                                           rack ? &rack->pinion : &pair->gear(2)};
-    for (std::size_t i = 0; i < kErrorCount; ++i)
-      error_entries()[i].set(errors, gears, spec.errors.value[i]);
-    return errors;
+    if (const auto& rack = drive.geometry.racks[mesh])
+      return spec.errors.of({&rack->pinion, &rack->pinion});
+    return spec.errors.of({&pair->gear(1), &pair->gear(2)});
   };
 }
 

@@ -180,13 +180,13 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
     return answer;
   }
   const FewTeethDesign& d = *found->design;
-  answer.fit.branches.push_back({{d.pinion.helix_angle, d.pair.gears[1].spec.helix_angle},
-                                 {d.pinion.profile_shift, d.wheel_shift},
-                                 d.center_distance,
-                                 Angle(),
-                                 Angle::radians(d.pair.mesh.rack.normal_pressure_angle)});
-  answer.specs.push_back(spec_of(spec, d));
-  answer.transverse_contact_ratio = d.pair.mesh.true_ratio;
+  add_branch(answer,
+             {{d.pinion.helix_angle, d.pair.gears[1].spec.helix_angle},
+              {d.pinion.profile_shift, d.wheel_shift},
+              d.center_distance,
+              Angle(),
+              Angle::radians(d.pair.mesh.rack.normal_pressure_angle)},
+             spec_of(spec, d), d.pair.mesh.true_ratio);
   return answer;
 }
 

@@ -8,6 +8,7 @@
 
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
@@ -218,7 +219,9 @@ std::string_view ending(FileKind kind) {
 }
 
 Error of_body(Error error, const std::string& name) {
-  const bool of_spec = error.field == "teeth" || error.field.starts_with("bore.");
+  const GearMember of = subject_of(error.field).member;
+  const bool of_spec =
+      of == GearMember::teeth || of == GearMember::bore || of == GearMember::keyway;
   if (of_spec) return within(name, std::move(error));
   return {name, "", error.rule};
 }
@@ -398,8 +401,8 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   }
   std::move(files.begin(), files.end(), std::back_inserter(all));
   Json result = job_json(job, report.verdict);
-  if (*contact) result["contact"] = to_json(contact_record(job, contact.value()->answer));
-  if (*load) result["load"] = to_json(load_quantities().of(load_view(job, load.value()->answer)));
+  if (*contact) result["contact"] = to_json(contact_quantities().of(contact.value()->answer));
+  if (*load) result["load"] = to_json(load_quantities().of(load.value()->answer));
   if (*compensation) result["compensate"] = to_json(compensate_quantities().of(**compensation));
   if (scatter_shown) result["scatter"] = to_json(scatter_quantities().of(*scatter_shown));
   if (rated) result["rating"] = to_json(rating_quantities().of(*rated));

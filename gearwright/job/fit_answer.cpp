@@ -9,7 +9,9 @@
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -56,21 +58,21 @@ std::optional<Error> unknown_module(const JobSpec& spec) {
   return std::nullopt;
 }
 
-// Determines for each branch whether the verb pair rejects it, and for what reason.
-void mark_refused(FitAnswer& answer) {
-  for (const Json& tree : answer.specs) {
-    std::optional<Error> error;
-    const auto branch = read_spec_tree(tree);
-    if (!branch) {
-      error = branch.error();
-    } else if (const auto job = solve(*branch, Scope::pair); !job) {
-      error = spelled(job.error(), branch->given);
-    }
-    answer.refused.push_back(std::move(error));
-  }
+// The reason why the verb pair rejects the spec of a branch, or nothing if it accepts the spec.
+std::optional<std::string> why_refused(const Json& tree) {
+  const auto branch = read_spec_tree(tree);
+  if (!branch) return branch.error().message();
+  const auto job = solve(*branch, Scope::pair);
+  return job ? std::nullopt : std::optional(spelled(job.error(), branch->given).message());
 }
 
 }  // namespace
+
+void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
+                const std::optional<double>& transverse_contact_ratio) {
+  answer.branches.push_back({branch, to_value(spec), transverse_contact_ratio, why_refused(spec)});
+  answer.specs.push_back(std::move(spec));
+}
 
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   if (!spec.gears[0]) return absent_input("gear1", "; the verb fit needs two gears");
@@ -80,13 +82,7 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
                  "the verb fit supports involute gears only, and these teeth are circular arcs"};
   }
   if (!spec.gears[1]) return absent_input("gear2", "; the verb fit needs two gears");
-  if (spec.fit.few_teeth) {
-    auto made = answer_few_teeth(spec, progress);
-    if (!made) return made.error();
-    FitAnswer few = std::move(made).take();
-    mark_refused(few);
-    return few;
-  }
+  if (spec.fit.few_teeth) return answer_few_teeth(spec, progress);
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
     return Error{gear_field(i + 1, "cut_by"), "",
@@ -139,57 +135,33 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   p.working_normal_pressure_angle = spec.fit.working_normal_pressure_angle;
   auto found = fit(p);
   if (!found) return found.error();
-  FitAnswer answer{std::move(found).take(), {}};
+  FitAnswer answer{{std::move(found).take()}};
   answer.fit.reason = spelled(answer.fit.reason, spec.given);
-  for (const FitBranch& b : answer.fit.branches) answer.specs.push_back(spec_of(spec, b));
-  mark_refused(answer);
+  for (const FitBranch& b : answer.fit.branches) add_branch(answer, b, spec_of(spec, b));
   return answer;
 }
 
-FitView fit_view(const FitAnswer& answer) {
-  FitView view{&answer.fit, {}};
-  for (std::size_t i = 0; i < answer.fit.branches.size(); ++i) {
-    view.branches.push_back(
-        {answer.fit.branches[i], to_value(answer.specs[i]), answer.transverse_contact_ratio, {}});
-    if (const auto& error = answer.refused[i]) view.branches.back().refused = error->message();
-  }
-  return view;
-}
-
-Json fit_json(const FitAnswer& answer) {
-  return {{"fit", to_json(fit_quantities().of(fit_view(answer)))}};
-}
+Json fit_json(const FitAnswer& answer) { return {{"fit", to_json(fit_quantities().of(answer))}}; }
 
 std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
-  const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
-  const std::string_view unit = unit_text(units, Unit::mm);
-  const Fit& f = answer.fit;
-  if (f.branches.empty()) {
-    std::string text = "\nThere is no such pair: " + f.reason + ".\n";
-    if (f.nearest_distance)
-      text += fmt::format("  nearest centre distance at this shaft angle  {} {}\n",
-                          mm(*f.nearest_distance), unit);
-    if (f.nearest_shaft_angle)
-      text += fmt::format("  nearest shaft angle at this centre distance  {:.5f}°\n",
-                          f.nearest_shaft_angle->deg());
-    return text;
+  if (answer.branches.empty())
+    return "\nThere is no such pair: " + answer.fit.reason + ".\n" +
+           quantity_listing(units, fit_quantities().table(), {fit_quantities().of(answer)}, {});
+  std::vector<std::string> names;
+  std::vector<ValueRecord> records;
+  std::string rejected;
+  for (const BranchView& b : answer.branches) {
+    names.push_back(fmt::format("branch {}", names.size() + 1));
+    records.push_back(branch_quantities().of(b));
+    if (b.refused)
+      rejected += fmt::format("  {} is rejected by the verb pair: {}\n", names.back(),
+                              sentence_in(units, *b.refused));
   }
-  std::string text = fmt::format("\n  {:>6}  {:>11} {:>11}  {:>9} {:>9}  {:>11}  {:>11}  {:>10}\n",
-                                 "branch", "helix 1", "helix 2", "shift 1", "shift 2",
-                                 fmt::format("distance {}", unit), "shaft angle", "α_wn");
-  int number = 0;
-  for (const FitBranch& b : f.branches) {
-    text += fmt::format(
-        "  {:>6}  {:>10.5f}° {:>10.5f}°  {:>9.5f} {:>9.5f}  {:>11}  {:>10.5f}°  {:>9.5f}°\n",
-        ++number, b.helix[0].deg(), b.helix[1].deg(), b.shift[0], b.shift[1], mm(b.center_distance),
-        b.shaft_angle.deg(), b.working_normal_pressure_angle.deg());
-    if (const auto& error = answer.refused[static_cast<std::size_t>(number - 1)])
-      text += fmt::format("          rejected by the verb pair: {}\n",
-                          sentence_in(units, error->message()));
-  }
-  if (answer.transverse_contact_ratio)
-    text += fmt::format("\n  transverse contact ratio {:.4f}\n", *answer.transverse_contact_ratio);
-  return text + "\nThe option --take NUMBER > pair.toml writes the spec of a branch.\n";
+  return "\n" +
+         row_listing(units, names, records,
+                     {"helix_angle_deg", "profile_shift", "center_distance_mm", "shaft_angle_deg",
+                      "working_normal_pressure_angle_deg", "transverse_contact_ratio"}) +
+         rejected + "\nThe option --take NUMBER > pair.toml writes the spec of a branch.\n";
 }
 
 }  // namespace gearwright

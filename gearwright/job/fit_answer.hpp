@@ -1,34 +1,32 @@
-// The verb fit computes the numbers that are absent in a spec and returns the gears with these
-// numbers.
+// The verbs fit and identify compute gears that the spec does not give completely. Internal to job/
+// and the program.
 //
-// An absent key means an unknown number here, not the default of the key. Every branch of the
-// solution is returned as a spec for the other verbs. Internal to job/ and the program.
+// The verb fit computes the numbers that are absent in a spec. An absent key means an unknown number
+// here, not the default of the key. Every branch of the solution is returned as a spec for the other
+// verbs.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "gearwright/base/progress.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/design/fit.hpp"
+#include "gearwright/inspection/identify.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 
-struct FitAnswer {
-  Fit fit;
-  std::vector<Json> specs;  ///< for each branch, the spec completed by the computed numbers
-  /// For each branch, the reason why the verb pair rejects it, if it does. A conjugate line of
-  /// action does not guarantee that the teeth are possible.
-  std::vector<std::optional<Error>> refused{};
-  std::optional<double> transverse_contact_ratio = std::nullopt;  ///< only for few teeth
+struct FitAnswer : FitView {
+  std::vector<Json> specs{};  ///< for each branch, the spec completed by the computed numbers
 };
+/// Adds a branch with its spec.
+void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
+                const std::optional<double>& transverse_contact_ratio = {});
 
 /// Errors    the errors of fit, with the keys of the spec; `gear2` if it is missing
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
-
-/// The quantities of a result. The view points into `answer`.
-FitView fit_view(const FitAnswer& answer);
 
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);
@@ -40,5 +38,28 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 /// Errors    keys of the spec that are not allowed here, or are missing
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
+
+// The verb `identify` computes the gears that agree with the readings of an unknown gear.
+// Internal to job/ and the program.
+
+struct IdentifyAnswer {
+  int gear;  ///< 1 or 2, the gear with the readings
+  Identification found;
+  std::vector<Json> specs;  ///< for each candidate, the spec with the data of that candidate
+  /// For each candidate, a sentence with its number and likelihood, followed by sentences about
+  /// data of the gear that the readings do not determine.
+  std::vector<std::vector<std::string>> notes;
+};
+
+/// Computes the candidates for the unknown gear of the spec.
+///
+/// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
+Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
+
+/// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}
+Json identify_json(const IdentifyAnswer& answer);
+
+/// A table for users.
+std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/job/identify_answer.hpp"
+#include "gearwright/job/fit_answer.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/identify_quantities.hpp"
+#include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"

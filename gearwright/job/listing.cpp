@@ -11,7 +11,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/row_listing.hpp"
 

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/load_standard.hpp"
-#include "gearwright/arrange/loaded_halves.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
@@ -29,19 +28,6 @@ Result<LoadTask> load_task(SolvedJob& job) {
   if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
   if (auto error = one_helix_error(job)) return *error;
   return load_task(job, errors_of(job), job.spec.load, job.warnings);
-}
-
-LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer) {
-  LoadView view;
-  if (answer.contact) view.contact = &*answer.contact;
-  // Each half carries half of the torque, so the values of the standard for one half apply to the
-  // whole gears.
-  if (answer.contact)
-    view.standard = load_standard(job, answer.halves.empty() ? answer : answer.halves.front());
-  for (const LoadAnalysis& half : answer.halves) view.halves.push_back(load_view(job, half));
-  for (std::size_t i = 0; i < answer.probes.size(); ++i)
-    view.probes.push_back({&answer.probes[i], !job.spec.load.probes[i].z});
-  return view;
 }
 
 namespace {
@@ -94,7 +80,7 @@ std::string position_rows(UnitSystem units, const LoadTorqueView& view) {
 }  // namespace
 
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer) {
-  return titled_record(job.spec, "load", load_quantities().of(load_view(job, answer)));
+  return titled_record(job.spec, "load", load_quantities().of(answer));
 }
 
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
@@ -113,8 +99,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
                          p.profile[k] * kUmPerMm);
   }
   if (!answer.contact) return out;
-  const LoadView whole = load_view(job, answer);
-  const auto views = torque_views(*answer.contact, whole.standard);
+  const auto views = torque_views(*answer.contact, answer.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
     out += quantity_listing(units, load_torque_quantities().table(),
                             {load_torque_quantities().of(views[i])}, {}) +
@@ -195,7 +180,7 @@ Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress) {
   if (part.answer.contact) {
     const auto pitch = over_a_pitch(job, part.answer, progress);
     if (!pitch) return pitch.error();
-    const std::vector<LoadStandard> standard = load_view(job, part.answer).standard;
+    const std::vector<LoadStandard>& standard = part.answer.standard;
     part.report = scene_of(job, *pitch->contact, standard);
     for (const LoadAnalysis& half : pitch->halves)
       part.report->halves.push_back(scene_of(job, *half.contact, standard));

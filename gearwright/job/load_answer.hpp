@@ -19,7 +19,6 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 /// Errors    the errors of answer_load; `load` if there is no torque
 Result<LoadTask> load_task(SolvedJob& job);
 
-LoadView load_view(const SolvedJob& job, const LoadAnalysis& answer);
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.

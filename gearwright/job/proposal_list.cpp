@@ -1,4 +1,4 @@
-#include "gearwright/job/proposal_list.hpp"
+#include "gearwright/job/propose_answer.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
-#include "gearwright/job/proposal_list.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

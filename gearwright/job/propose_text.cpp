@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/base/number_text.hpp"
+#include "gearwright/catalogue/compensate_quantities.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -13,34 +12,28 @@ namespace gearwright {
 
 namespace {
 
-std::string score_columns(const LoadedScore& s) {
-  if (!std::isfinite(s.max_pressure))
-    return fmt::format("{:>10}{:>11}{:>8}{:>6}", "–", "–", "–", "–");
-  return fmt::format("{:>10}{:>11}{:>8}{:>6}", fixed_decimals(s.peak_to_peak.arcsec(), 3),
-                     fixed_decimals(s.max_pressure, 1),
-                     s.face_load_factor ? fixed_decimals(*s.face_load_factor, 3) : "",
-                     s.edge_carries ? "yes" : "no");
-}
-
-std::string effects(const ProposeAnswer& a) {
-  const bool limits = a.proposals.front().at_limits.has_value();
-  const std::size_t torques = a.proposals.front().loads.size();
-  std::string out = fmt::format(
-      "\nEffects{}{}\n", torques > 1 ? ", worst values over the torques" : "",
-      limits ? "; on the right, with the helix slope deviations in the less favourable direction"
-             : "");
-  const std::string heads =
-      fmt::format("{:>10}{:>11}{:>8}{:>6}", "TE p-p", "pressure", "K_Hβ", "edge");
-  out += fmt::format("     {:<52}{}{}\n", "", heads, limits ? "   " + heads : "");
-  const std::string again = limits ? fmt::format("{:>14}{:>13}{:>11}", "", "arcsec", "N/mm²") : "";
-  out += fmt::format("     {:<52}{:>10}{:>11}{}\n", "", "arcsec", "N/mm²", again);
+std::string effects(const ProposeAnswer& a, UnitSystem units) {
+  std::vector<std::string> names;
+  std::vector<ValueRecord> worst, at_limits;
   for (std::size_t i = 0; i < a.proposals.size(); ++i) {
     const Proposal& p = a.proposals[i];
-    out +=
-        fmt::format("{} {:>2}  {:<52}{}{}\n", i == a.recommended ? "*" : " ", i + 1, words_of(p),
-                    score_columns(p.worst), p.at_limits ? "   " + score_columns(*p.at_limits) : "");
+    names.push_back(
+        fmt::format("{} {:>2}  {}", i == a.recommended ? "*" : " ", i + 1, words_of(p)));
+    worst.push_back(loaded_score_quantities().of(p.worst));
+    if (p.at_limits) at_limits.push_back(loaded_score_quantities().of(*p.at_limits));
   }
-  return out;
+  const auto rows = [&](const std::vector<ValueRecord>& scores) {
+    return row_listing(
+        units, names, scores,
+        {"peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"});
+  };
+  const std::size_t torques = a.proposals.front().loads.size();
+  return fmt::format("\nEffects{}\n", torques > 1 ? ", worst values over the torques" : "") +
+         rows(worst) +
+         (at_limits.empty()
+              ? ""
+              : "\nEffects with the helix slope deviations in the less favourable direction\n" +
+                    rows(at_limits));
 }
 
 std::string amounts(const ProposeAnswer& a, UnitSystem units) {
@@ -67,7 +60,7 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
   const UnitSystem units = job.spec.units();
   return title_listing(job.spec) +
          quantity_listing(units, propose_quantities().table(), {propose_quantities().of(a)}, {}) +
-         amounts(a, units) + effects(a) + "\n" +
+         amounts(a, units) + effects(a, units) + "\n" +
          wrapped(fmt::format("* Recommended: {}, {}. {}", a.recommended + 1,
                              words_of(a.proposals[a.recommended]), sentence_in(units, a.reason))) +
          "To print the spec of a proposal: --take NUMBER > modified.toml\n";

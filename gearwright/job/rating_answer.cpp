@@ -1,6 +1,6 @@
 #include "gearwright/job/rating_answer.hpp"
 
-#include "gearwright/arrange/loaded_halves.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright {

@@ -9,8 +9,6 @@
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {

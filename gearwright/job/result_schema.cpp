@@ -11,10 +11,8 @@
 #include "gearwright/catalogue/inch_schema.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
-#include "gearwright/catalogue/verdict_quantities.hpp"
 #include "gearwright/job/verbs.hpp"
 
 namespace gearwright {

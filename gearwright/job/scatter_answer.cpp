@@ -302,8 +302,6 @@ Error of_scatter(const ScatterTask& task, Error error) {
   const auto of_input = [&](const ScatterTolerance& t) { return t.name == error.field; };
   if (std::any_of(task.tolerances.begin(), task.tolerances.end(), of_input))
     error.field = "scatter." + error.field;
-  if (error.field == "tolerances") error.field = "scatter";
-  if (error.field == "percentile") error.field = "scatter.robust";
   return error;
 }
 

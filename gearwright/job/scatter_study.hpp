@@ -95,6 +95,8 @@ bool loses_contact(const JobSpec& spec, const Json& row);
 /// scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
+/// The result, which is `scatter_designs` in JSON.
+Json study_json(const JobSpec& spec, const StudyRun& run);
 /// The whole result as JSON text, one design per line.
 std::string study_json_text(const JobSpec& spec, const StudyRun& run);
 /// The result of a study that has not finished.

@@ -186,24 +186,19 @@ Json design_row_json(const Search& search, const DesignRow& row, bool with_edges
   return to_json(design_quantities().of(view));
 }
 
-std::string search_json_text(const Search& search, const SearchRun& run, UnitSystem units) {
-  const SearchAnswer& a = run.answer;
-  Json head =
-      to_json(search_quantities().of({&search.problem(), &a, &run.changes,
-                                      run.safest ? &*run.safest : nullptr, run.default_face_load}));
-  head.erase("designs");  // the designs are written one by one
+namespace {
 
-  std::string text = "{\n  \"search\": " + json_text(head);
-  text.pop_back();  // the closing brace of the head, before which the designs are inserted
-  text += ",\n  \"designs\": [";
-  const bool edges = a.designs.size() <= kMaxBoundaries;
-  if (!edges)
-    text.reserve(a.designs.size() * 1000);  // avoids a copy of the whole text while it grows
-  for (std::size_t i = 0; i < a.designs.size(); ++i) {
-    text += i == 0 ? "\n    " : ",\n    ";
-    text += json_text(design_row_json(search, a.designs[i], edges));
-  }
-  text += a.designs.empty() ? "]}" : "\n  ]}";
+bool has_boundaries(const SearchRun& run) { return run.answer.designs.size() <= kMaxBoundaries; }
+
+// The result without its designs.
+Json search_head(const SearchRun& run) {
+  Json head = to_json(search_quantities().of(run));
+  head.erase("designs");
+  return head;
+}
+
+std::vector<Warning> search_warnings(const SearchRun& run) {
+  const SearchAnswer& a = run.answer;
   std::vector<Warning> warnings;
   const auto warn = [&](WarningCode code, const std::string& message) {
     warnings.push_back({code, message});
@@ -224,7 +219,7 @@ std::string search_json_text(const Search& search, const SearchRun& run, UnitSys
          "The table [rating] has no effect on this search. It is used only with safety_flank_min, "
          "safety_root_min or one of the objectives safety, balance and noise in [search].");
   }
-  if (!edges) {
+  if (!has_boundaries(run)) {
     warn(WarningCode::edges_left_out,
          fmt::format("The borders of the regions are omitted, because there are more than {} "
                      "designs. Use --top N for fewer designs.",
@@ -232,8 +227,30 @@ std::string search_json_text(const Search& search, const SearchRun& run, UnitSys
   }
   if (!run.changes_left_out.empty())
     warn(WarningCode::changes_left_out, run.changes_left_out + ".");
-  text = text + ",\n  \"warnings\": " + json_text(warnings_json(warnings)) + "\n}\n";
-  return units == UnitSystem::mm ? text : json_text(in_units(units, parse_json(text)), 2) + "\n";
+  return warnings;
+}
+
+}  // namespace
+
+Json search_json(const Search& search, const SearchRun& run, UnitSystem units) {
+  Json result = search_head(run);
+  Json& designs = result["designs"] = Json::array();
+  for (const DesignRow& row : run.answer.designs)
+    designs.push_back(design_row_json(search, row, has_boundaries(run)));
+  return in_units(
+      units, {{"search", std::move(result)}, {"warnings", warnings_json(search_warnings(run))}});
+}
+
+std::string search_json_text(const Search& search, const SearchRun& run, UnitSystem units) {
+  if (units != UnitSystem::mm) return json_text(search_json(search, run, units), 2) + "\n";
+  std::string text = "{\n  \"search\": " + json_text(search_head(run));
+  const auto& designs = run.answer.designs;
+  if (!has_boundaries(run))
+    text.reserve(designs.size() * 1000);  // avoids a copy of the whole text while it grows
+  add_row_lines(text, "designs", designs.size(), [&](std::size_t i) {
+    return design_row_json(search, designs[i], has_boundaries(run));
+  });
+  return text + ",\n  \"warnings\": " + json_text(warnings_json(search_warnings(run))) + "\n}\n";
 }
 
 Json unfinished_json(const SearchRun& run) {

@@ -15,8 +15,9 @@ inline constexpr std::size_t kListedDesigns = 20;
 /// One design as JSON with the keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
-/// The whole result as JSON text in these units. For mm, the text has one design per line, because
-/// the list of designs may be long.
+/// The whole result in these units.
+Json search_json(const Search& search, const SearchRun& run, UnitSystem units);
+/// The text of search_json(). For mm, the text has one design per line.
 std::string search_json_text(const Search& search, const SearchRun& run,
                              UnitSystem units = UnitSystem::mm);
 

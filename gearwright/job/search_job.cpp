@@ -88,6 +88,7 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
 
 SearchRun begun(const JobSpec& spec, const Search& search) {
   SearchRun run;
+  run.problem = &search.problem();
   run.pair_not_read = spec.tree->tables.contains("pair");
   run.rating_not_read = spec.rating.given && !search.problem().rating;
   if (search.problem().rating && has_default_face_load(spec))

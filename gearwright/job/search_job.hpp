@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/design/nearest_change.hpp"
+#include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/design/search.hpp"
 #include "gearwright/job/campaign.hpp"
 #include "gearwright/spec/spec.hpp"
@@ -55,20 +55,16 @@ inline constexpr double kLargeSearch = 2e10;
 /// A grid of shifts with more points than this requires yes_large.
 inline constexpr double kManyPoints = 1e8;
 
-struct SearchRun {
-  SearchAnswer answer;    ///< result of a finished search
+/// The members of SearchView are the result of a finished search.
+struct SearchRun : SearchView {
   bool finished = false;  ///< true if all chunks are done and this process made the files
   bool stopped = false;   ///< true if SearchOptions::stop ended the run
   std::int64_t chunks_done = 0, chunks = 0;
-  std::vector<NearestChange> changes;      ///< changes that would help if nothing is feasible
-  std::optional<DesignRow> safest;         ///< the safest rated design if nothing is feasible
   std::string changes_left_out;            ///< reason why not all changes were searched
   std::vector<std::string> changes_tried;  ///< members that were changed in the search for changes
   std::vector<std::string> notes;          ///< repairs that were made in the folder
   bool pair_not_read = false;              ///< the spec has a [pair], which a search does not use
   bool rating_not_read = false;  ///< the spec has a [rating], which this search does not use
-  std::optional<double> default_face_load;  ///< the default K_Hβ, if the search is rated and its
-                                            ///< spec gives none
   std::vector<std::filesystem::path> files;
 };
 

@@ -122,25 +122,28 @@ std::string design_words(const Json& row) {
 
 }  // namespace
 
-std::string study_json_text(const JobSpec& spec, const StudyRun& run) {
+Json study_json(const JobSpec& spec, const StudyRun& run) {
   const ScatterInput& in = spec.scatter;
-  Json head = to_json(scatter_study_quantities().of(
+  Json study = to_json(scatter_study_quantities().of(
       {in.percentiles[ranking_percentile(spec)], in.samples, in.replicates, in.seed, run.of}));
+  study["designs"] = run.designs;
+  study["refused"] = run.refused;
+  return study;
+}
+
+std::string study_json_text(const JobSpec& spec, const StudyRun& run) {
+  Json head = study_json(spec, run);
   head.erase("designs");
   head.erase("refused");
-  std::string text = "{\n";
-  if (!spec.title.empty()) text += "  \"title\": " + json_text(Json(spec.title)) + ",\n";
-  text += "  \"scatter_designs\": " + json_text(head);
-  text.pop_back();  // the closing brace, before which the rows are inserted
+  std::string text = json_text(head);
   const auto add = [&](const char* key, const std::vector<Json>& rows) {
-    text += fmt::format(",\n  \"{}\": [", key);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      text += (i == 0 ? "\n    " : ",\n    ") + json_text(rows[i]);
-    text += rows.empty() ? "]" : "\n  ]";
+    add_row_lines(text, key, rows.size(), [&](std::size_t i) { return rows[i]; });
   };
   add("designs", run.designs);
   add("refused", run.refused);
-  return text + "},\n  \"warnings\": []\n}\n";
+  const std::string title =
+      spec.title.empty() ? "" : "  \"title\": " + json_text(Json(spec.title)) + ",\n";
+  return "{\n" + title + "  \"scatter_designs\": " + text + ",\n  \"warnings\": []\n}\n";
 }
 
 Json unfinished_study(const StudyRun& run) {

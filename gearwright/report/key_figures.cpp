@@ -7,7 +7,6 @@
 
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"

@@ -10,7 +10,7 @@
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/measure_quantities.hpp"
-#include "gearwright/catalogue/rack_pair_quantities.hpp"
+#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"

@@ -82,7 +82,7 @@ std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTa
 }
 
 Error no_percentile(const char* reason) {
-  return Error{"percentile", "", std::string("cannot be computed, because ") + reason};
+  return Error{"scatter.robust", "", std::string("cannot be computed, because ") + reason};
 }
 
 Result<JudgedFamily> judged_rigid(const ContactSetup& setup, const ScatterTask& judged) {

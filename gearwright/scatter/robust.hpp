@@ -48,7 +48,7 @@ struct RobustCorrections {
 ///
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100; can_minimise() (contract)
-/// Errors    as scatter_of(); `percentile`, if no sample has a peak to peak
+/// Errors    as scatter_of(); `scatter.robust`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
 /// Laws      (1) in the samples from the other seed, the corrections increase neither the

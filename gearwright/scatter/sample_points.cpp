@@ -12,7 +12,7 @@ std::optional<Error> check_family(const ContactSetup& setup,
                                   const std::vector<ScatterTolerance>& tolerances) {
   const int d = coordinates_of(tolerances);
   if (2 * d > SobolPoints::kMaxDimensions) {
-    return refused("tolerances", d,
+    return refused("scatter", d,
                    fmt::format("must not have more than {} coordinates in total, because Sobol's "
                                "points are tabulated only up to this number",
                                SobolPoints::kMaxDimensions / 2));

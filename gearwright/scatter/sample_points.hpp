@@ -15,7 +15,7 @@ namespace gearwright {
 
 /// Checks that samples of the family can be computed.
 ///
-/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
+/// Errors    as check_ends(); `scatter` if they have more coordinates than the table of Sobol's
 ///           points
 std::optional<Error> check_family(const ContactSetup& setup,
                                   const std::vector<ScatterTolerance>& tolerances);

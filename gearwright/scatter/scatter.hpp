@@ -152,7 +152,7 @@ struct Scatter {
 ///
 /// Domain    at least one tolerance, samples a power of two, replicates ≥ 1, 0 < confidence < 1
 ///           (contract)
-/// Errors    as check_ends(); `tolerances` if they have more coordinates than the table of Sobol's
+/// Errors    as check_ends(); `scatter` if they have more coordinates than the table of Sobol's
 ///           points; nothing_touches() if the teeth touch in no sample
 /// Accuracy  as member_at() for each member; each statistic has a confidence interval
 /// Laws      (1) the result is the same, byte for byte, for any number of threads   (2) tolerances
@@ -161,5 +161,16 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
+
+/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if this
+/// point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by less than
+/// 0.01″.
+///
+/// Formula   [T14.15]
+/// Domain    at least one tolerance (contract)
+/// Accuracy  the worst of several local maxima; not a bound
+std::optional<std::vector<double>> worse_inside(const ContactSetup& setup,
+                                                std::vector<ScatterTolerance> tolerances,
+                                                bool gear2_drives, Angle known, Progress* progress);
 
 }  // namespace gearwright

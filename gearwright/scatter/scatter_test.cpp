@@ -238,7 +238,7 @@ TEST(Scatter, RefusesWhatCannotBe) {
   const std::vector<ScatterTolerance> many(SobolPoints::kMaxDimensions / 2 + 1,
                                            testing::distance(0.01));
   const auto error = scatter_of(setup, task_of(many, 2, 1, 1)).error();
-  EXPECT_EQ(error.field, "tolerances");
+  EXPECT_EQ(error.field, "scatter");
   const auto nothing =
       scatter_of(setup, task_of({testing::tolerance("errors.center_distance_mm", 1.0, 6.0, 7.0,
                                                     VaryingError::center_distance)},

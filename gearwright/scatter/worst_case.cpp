@@ -238,4 +238,25 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   return worst;
 }
 
+std::optional<std::vector<double>> worse_inside(const ContactSetup& setup,
+                                                std::vector<ScatterTolerance> tolerances,
+                                                bool gear2_drives, Angle known,
+                                                Progress* progress) {
+  constexpr double kWorse = 1.02;
+  constexpr Angle kLeastWorse = Angle::arcseconds(0.01);
+  constexpr int kSamples = 64;  // the search starts at the worst samples and at the worst corners
+  ScatterTask task;
+  task.tolerances = std::move(tolerances);
+  task.member.gear2_drives = gear2_drives;
+  task.samples = kSamples;
+  task.replicates = 1;
+  task.worst_case = true;
+  task.progress = progress;
+  const auto scatter = scatter_of(setup, task);
+  if (!scatter || !scatter->worst_peak_to_peak) return std::nullopt;
+  const WorstMember& worst = *scatter->worst_peak_to_peak;
+  const double limit = std::max(kWorse * known.rad(), (known + kLeastWorse).rad());
+  return worst.corner || !(worst.value > limit) ? std::nullopt : std::optional(worst.x);
+}
+
 }  // namespace gearwright

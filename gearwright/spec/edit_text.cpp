@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/toml_text.hpp"
@@ -20,16 +21,6 @@
 namespace gearwright {
 
 namespace {
-
-std::vector<std::string> parts_of(std::string_view path) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= path.size();) {
-    const std::size_t end = std::min(path.find('.', at), path.size());
-    parts.emplace_back(path.substr(at, end - at));
-    at = end + 1;
-  }
-  return parts;
-}
 
 // Sets the value at the path in the tree and makes missing tables. Null removes the value. The
 // result is false if a part of the path is not a table.
@@ -242,7 +233,8 @@ std::optional<std::pair<std::string, Json>> named_material_of(
 }  // namespace
 
 Result<std::string> with_key(std::string_view toml, std::string_view path, std::string_view value) {
-  const std::vector<std::string> parts = parts_of(path);
+  const auto names = split(path, '.');
+  const std::vector<std::string> parts(names.begin(), names.end());
   const bool blank = toml.find_first_not_of(" \t\r\n") == std::string_view::npos;
   const auto before = blank ? Result<Json>(Json::object()) : parse_spec(toml, SpecFormat::toml);
   if (!before) return before.error();

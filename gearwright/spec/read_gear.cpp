@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/basic.hpp"
@@ -219,10 +220,10 @@ void read_cut_by(TableReader& gear, const Json& node, const Json* mate, GearInpu
   CutByInput cut;
   cut.profile_shift_pair = total;
   if (by->is_string()) {
-    const auto name = by->get<std::string>();
-    if (name != "gear1" && name != "gear2")
+    const auto [number, member] = subject_of(by->get<std::string>());
+    if (number == 0 || member != GearMember::none)
       gear.fail("cut_by", "must be \"gear1\", \"gear2\" or a table that describes a cutter");
-    cut.gear = name == "gear1" ? 1 : 2;
+    cut.gear = number;
   } else if (by->is_object()) {
     const std::string path = gear.name("cut_by");
     for (const auto& [key, why] :

@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "gearwright/base/output_file.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/modification_keys.hpp"
 
@@ -89,12 +90,8 @@ std::optional<double> number_of(std::string_view cell) {
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin != std::string_view::npos;) {
-    const std::size_t comma = line.find(',', begin);
-    cells.push_back(trimmed(line.substr(begin, comma - begin)));
-    begin = comma == std::string_view::npos ? comma : comma + 1;
-  }
+  std::vector<std::string_view> cells = split(line, ',');
+  for (std::string_view& cell : cells) cell = trimmed(cell);
   return cells;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
 #include "gearwright/verdict/remedy.hpp"
@@ -44,15 +45,6 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
     if (std::find(list.begin(), list.end(), reason) == list.end()) list.push_back(reason);
   }
   return list;
-}
-
-std::string joined(const std::vector<std::string>& list) {
-  std::string text;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i > 0) text += i + 1 == list.size() ? " and " : ", ";
-    text += list[i];
-  }
-  return text;
 }
 
 std::string backlash_words(double j) {
@@ -145,7 +137,7 @@ std::string standing(const Judged& judged) {
 }
 
 std::string not_running(const Judged& judged, const Verdict& verdict) {
-  const std::string against = joined(reasons(verdict.findings, Level::red));
+  const std::string against = enumerated(reasons(verdict.findings, Level::red));
   const Finding& worst = verdict.findings.front();
   if (judged.rack) return fmt::format("The rack and pinion do not run as specified: {}.", against);
   if (!judged.pair) {
@@ -172,7 +164,7 @@ std::string besides(const Verdict& verdict) {
   std::vector<std::string> list = reasons(verdict.findings, Level::amber, 1);
   const std::string named = meaning_of(verdict.findings[0].code).reason;
   std::erase(list, named);
-  return list.empty() ? "" : fmt::format(" Also: {}.", joined(list));
+  return list.empty() ? "" : fmt::format(" Also: {}.", enumerated(list));
 }
 
 std::string headline(const Judged& judged, const Verdict& verdict) {

@@ -5,7 +5,7 @@
 
 #include "apps/web/engine/stopwatch.hpp"
 #include "apps/web/engine/work.hpp"
-#include "gearwright/arrange/load_standard.hpp"
+#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/figure/load_figures.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
@@ -110,6 +110,7 @@ std::optional<Error> LoadWork::close() {
   LoadAnalysis answer;
   answer.contact = turn_->result();
   answer.compliance = *compliance_;
+  answer.standard = load_standard(job_, answer);
   if (auto error = judge_load(task_, *answer.contact, job_.warnings)) return error;
   explain_stiffness(job_, task_, answer, job_.warnings);
   take(answer, {{&task_.setup.gear(1), &task_.setup.gear(2)},
