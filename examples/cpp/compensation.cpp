@@ -39,7 +39,7 @@ int main() {
 }
 
 /* prints
-lead slope -9.61 um, crowning 20.00 um
-worst transmission error 2.875 arcsec before, 2.718 arcsec after
-contact along the face   -0.998 before, -0.201 after (1: at the end)
+lead slope -10.00 um, crowning 20.00 um
+worst transmission error 2.875 arcsec before, 2.724 arcsec after
+contact along the face   -0.998 before, 0.205 after (1: at the end)
 */

@@ -57,7 +57,7 @@ struct Mapping {
   Px operator()(const Px& p) const { return turn * p + shift; }
   Mapping then(const std::string& transform) const {
     Mapping place = *this;
-    for (const std::string_view one : split(transform, ')')) {
+    for (const std::string_view one : trimmed_parts(transform, ')')) {
       const std::vector<double> n = numbers_of(std::string(one));
       if (one.starts_with("translate")) place.shift = place({n.at(0), n.at(1)});
       if (one.starts_with("scale")) place.turn *= n.at(0);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/printable.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 
 namespace gearwright {
@@ -18,13 +19,10 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
+std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
-  while (!text.empty()) {
-    const std::string_view part = text.substr(0, text.find(separator));
-    text.remove_prefix(std::min(text.size(), part.size() + 1));
+  for (const std::string_view part : split(text, separator))
     if (!trimmed(part).empty()) parts.push_back(trimmed(part));
-  }
   return parts;
 }
 
@@ -49,14 +47,14 @@ void StyleSheet::read(std::string_view css) {
     if (head == "@media print") read(block);
     if (head == ":root") apply_declarations(block, root_);
     if (head.starts_with("@")) continue;
-    for (const std::string_view selector : split(head, ',')) add(selector, block);
+    for (const std::string_view selector : trimmed_parts(head, ',')) add(selector, block);
   }
 }
 
 // Selectors with a state, with an attribute, or with an ancestor other than svg apply to the page
 // only and are skipped.
 void StyleSheet::add(std::string_view selector, std::string_view declarations) {
-  const std::vector<std::string_view> steps = split(selector, ' ');
+  const std::vector<std::string_view> steps = trimmed_parts(selector, ' ');
   if (selector.find_first_of(":[>*") != selector.npos || steps.size() > 2) return;
   if (steps.size() == 2 && steps[0] != "svg") return;
   const std::string_view last = steps.back();
@@ -65,7 +63,7 @@ void StyleSheet::add(std::string_view selector, std::string_view declarations) {
             {},
             static_cast<int>(steps.size()) - (tag.empty() ? 1 : 0),
             std::string(declarations)};
-  for (const std::string_view name : split(last.substr(tag.size()), '.')) {
+  for (const std::string_view name : trimmed_parts(last.substr(tag.size()), '.')) {
     rule.classes.emplace_back(name);
     rule.weight += 10;
   }
@@ -73,7 +71,7 @@ void StyleSheet::add(std::string_view selector, std::string_view declarations) {
 }
 
 void StyleSheet::apply(std::string_view tag, std::string_view classes, Style& style) const {
-  const std::vector<std::string_view> own = split(classes, ' ');
+  const std::vector<std::string_view> own = trimmed_parts(classes, ' ');
   for (const Rule& rule : rules_) {
     if (!rule.tag.empty() && rule.tag != tag) continue;
     if (std::all_of(rule.classes.begin(), rule.classes.end(), [&](const std::string& name) {
@@ -89,7 +87,7 @@ const StyleSheet& figure_styles() {
 }
 
 void apply_declarations(std::string_view declarations, Style& style) {
-  for (const std::string_view one : split(declarations, ';')) {
+  for (const std::string_view one : trimmed_parts(declarations, ';')) {
     const std::size_t colon = one.find(':');
     if (colon == one.npos || one.find("color-mix") != one.npos) continue;
     style[std::string(one.substr(0, colon))] = trimmed(one.substr(colon + 1));

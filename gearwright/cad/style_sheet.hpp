@@ -50,7 +50,7 @@ double number_in(const Style& style, std::string_view name, double absent);
 std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
                                        std::optional<std::uint32_t> absent);
 
-/// The texts between separators, without empty ones.
-std::vector<std::string_view> split(std::string_view text, char separator);
+/// The texts between separators, without the spaces around them and without empty ones.
+std::vector<std::string_view> trimmed_parts(std::string_view text, char separator);
 
 }  // namespace gearwright

@@ -78,9 +78,8 @@ std::vector<PlanetarySpec> sets() {
   PlanetarySpec helical = toothed_set({{M::sun, 21}, {M::planet, 33}, {M::ring, 87}}, 4);
   helical.helix_deg.all = 11.0;
   PlanetarySpec clocked =
-      toothed_set({{M::sun, 17}, {M::planet, 31}, {M::planet2, 13}, {M::ring2, 62}}, 3);
+      toothed_set({{M::sun, 17}, {M::planet, 31}, {M::planet2, 13}, {M::ring2, 61}}, 3);
   clocked.fixed = {{"ring2"}};
-  clocked.module.each[4] = clocked.module.each[6] = 1.9;
   clocked.spacing = Spacing::equal_clocked;
   PlanetarySpec joint = toothed_set(
       {{M::sun, 12}, {M::planet, 24}, {M::planet2, 21}, {M::ring, 60}, {M::ring2, 57}}, 3);

@@ -118,8 +118,9 @@ TEST(Windup, NumbersOfTeethGiveTheValueOfStandardTeeth) {  // (5)
       StraightRack deep;  // its flanks begin below the tips of the ring
       deep.dedendum = 1.4;
       deep.root_fillet_radius = 0.2;
-      set.rack = deep;
-      const auto exact = make_drive({graph_of(set).value()}).value();
+      DriveGraph graph = graph_of(set).value();
+      for (DriveGear& gear : graph.gears) gear.spec->rack = deep;
+      const auto exact = make_drive({graph}).value();
       for (const auto& pair : exact.geometry.pairs)  // no flank ends within the path
         ASSERT_NEAR(pair->involute()->mesh.true_ratio, pair->involute()->mesh.path_ratio, 1e-12);
       set.normal_module.reset();
