@@ -77,7 +77,7 @@ def check_pdf(folder):
     text = words_of_pdf(path)
     check(text.count("\f") == 2, "the PDF must have a page for each gear")
     first, second, _ = text.split("\f")
-    for words in ("Normal module", "αn", "β", "Span over 3 teeth", "19.527 … 19.5646", "class 6", "Mating gear", "Ø20", "22.8",
+    for words in ("Normal module", "αn", "β", "Span over 3 teeth", "19.5270 … 19.5646", "class 6", "Mating gear", "Ø20", "22.8",
                   "Keyway 6 wide", "GW-0017", "18CrNiMo7-6", "Ritzel <β> & Rad, Größe 3, gear 1", "1:1", "1/2", "Fα"):
         check(words in first, f"the PDF must contain {words}\n{first}")
     check("gear 2" in second and "1:2" in second and "left" in second, "gear 2 must have its own page")
@@ -94,7 +94,7 @@ def check_svg(folder):
     root = ET.parse(export(folder, "one.svg", "--gear", "1")).getroot()
     check(root.get("width") == "210mm" and root.get("viewBox") == "0 0 210 297", "the SVG must be an A4 sheet in mm")
     texts = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text")]
-    for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1"):
+    for words in ("Normal module", "α", "Ø50.499", "19.5270 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1"):
         check(words in texts, f"the SVG must contain {words}")
     for path in root.iter("{http://www.w3.org/2000/svg}path"):
         for x, y in re.findall(r"[ML](-?[\d.]+) (-?[\d.]+)", path.get("d")):
@@ -114,7 +114,7 @@ def check_dxf(folder):
     check(document.layers.get("AXIS").dxf.linetype == "CENTER", "axes must be chain lines")
     check(document.layers.get("OUTLINE").dxf.lineweight == 50, "outlines must be 0.5 mm wide")
     texts = [decode_dxf_unicode(e.dxf.text) for e in model.query("TEXT")]
-    for words in ("Normal module", "α", "Ø50.4992", "19.527 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1", "Scale"):
+    for words in ("Normal module", "α", "Ø50.499", "19.5270 … 19.5646", "Ritzel <β> & Rad, Größe 3, gear 1", "Scale"):
         check(words in texts, f"the DXF must contain {words}: {texts}")
     check({e.dxf.style for e in model.query("TEXT")} == {"SHEET"}, "all texts must have the style SHEET")
     # On each sheet, the outline in the circle of the axis layer must be the gear at the scale of the sheet.
