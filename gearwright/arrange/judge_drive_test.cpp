@@ -246,7 +246,7 @@ TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
       return at == std::string::npos ? 0.0 : std::stod(tight.substr(at + words.size()));
     };
     set.allowance.all = number_after("A thickness allowance of ");
-    const double promised = number_after("on all gears gives ");
+    const double promised = number_after("on all gears gives a backlash of ");
     EXPECT_LT(*set.allowance.all, given) << tight;
     EXPECT_GE(promised, number_after("recommends at least "));
     EXPECT_NEAR(made().geometry.pairs[0]->stated_backlash(), promised, 0.5e-3 + 1e-9) << tight;

@@ -181,19 +181,10 @@ const Quantities<ContactScore>& score_quantities() {
            })
         .otherwise("no contact")
         .doors(kJson);
-    // Users read the continuous value, unless contact is lost.
-    q.term("peak_to_peak_arcsec", "",
-           [](const S& s) {
-             const Angle span = s.span_or_sampled();
-             return std::isfinite(span.rad()) ? Value(span.arcsec()) : Value();
-           })
-        .otherwise("no contact")
-        .doors(kPeople);
-    q.number("continuous_peak_to_peak_arcsec",
-             "transmission error, peak to peak of the continuous curve", "",
-             "greatest of all scenarios; null if contact is lost at some position",
-             [](const S& s) { return s.lost ? std::nullopt : s.span; })
-        .doors(kJson);
+    q.term("continuous_peak_to_peak_arcsec",
+           "greatest value over the scenarios; null if contact is lost at some position",
+           [](const S& s) { return s.lost ? std::nullopt : s.span; })
+        .otherwise("contact is lost");
     q.number("contact_along_face", "contact offset along the face", "",
              "mean position, ±1 at the ends [T8.24]", &S::along_face)
         .or_null()

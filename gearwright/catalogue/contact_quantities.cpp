@@ -284,36 +284,24 @@ void add_all(Quantities<V>& q) {
          [](const V& v) { return v.driving.peak_to_peak; })
       .when(of_gear)
       .doors(kJson);
-  // Users read the continuous value, unless contact is lost.
-  q.term("peak_to_peak_arcsec", "",
-         [](const V& v) { return v.continuous_span.value_or(v.driving.peak_to_peak); })
-      .when(of_gear)
-      .doors(kPeople);
   q.term("peak_to_peak_um", "over the positions with contact, along the rack",
          [](const V& v) { return travel_um(v.driving.rack, v.driving.peak_to_peak); })
       .when(of_rack)
       .doors(kJson);
-  q.term("peak_to_peak_um", "",
+  q.term("continuous_peak_to_peak_arcsec",
+         "difference between the extremes of the curve [T14.11]; it does not depend on the "
+         "computed positions; null if contact is lost at some rotation",
+         &V::continuous_span)
+      .otherwise("contact is lost")
+      .when(of_gear);
+  q.term("continuous_peak_to_peak_um",
+         "as `continuous_peak_to_peak_arcsec`, but for the travel of a rack",
          [](const V& v) {
-           return travel_um(v.driving.rack, v.continuous_span.value_or(v.driving.peak_to_peak));
+           return v.continuous_span ? Value(travel_um(v.driving.rack, *v.continuous_span))
+                                    : Value();
          })
-      .when(of_rack)
-      .doors(kPeople);
-  q.number("continuous_peak_to_peak_arcsec",
-           "transmission error, peak to peak of the continuous curve", "",
-           "difference between the extremes of the curve [T14.11]; it does not depend on the "
-           "computed positions; null if contact is lost at some rotation",
-           &V::continuous_span)
-      .when(of_gear)
-      .doors(kJson);
-  q.number("continuous_peak_to_peak_um", "transmission error, peak to peak of the continuous curve",
-           "", "as `continuous_peak_to_peak_arcsec`, but for the travel of a rack",
-           [](const V& v) {
-             return v.continuous_span ? Value(travel_um(v.driving.rack, *v.continuous_span))
-                                      : Value();
-           })
-      .when(of_rack)
-      .doors(kJson);
+      .otherwise("contact is lost")
+      .when(of_rack);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "least-squares slope over the rotation of gear 1, rad per rad",
            [](const V& v) { return v.driving.mean_slope; })

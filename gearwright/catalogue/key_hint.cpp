@@ -141,9 +141,11 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   // If this table belongs to gear 2, the tables of gear 2 are searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
-  // The tables of [search] repeat the words of the gears and the pair, so they are searched last.
-  std::stable_partition(all.begin(), all.end(),
-                        [](const Place& p) { return !p.path.starts_with("search"); });
+  // The short forms of drives and then [search] repeat the words of the gears and the pair, so they
+  // are searched last.
+  for (const std::string_view repeats : {"planetary", "stage", "search"})
+    std::stable_partition(all.begin(), all.end(),
+                          [&](const Place& p) { return !p.path.starts_with(repeats); });
   std::stable_partition(all.begin(), all.end(), [&](const Place& p) { return p.path == own; });
   for (Place& p : all) {
     if (p.path == path) continue;  // a table of another kind at the same path

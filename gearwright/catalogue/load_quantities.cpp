@@ -159,7 +159,7 @@ void add_torque(Quantities<T>& q) {
       .when(has_standard);
   q.number("stiffness_over_c_gamma_alpha", "mean stiffness without twist, divided by ISO 6336-1",
            "",
-           "mean of `mesh_stiffness_without_twist_N_per_mm_um` divided by `c_gamma_alpha`; the "
+           "mean mesh stiffness without twist, divided by `c_gamma_alpha`; the "
            "standard does not include the twist of the bodies",
            [](const T& t) {
              return has_standard(t) ? Value(t.torque->without_twist.mean / t.standard->stiffness)
