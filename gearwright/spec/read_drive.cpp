@@ -205,6 +205,9 @@ StageSpec read_stage(const Json& node, const std::string& path,
   stage.pair.center_distance = t.number("center_distance_mm");
   std::string series;
   read_play(t, series, stage.pair.backlash);
+  if (const Json* value = t.any("backlash_mm"); value && value->is_object())
+    t.fail("backlash_mm",
+           "must be a number, or a band of two numbers, because a pair of gears has one mesh");
   if (stage.pair.backlash && !stage.pair.specs[0])
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
   for (const std::size_t i : {0, 1}) {

@@ -97,7 +97,8 @@ TEST(ReadModifications, nothing_where_there_is_nothing) {
 TEST(ReadModifications, refusals_name_the_key) {
   EXPECT_EQ(refusal("end_relief_um = 20"), "end_relief_length_mm");
   EXPECT_EQ(refusal("left_end_relief_um = 20", "left_end_relief_um"), "end_relief_length_mm");
-  EXPECT_EQ(refusal("tip_relief_um = -20\ntip_relief_start_mm = 46", "slopes can be negative"), "tip_relief_um");
+  EXPECT_EQ(refusal("tip_relief_um = -20\ntip_relief_start_mm = 46", "slopes can be negative"),
+            "tip_relief_um");
   EXPECT_EQ(refusal("right_end_relief_um = -1\nend_relief_length_mm = 2"), "right_end_relief_um");
   EXPECT_EQ(refusal("tip_relief_start_mm = 46"), "tip_relief_start_mm");
   EXPECT_EQ(refusal("tip_relief_shape = \"linear\""), "tip_relief_shape");

@@ -236,6 +236,8 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         for keys in ("thickness_allowance_mm = -0.05\n", 'thickness_series = "cd25"\n'):
             run = Run("drive", SET + keys + "backlash_mm = 0.1\n", "--json")
             self.assertEqual(run.json["error"]["key"], "planetary.backlash_mm")
+        run = Run("drive", "[[stage]]\nteeth = [17, 51]\nnormal_module_mm = 2\nbacklash_mm = {gear1_gear2 = 0.1}\n", "--json")
+        self.assertIn("a pair of gears has one mesh", run.json["error"]["message"])
 
     def test_a_series_gives_the_means_of_its_allowances(self):
         """cd25 has −69 µm up to 50 mm and −90 µm up to 125 mm in the mean."""
