@@ -118,7 +118,11 @@ dist: web npm python
 	@tools/install_packages.sh core mpi python package portable dist
 	@tools/dist.sh
 
-test-dist: dist
+# The packages are made again only if a file of the sources is newer than they are.
+build/dist/SHA256SUMS: $(shell git ls-files)
+	@$(MAKE) dist
+
+test-dist: build/dist/SHA256SUMS
 	@cmake --preset release > /dev/null
 	@cmake --build --preset release --target gearwright_cli
 	cd build/dist && sha256sum --quiet -c SHA256SUMS
