@@ -200,7 +200,7 @@ class TwoHalves(unittest.TestCase):
     def test_run_shows_both_halves(self):
         table = ("[errors]\nintersecting_deg = 0.01\n[load]\ntorque_Nm = 2000\npositions = 4\naccuracy = \"draft\"\n")
         with tempfile.TemporaryDirectory() as folder:
-            run = Run("run", PAIR.format("") + table, "--out", folder)
+            run = Run("run", PAIR.format("") + table, "--only", "result,report", "--out", folder)
             self.assertEqual(run.status, 0, run.err)
             report = (Path(folder) / "report.html").read_text()
             ids = re.findall(r'\sid="([^"]+)"', report)
@@ -211,7 +211,7 @@ class TwoHalves(unittest.TestCase):
 
     def test_run_writes_the_whole_gears(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = Run("run", PAIR.format(""), "--out", folder)
+            run = Run("run", PAIR.format(""), "--only", "stl,report", "--out", folder)
             self.assertEqual(run.status, 0, run.err)
             report = (Path(folder) / "report.html").read_text()
             for words in ("Double-helical gear pair", "150.0000", "Groove diameter"):

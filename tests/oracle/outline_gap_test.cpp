@@ -203,8 +203,8 @@ void report(const Count& run) {
 }
 
 // Ten thousand pairs in four tests, and a million in sixteen tests.
-constexpr std::uint64_t kSeeds = 3600;
-constexpr int kLeastPairs = 2500;
+constexpr std::uint64_t kSeeds = 1200;
+constexpr int kLeastPairs = 830;
 constexpr std::uint64_t kLongSeeds = 90000;
 constexpr int kLeastLongPairs = 62500;
 

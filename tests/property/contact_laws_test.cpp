@@ -2,9 +2,14 @@
 // known way.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/contact/error_map.hpp"
@@ -210,17 +215,44 @@ TEST(ContactLaws, twice_is_the_same) {
 }
 
 // The curve has no jumps: neither where the next pair or an edge takes over, nor between pieces of
-// a modified flank. With twice as many positions, the steps are half as large.
+// a modified flank. If the steps between positions are divided, they become smaller.
+double greatest_step(std::span<const double> te) {
+  double step = 0.0;
+  for (std::size_t i = 1; i < te.size(); ++i) step = std::max(step, std::abs(te[i] - te[i - 1]));
+  return step;
+}
+
+// The 24 greatest of 512 steps are divided by 16. A jump would be one of them, because it stays in
+// one step.
 TEST(ContactLaws, the_curve_has_no_jump) {
-  over_pairs(29, 15, {}, [](const ModifiedPair& p, Random&) {
+  constexpr std::size_t kSteps = 512, kDivided = 24, kParts = 16;
+  over_pairs(29, 15, {}, [&](const ModifiedPair& p, Random&) {
     const ContactPair pair = p.set.pair();
-    const auto max_step = [&](int n) {
-      const auto te = transmission_error(pair, n);
-      double step = 0.0;
-      for (int i = 0; i < n; ++i) step = std::max(step, std::abs(te[(i + 1) % n] - te[i]));
-      return step;
-    };
-    EXPECT_LT(max_step(8192), 0.5 * max_step(512) + 1e-13);
+    const auto curve = over_a_pitch(pair, kSteps, 2).positions;
+    std::vector<std::pair<double, std::size_t>> steps;
+    for (std::size_t i = 0; i < kSteps; ++i)
+      steps.emplace_back(std::abs(curve[i + 1].te.rad() - curve[i].te.rad()), i);
+    std::ranges::sort(steps, std::greater{});
+    double divided = 0.0;
+    for (std::size_t k = 0; k < kDivided; ++k) {
+      const Angle from = curve[steps[k].second].rotation1,
+                  to = curve[steps[k].second + 1].rotation1;
+      std::vector<Angle> rotations;
+      for (std::size_t i = 0; i <= kParts; ++i)
+        rotations.push_back(from + static_cast<double>(i) / kParts * (to - from));
+      std::vector<double> te;
+      for (const auto& at : at_rotations(pair, rotations).positions) te.push_back(at.te.rad());
+      divided = std::max(divided, greatest_step(te));
+    }
+    EXPECT_LT(divided, 0.5 * steps.front().first + 1e-13);
+  });
+}
+
+TEST(LongContactLaws, the_curve_has_no_jump) {
+  over_pairs(29, 60, {}, [](const ModifiedPair& p, Random&) {
+    const ContactPair pair = p.set.pair();
+    EXPECT_LT(greatest_step(transmission_error(pair, 8192)),
+              0.5 * greatest_step(transmission_error(pair, 512)) + 1e-13);
   });
 }
 
