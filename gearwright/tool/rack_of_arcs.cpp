@@ -125,8 +125,8 @@ Result<CutterEdge> make_edge(const RackOfArcs& rack, double m, double thickness_
   if (!(std::abs(rack.dedendum) <= kMaxModules && rack.dedendum > -rack.addendum)) {
     return refused(
         "rack.dedendum", rack.dedendum,
-        fmt::format("must be greater than -{}, the negative of the addendum, and at most {}",
-                    format_number(rack.addendum), kMaxModules));
+        fmt::format("must be greater than {}, the negative of the addendum, and at most {}",
+                    format_number(0.0 - rack.addendum), kMaxModules));
   }
   if (rack.arcs.empty())
     return Error{"rack.arcs", "", "is empty; an edge needs at least one arc that cuts the flank"};
