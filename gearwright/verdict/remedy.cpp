@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "gearwright/verdict/margins.hpp"
-#include "gearwright/verdict/remedy_table.hpp"
 
 namespace gearwright::detail {
 

@@ -1,4 +1,4 @@
-#include "gearwright/verdict/remedy_table.hpp"
+#include "gearwright/verdict/remedy.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/drive.hpp"
-#include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright::detail {
 
