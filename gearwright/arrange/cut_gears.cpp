@@ -274,9 +274,15 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
       of == GearMember::face_width || of == GearMember::tip_diameter || of == GearMember::teeth;
   if (of == GearMember::tip_diameter && !gear.cylindrical.tip_diameter) {
     // The tip diameter is not given, so it was computed from the profile shift and the addendum of
-    // the rack. The error names the profile shift if it is given, and otherwise the addendum.
-    const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
-    const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
+    // the rack. The error names a thickness allowance that raises the root, otherwise the profile
+    // shift if it is given, and otherwise the addendum.
+    const double allowance = gear.cylindrical.thickness_allowance;
+    const std::string from = allowance > 0.0      ? "thickness_allowance"
+                             : gear.profile_shift ? "profile_shift"
+                                                  : "rack.addendum";
+    const double value = allowance > 0.0
+                             ? allowance
+                             : gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
     return following_from(gear_field(which, from), format_number(value), "this value requires",
                           of_gear(which, std::move(error)));
   }

@@ -147,8 +147,9 @@ class LimitTest(unittest.TestCase):
             error = solved("pair", with_value(PAIR, path, value))["error"]
             self.assertEqual(error["key"], path)
             self.assertIn("one end of this tolerance requires", error["message"])
-        self.assertEqual(solved("pair", with_value(PAIR, "gear1.thickness_allowance_mm", -3))["error"]["key"],
-                         "gear1.thickness_allowance_mm")
+        for allowance in (-3, 9):
+            self.assertEqual(solved("pair", with_value(PAIR, "gear1.thickness_allowance_mm", allowance))["error"]["key"],
+                             "gear1.thickness_allowance_mm")
 
     def test_one_tooth_has_no_dimension_over_balls(self):
         """Regression: the message contained an allowance of 1.8e17 mm."""
