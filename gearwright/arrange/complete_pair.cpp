@@ -185,13 +185,14 @@ constexpr int kMostSteps = 12;   // greatest number of secant steps; involute te
 struct Wanted {
   const char* field;
   double value;  // mm or degrees
+  const char* unit;
 };
 
 Wanted wanted_of(const PairInput& p) {
-  if (p.backlash) return {"pair.backlash", *p.backlash};
+  if (p.backlash) return {"pair.backlash", *p.backlash, " mm"};
   if (p.backlash_circumferential)
-    return {"pair.backlash_circumferential", *p.backlash_circumferential};
-  return {"pair.backlash_angle", p.backlash_angle->deg()};
+    return {"pair.backlash_circumferential", *p.backlash_circumferential, " mm"};
+  return {"pair.backlash_angle", p.backlash_angle->deg(), "°"};
 }
 
 // Splits the total thinning, mm in the normal section, between the two gears.
@@ -226,15 +227,27 @@ Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& plac
                                              : backlash->rotation[0].deg();
 }
 
+// The error of a backlash for which a gear cannot be made. `possible` and `impossible` are two
+// thinnings, one on each side of the limit.
+Error beyond_limit(const GivenPair& given, const std::optional<PairPlace>& place,
+                   const Wanted& wanted, double possible, double impossible) {
+  const bool thinner = impossible > possible;
+  const double limit = nearest_possible(possible, impossible, [&](double thinning) {
+    return static_cast<bool>(backlash_at(given, place, thinning));
+  });
+  return refused(
+      wanted.field, wanted.value, {*backlash_at(given, place, limit)},
+      fmt::format("must be at {} {{}}{}, because the cutters of these gears cannot cut "
+                  "{} teeth",
+                  thinner ? "most" : "least", wanted.unit, thinner ? "thinner" : "thicker"));
+}
+
 }  // namespace
 
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings) {
   GW_EXPECTS(given.pair.wants_backlash() && given.gears[0] && given.gears[1]);
   const Wanted wanted = wanted_of(given.pair);
-  const auto asked = [&](const Error& error) {
-    return following_from(wanted.field, format_number(wanted.value), "this value requires", error);
-  };
   double before = 0.0;
   auto at_before = backlash_at(given, place, before);
   if (!at_before) return at_before.error();
@@ -242,7 +255,7 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
     const auto at_now = backlash_at(given, place, now);
-    if (!at_now) return asked(at_now.error());
+    if (!at_now) return beyond_limit(given, place, wanted, before, now);
     const double off = *at_now - wanted.value;
     const double slope = (off - off_before) / (now - before);
     if (std::abs(off) <= kNear * std::max(1.0, wanted.value) || !(slope > 0.0)) break;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/arrange/complete_pair.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
@@ -113,15 +114,25 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
 // own cutter and a thickness allowance is made at the distance that gives x_E.
 Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec spec) {
   auto nominal = make_pinion_cut_gear(cutter, spec);
-  const double allowance = gear.cylindrical.thickness_allowance;
-  if (!nominal || gear.cut_by->gear != 0 || allowance == 0.0) return nominal;
-  spec.thickness_allowance = allowance;
+  const double wanted = gear.cylindrical.thickness_allowance;
+  if (!nominal || gear.cut_by->gear != 0 || wanted == 0.0) return nominal;
   spec.profile_shift = gear.profile_shift.value_or(nominal->spec.profile_shift);
-  const auto e = generating_distance(cutter, spec.teeth,
-                                     *spec.profile_shift + shift_of_allowance(cutter, allowance));
-  if (!e) return e.error();
-  spec.distance = *e;
-  return make_pinion_cut_gear(cutter, spec);
+  const auto made_with = [&](double allowance) -> Result<Gear> {
+    spec.thickness_allowance = allowance;
+    const auto e = generating_distance(cutter, spec.teeth,
+                                       *spec.profile_shift + shift_of_allowance(cutter, allowance));
+    if (!e) return e.error();
+    spec.distance = *e;
+    return make_pinion_cut_gear(cutter, spec);
+  };
+  auto made = made_with(wanted);
+  if (made) return made;
+  const double limit = nearest_possible(
+      0.0, wanted, [&](double allowance) { return static_cast<bool>(made_with(allowance)); });
+  return refused(
+      "thickness_allowance", wanted, {limit},
+      fmt::format("must be at {} {{}} mm, because this cutter cannot cut {} teeth",
+                  wanted > 0.0 ? "most" : "least", wanted > 0.0 ? "thicker" : "thinner"));
 }
 
 // Adds a note if the root of a cutter that is not the mating gear determines the tip, because no
@@ -263,9 +274,15 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
       of == GearMember::face_width || of == GearMember::tip_diameter || of == GearMember::teeth;
   if (of == GearMember::tip_diameter && !gear.cylindrical.tip_diameter) {
     // The tip diameter is not given, so it was computed from the profile shift and the addendum of
-    // the rack. The error names the profile shift if it is given, and otherwise the addendum.
-    const std::string from = gear.profile_shift ? "profile_shift" : "rack.addendum";
-    const double value = gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
+    // the rack. The error names a thickness allowance that raises the root, otherwise the profile
+    // shift if it is given, and otherwise the addendum.
+    const double allowance = gear.cylindrical.thickness_allowance;
+    const std::string from = allowance > 0.0      ? "thickness_allowance"
+                             : gear.profile_shift ? "profile_shift"
+                                                  : "rack.addendum";
+    const double value = allowance > 0.0
+                             ? allowance
+                             : gear.profile_shift.value_or(addendum_of(gear.cylindrical.rack));
     return following_from(gear_field(which, from), format_number(value), "this value requires",
                           of_gear(which, std::move(error)));
   }

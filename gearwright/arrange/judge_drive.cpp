@@ -180,6 +180,15 @@ std::string fraction(const Rational& r) {
   return fmt::format("{:.6g} ({}/{})", r.value(), *p, *q);
 }
 
+// True if a gear of the mesh has another mesh, too.
+bool shares_gears(const DriveGraph& graph, std::size_t mesh) {
+  const auto& own = graph.meshes[mesh].gears;
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+    for (const std::size_t gear : graph.meshes[m].gears)
+      if (m != mesh && std::find(own.begin(), own.end(), gear) != own.end()) return true;
+  return false;
+}
+
 // Summary of a drive without faults: ratio, efficiency, safeties and least backlash of its meshes.
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
@@ -189,9 +198,10 @@ std::string running(const Drive& drive) {
     facts += (facts.empty() ? "efficiency " : ", efficiency ") + share(drive.flow->efficiency);
   text += facts.empty() ? "." : ": " + facts + ".";
   std::optional<std::size_t> tight;  // the mesh with the least backlash
-  double least = 0.0;
+  double least = 0.0, greatest = 0.0;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto backlash = drive.geometry.stated_backlash(m);
+    if (backlash) greatest = std::max(greatest, *backlash);
     if (!backlash || (tight && *backlash >= least)) continue;
     tight = m;
     least = *backlash;
@@ -215,11 +225,14 @@ std::string running(const Drive& drive) {
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->mesh.rack.angles.cos_alpha;
   const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
   const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
+  const bool everywhere = greatest < kNoBacklash;
+  const bool alone = !everywhere && !shares_gears(drive.graph, *tight);
   return text + fmt::format(
-                    " There is no backlash. A thickness allowance of {} mm on all gears gives a "
-                    "backlash of {:.3f} mm in the mesh {}; {}.",
-                    format_number(allowance), least + per_allowance * (mean - allowance), name,
-                    recommendation(recommended));
+                    " There is no backlash{}. A thickness allowance of {} mm on {} gears gives a "
+                    "backlash of {:.3f} mm in {}; {}.",
+                    everywhere ? "" : " in the mesh " + name, format_number(allowance),
+                    alone ? "both of its" : "all", least + per_allowance * (mean - allowance),
+                    everywhere ? "the mesh " + name : "this mesh", recommendation(recommended));
 }
 
 }  // namespace

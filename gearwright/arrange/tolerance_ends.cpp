@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/printable.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
 #include "gearwright/inspection/span.hpp"
@@ -73,6 +74,10 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
   if (!ball)
     return Error{"tolerance.over_balls", "",
                  "needs the diameter of the balls, `measure.ball_diameter`"};
+  if (std::abs(gear.spec.teeth) == 1)
+    return Error{"tolerance.over_balls", "",
+                 "cannot be measured, because a gear with a single tooth space has no opposite "
+                 "tooth space for the second ball; give `thickness_allowance`"};
   Ends ends{};
   for (const std::size_t i : {0u, 1u}) {
     const double read = (*input.tolerance.over_balls)[i];
@@ -89,6 +94,20 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
   return ends;
 }
 
+// The members that give a tolerance.
+const char* thickness_member(const ToleranceInput& tolerance) {
+  return tolerance.series       ? "tolerance.series"
+         : tolerance.span       ? "tolerance.span"
+         : tolerance.over_balls ? "tolerance.over_balls"
+                                : "thickness_allowance";
+}
+const char* tip_member(const ToleranceInput& tolerance) {
+  return tolerance.tip_fit ? "tolerance.tip_fit" : "tolerance.tip_deviations";
+}
+const char* distance_member(const PairInput& pair) {
+  return pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations";
+}
+
 // The lower and the upper deviation of the centre distance, mm.
 Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   const PairInput& pair = nominal.completed.pair;
@@ -96,8 +115,7 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
     return std::optional<Ends>();
   for (const int which : {1, 2}) {
     if (!nominal.completed.gear(which).cut_by) continue;
-    return Error{pair.distance_tolerance ? "pair.distance_tolerance" : "pair.distance_deviations",
-                 "",
+    return Error{distance_member(pair), "",
                  fmt::format("cannot be combined with `{}`, because a deviation of the centre "
                              "distance would also change the generating distance",
                              gear_field(which, "cut_by"))};
@@ -119,9 +137,8 @@ std::optional<Error> check_tips(const GivenPair& given) {
     const GearInput* const gear = given.find(which);
     if (!gear || !gear->tolerance.tip_deviations) continue;
     if (gear->cylindrical.tip_fillet || gear->tip_clearance || gear->tip_clearance_by_rule)
-      return Error{gear_field(which, gear->tolerance.tip_fit ? "tolerance.tip_fit"
-                                                             : "tolerance.tip_deviations"),
-                   "", "cannot be combined with `tip_fillet`, which determines the tip"};
+      return Error{gear_field(which, tip_member(gear->tolerance)), "",
+                   "cannot be combined with `tip_fillet`, which determines the tip"};
   }
   return std::nullopt;
 }
@@ -167,6 +184,23 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   return given;
 }
 
+// Attributes an error of the gears at one end of their tolerances to the tolerance that causes it,
+// because the user has not given the value at this end.
+Error of_tolerance(const Error& error, const GivenPair& given) {
+  const auto [which, member] = subject_of(error.field);
+  const auto from = [&](const std::string& field) {
+    return following_from(field, "", "one end of this tolerance requires", error);
+  };
+  if (error.field == "pair.center_distance") return from(distance_member(given.pair));
+  const GearInput* const gear = which == 0 ? nullptr : given.find(which);
+  if (gear && member == GearMember::tip_diameter && gear->tolerance.tip_deviations)
+    return from(gear_field(
+        which, gear->tolerance.tip_fit ? "tolerance.tip_fit" : "tolerance.tip_deviations"));
+  if (gear && gear->allowance_ends && error.field == gear_field(which, "thickness_allowance"))
+    return from(gear_field(which, thickness_member(gear->tolerance)));
+  return error;
+}
+
 std::string words(const TolerancedNumber& tolerance, std::size_t end) {
   const double value = tolerance.ends[end];
   switch (tolerance.of) {
@@ -188,15 +222,13 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
   for (const int which : {1, 2}) {
     GearInput* const gear = given.find(which);
     if (!gear || !gear->tolerance.says_thickness()) continue;
-    const auto no = [&](const char* key, const char* why) {
-      return Error{gear_field(which, std::string("tolerance.") + key), "", why};
-    };
     const ToleranceInput& tolerance = gear->tolerance;
-    const char* const key = tolerance.series ? "series" : tolerance.span ? "span" : "over_balls";
+    const auto no = [&](const char* why) {
+      return Error{gear_field(which, thickness_member(tolerance)), "", why};
+    };
     if (gear->cut_by && gear->cut_by->gear != 0)
-      return no(key, "follows from the mating gear, which cuts this gear; leave it out");
-    if (gear->basic)
-      return no(key, "cannot be combined with `basic`, which gives the tooth thickness");
+      return no("follows from the mating gear, which cuts this gear; leave it out");
+    if (gear->basic) return no("cannot be combined with `basic`, which gives the tooth thickness");
     if (!nominal) {
       auto solved = arrange_nominal(given, Scope::gears);
       if (!solved) return solved.error();
@@ -204,7 +236,7 @@ Result<GivenPair> with_allowances(const GivenPair& as_given) {
     }
     const Gear& made = nominal->gear(which);
     if (!made.involute() && !tolerance.series)
-      return no(key, "can be measured on involute flanks only, and these flanks are circular arcs");
+      return no("can be measured on involute flanks only, and these flanks are circular arcs");
     auto ends = tolerance.series ? thickness_allowances(*tolerance.series, made.reference_diameter)
                 : tolerance.span ? of_span(made, *gear)
                                  : of_balls(made, *gear);
@@ -241,9 +273,9 @@ Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal
   if (!tolerated) return std::shared_ptr<const ArrangedEnds>();
   if (const auto error = check_tips(nominal.completed)) return *error;
   auto lower = arrange_nominal(at_end(nominal, 0, *deviations), scope);
-  if (!lower) return lower.error();
+  if (!lower) return of_tolerance(lower.error(), nominal.completed);
   auto upper = arrange_nominal(at_end(nominal, 1, *deviations), scope);
-  if (!upper) return upper.error();
+  if (!upper) return of_tolerance(upper.error(), nominal.completed);
   ArrangedEnds ends{std::move(lower).take(), std::move(upper).take()};
   for (std::size_t i = 0; i < nominal.gears.size() && nominal.completed.pair.backlash_ends; ++i) {
     if (ends.lower.gears[i].spec.thickness_allowance <=

@@ -27,6 +27,11 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
   if (!drive.geometry.faults.empty())
     return not_loaded("does not apply to gears that do not fit: " +
                       drive.geometry.faults.front().message);
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m)
+    if (const auto& pair = drive.geometry.pairs[m]; pair && pair->arcs())
+      return not_loaded(
+          "does not apply to circular-arc teeth, whose loaded contact is not computed",
+          graph.meshes[m].name);
   if (!drive.flow)
     return not_loaded(
         "needs the torques of all meshes; give a normal module or the efficiencies of the meshes");

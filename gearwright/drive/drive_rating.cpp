@@ -84,6 +84,14 @@ RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& loa
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material) {
+  const auto& pairs = drive.geometry.pairs;
+  const auto arcs =
+      std::find_if(pairs.begin(), pairs.end(), [](const auto& p) { return p && p->arcs(); });
+  if (!drive.flow && arcs != pairs.end()) {
+    const auto mesh = static_cast<std::size_t>(arcs - pairs.begin());
+    return Error{"drive.mesh", drive.graph.meshes[mesh].name,
+                 "has circular-arc teeth, but ISO 6336 rates involute teeth only"};
+  }
   if (!drive.flow || drive.flow->self_locking())
     return Error{"drive.mesh", "",
                  drive.flow

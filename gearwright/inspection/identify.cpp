@@ -269,13 +269,15 @@ Identification detail::identify_readings(const IdentifyProblem& problem, LeaveOu
   Identification answer;
   const bool fits =
       !found.empty() && found.front().fit.misfit <= most_misfit(readings, found.front().fit);
-  if (!fits && leave_out == LeaveOut::one)
+  const bool several = readings.size() > 1;
+  if (!fits && several && leave_out == LeaveOut::one)
     answer.contradiction = contradiction(problem, readings, found);
   found = without_doubles(found);
   if (found.empty() || (!fits && !answer.contradiction)) {
     answer.reason =
         found.empty() ? "no standard gear with this number of teeth has the measured size"
-                      : "no standard gear matches these readings, even if one reading is left out";
+        : several     ? "no standard gear matches these readings, even if one reading is left out"
+                      : "no standard gear matches this reading; check it and the number of teeth";
   }
   answer.candidates = candidates_of(problem, found);
   answer.next = next_measurement(problem, answer.candidates);

@@ -91,6 +91,12 @@ bool agrees_well(const IdentifiedGear& g) {
          g.tip != TipReading::longer && g.tip != TipReading::shortened;
 }
 
+// Greatest magnitude of the profile shift of most gears. If the profile shift is greater, a mistake
+// is looked for that explains the readings by a gear with a smaller profile shift.
+constexpr double kUsualShift = 1.0;
+
+bool is_usual(const IdentifiedGear& g) { return std::abs(g.generating_shift) <= kUsualShift; }
+
 // A gear that agrees with all readings after one mistake is corrected; none if there is no such
 // gear.
 std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
@@ -123,7 +129,7 @@ std::optional<Alternative> alternative_of(const IdentifyProblem& problem) {
     if (best) return best;
   }
   for (const int step : {-1, +1}) {
-    if (!has_group(problem, Reading::span)) break;
+    if (problem.spans.empty()) break;
     IdentifyProblem other = problem;
     for (SpanReading& s : other.spans) s.teeth += step;
     if (std::any_of(other.spans.begin(), other.spans.end(),
@@ -146,7 +152,10 @@ Result<Identification> identify(const IdentifyProblem& problem) {
                  "no reading determines the size of the gear; measure spans over two numbers of "
                  "teeth and a dimension over balls"};
   Identification answer = without_contradiction(problem);
-  if (!sound(answer)) answer.alternative = alternative_of(problem);
+  if (sound(answer) && is_usual(answer.candidates.front())) return answer;
+  auto alternative = alternative_of(problem);
+  if (alternative && (!sound(answer) || is_usual(alternative->gear)))
+    answer.alternative = std::move(alternative);
   return answer;
 }
 

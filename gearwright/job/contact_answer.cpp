@@ -1,6 +1,8 @@
 #include "gearwright/job/contact_answer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -59,10 +61,19 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
        touch.gear});
 }
 
+// If the flanks of an internal pair overlap by more than this part of a pitch, the gears jam whatever
+// the fillets do. The fillets are then not examined, because many teeth overlap and their
+// computation can take half a minute.
+constexpr double kDeepOverlap = 0.05;
+
 // Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
 // outlines of the gears alone determine whether this happens, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
+  const Gear& gear_2 = answer.setup->gear(2);
+  const double pitch = 2 * std::numbers::pi / std::abs(gear_2.spec.teeth);
+  if (gear_2.internal() && answer.min_play && answer.min_play->rad() < -kDeepOverlap * pitch)
+    return;
   const bool gear2_drives = input.driver == 2;
   const auto driving_outlines = answer.setup->outlines(gear2_drives);
   const auto other_outlines = answer.setup->outlines(!gear2_drives);

@@ -153,7 +153,8 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
 }
 
 // The sentence about a mistake that explains the readings.
-std::string alternative_text(const Alternative& a, UnitSystem units) {
+std::string alternative_text(const Identification& found, UnitSystem units) {
+  const Alternative& a = *found.alternative;
   const IdentifiedGear& g = a.gear;
   const std::string gear =
       fmt::format("{} {}, α_n = {:g}°, β = {:g}° and x = {:.4f}",
@@ -165,8 +166,14 @@ std::string alternative_text(const Alternative& a, UnitSystem units) {
   if (a.mistake == Reading::span_teeth)
     return fmt::format(
         "Count the teeth in the spans again: with one tooth {} in each span, all readings agree "
-        "with a gear of {} teeth {}.",
-        a.step > 0 ? "more" : "fewer", g.teeth, gear);
+        "with a gear of {} teeth {}.{}",
+        a.step > 0 ? "more" : "fewer", g.teeth, gear,
+        found.candidates.empty() || g.tip != TipReading::none
+            ? ""
+            : sentence_in(units,
+                          fmt::format(" Measure the tip diameter, which is about {:.3f} mm "
+                                      "for this gear and {:.3f} mm for candidate 1.",
+                                      g.tip_diameter, found.candidates.front().tip_diameter)));
   const char* const other = units == UnitSystem::inch ? "mm" : "inch";
   return fmt::format("Check the units: if {} in {}, all readings agree with a gear of {} teeth {}.",
                      group_text(a.mistake), other, g.teeth, gear);
@@ -231,7 +238,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
                                        unit, format_number(c->expected, c->value), unit)));
   }
   if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
-  if (found.alternative) text += "\n" + alternative_text(*found.alternative, units) + "\n";
+  if (found.alternative) text += "\n" + alternative_text(found, units) + "\n";
   if (found.candidates.empty()) return text;
   text += fmt::format("\n  {:>9}  {:>10}  {:>12}  {:>5}  {:>19}  {:>17}  {:>10}\n", "candidate",
                       "likelihood", "module", "α_n", "helix angle", "x_E", "tip");

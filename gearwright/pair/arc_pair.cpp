@@ -256,10 +256,11 @@ void warn_about_pair(ArcPair& pair) {
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
   if (pair.backlash_rotation && pair.base_backlash <= -kNoBacklash) {
+    const double normal = pair.base_backlash / std::cos(pair.first_contact().at.theta.rad());
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
              "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",
-             pair.base_backlash));
+             normal));
   }
   for (const int which : {1, 2}) {
     const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];

@@ -322,8 +322,12 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
   if (auto error = check_partners(gear_1.spec, gear_2.spec, angle)) return *error;
   for (const Gear* g : {&gear_1, &gear_2}) {
     if (g->exists()) continue;
-    return refused(gear_field(g == &gear_1 ? 1 : 2, "profile_shift"), g->spec.profile_shift,
-                   g->warnings.back().message);
+    const double x = g->spec.profile_shift, allowance = g->spec.thickness_allowance;
+    const auto free = g->undercut_free_shift();
+    const bool by_allowance = allowance < 0.0 && free && x >= *free;
+    return refused(
+        gear_field(g == &gear_1 ? 1 : 2, by_allowance ? "thickness_allowance" : "profile_shift"),
+        by_allowance ? allowance : x, g->warnings.back().message);
   }
   PairPlace place{spec.center_distance.value_or(0.0), spec.shaft_angle};
   if (!spec.center_distance) {

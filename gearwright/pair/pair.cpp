@@ -44,10 +44,6 @@ double Pair::contact_ratio_true() const {
   return visit([](const auto& p) { return p.contact_ratio_true(); });
 }
 
-double Pair::stated_backlash() const {
-  return arcs() ? arcs()->base_backlash : involute()->normal_backlash();
-}
-
 Result<Pair> mount(Gear gear_1, Gear gear_2, const PairSpec& spec) {
   if (!gear_1.involute() || !gear_2.involute()) {
     if (spec.shaft_angle && spec.shaft_angle->rad() != 0.0) {
@@ -94,6 +90,11 @@ std::optional<PairBacklash> backlash_between(const ArcPair& p) {
 
 std::optional<PairBacklash> backlash_of(const Pair& pair) {
   return pair.visit([](const auto& p) { return backlash_between(p); });
+}
+
+double Pair::stated_backlash() const {
+  const auto backlash = backlash_of(*this);
+  return backlash ? backlash->normal : 0.0;
 }
 
 }  // namespace gearwright

@@ -56,8 +56,7 @@ class Pair {
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
   double contact_ratio_true() const;  ///< contact ratio on the usable flanks
-  /// The backlash that messages and verdicts state, mm: j_n of involute teeth, j_bn of circular
-  /// arcs.
+  /// j_n  mm, the backlash that messages and verdicts state; 0 without contact.
   double stated_backlash() const;
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }

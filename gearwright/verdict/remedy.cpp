@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "gearwright/verdict/margins.hpp"
-#include "gearwright/verdict/remedy_table.hpp"
 
 namespace gearwright::detail {
 
@@ -187,11 +186,19 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     const TryDepth depth = cure->needs_contact ? TryDepth::with_contact
                            : judged.tolerances ? TryDepth::at_tolerances
                                                : TryDepth::as_drawn;
+    const bool under_errors = judged.contact && judged.errors && !cure->needs_contact;
     std::optional<Found> best;
     for (const Lever& lever : levers(*cure, finding, judged)) {
-      const auto found = finding.code == WarningCode::contact_place
-                             ? centring_change(trials, finding, lever, *place)
-                             : least_change(trials, finding, lever, depth);
+      auto found = lever.what == Adjustable::lead_slope
+                       ? centring_change(trials, finding, lever, *place)
+                       : least_change(trials, finding, lever, depth);
+      // The contact under the errors is computed only for the change that would be printed. If it
+      // is worse than before, the other changes of this number are tried with their contact.
+      if (found && under_errors) {
+        const auto score = trials.score(finding, found->change, TryDepth::with_contact);
+        found = score ? std::optional(Found{found->change, *score})
+                      : least_change(trials, finding, lever, TryDepth::with_contact);
+      }
       if (found && (!best || found->score < best->score)) best = found;
       // For a finding of a contact analysis, the search stops at the first change that removes the
       // finding, because each trial takes milliseconds.

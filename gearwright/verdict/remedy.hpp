@@ -1,19 +1,66 @@
-// Remedies of findings. Each remedy is tried before it is printed.
+// Remedies of findings, and the numbers of a spec that can remove each finding. Each remedy is tried
+// before it is printed.
 //
-// For each finding code, a table lists the numbers of the spec that can help and the direction in
-// which to change them. For each of these numbers, the program computes the smallest change that
-// removes the finding and neither adds nor worsens another finding. If several changes succeed, the
-// one with the fewest remaining findings is used. If the contact lies near the end of the face, the
-// change is the one that moves it to the middle. If no change succeeds, the remedy contains no
-// number.
+// A cure is a row of a table. It contains the code of a finding, the changes in the order in which
+// they are tried, and a clause that is true once the finding is removed. For a given spec, each
+// change becomes a lever: a number of the spec with its present value, direction, range and step.
+// For each lever, the program computes the smallest change that removes the finding and neither
+// adds nor worsens another finding. If several changes succeed, the one with the fewest remaining
+// findings is used. If the contact lies near the end of the face, or if an edge touches, the lead
+// slope that moves the contact to the middle is tried first. If no change succeeds, the remedy
+// contains no number.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "gearwright/pair/pair.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
 namespace gearwright::detail {
+
+/// The part of the spec whose number is changed: the gear of the finding, the mating gear, gear 1,
+/// gear 2 or the pair.
+enum class Whose { own, mate, first, second, pair };
+
+struct Means {
+  Adjustable what;
+  Whose whose;
+  int direction;  ///< +1 for more shift, a longer or thicker tooth, more teeth, more width or a
+                  ///< greater distance; −1 for less
+};
+
+struct Cure {
+  WarningCode code;
+  const char* then;  ///< example: "gear {} is not undercut"; {} stands for a gear number, a contact
+                     ///< ratio or a backlash
+  std::vector<Means> means{};
+  bool needs_contact = false;  ///< true if the finding comes from a contact analysis
+};
+
+struct Lever {
+  Adjustable what;
+  int gear;
+  double now;                     ///< present value, in the unit of SpecChange
+  int direction;                  ///< +1 or −1, the sign of the change of the value
+  double span;                    ///< greatest permitted change
+  int digits;                     ///< number of decimals of the values that are tried
+  std::optional<double> hint{};   ///< value from a closed formula, which is tried in addition
+  std::optional<double> exact{};  ///< if set, the only value that is tried
+
+  double step() const;
+  /// Converts a number of steps to a value and rounds it to its decimal form.
+  double in_steps(double steps) const;
+};
+
+/// Returns null if the table has no cure for the finding.
+const Cure* cure_of(const Finding& finding);
+
+std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged);
+
+/// Example: "With a profile shift of 0.54 on gear 1, the contact ratio is 1.286."
+std::string remedy_words(const Cure& cure, const SpecChange& change, const Finding& finding,
+                         const Judged& judged, const ChangedState& trial);
 
 /// Fills `remedy` of all findings. `change` is filled only for the findings of the worst level,
 /// because the user removes these first.

@@ -1,4 +1,4 @@
-#include "gearwright/verdict/remedy_table.hpp"
+#include "gearwright/verdict/remedy.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 
 #include "gearwright/pair/clearances.hpp"
 #include "gearwright/pair/drive.hpp"
-#include "gearwright/verdict/remedy.hpp"
 
 namespace gearwright::detail {
 
@@ -97,7 +96,9 @@ const std::vector<Cure>& cures() {
       {C::fillet_contact, "the tips stay clear of the root fillets", kReachLess, true},
       {C::edge_contact,
        "no edge is in contact",
-       {{A::lead_crowning, W::first, +1}, {A::tip_diameter, W::first, -1}},
+       {{A::lead_slope, W::first, +1},
+        {A::lead_crowning, W::first, +1},
+        {A::tip_diameter, W::first, -1}},
        true},
       {C::contact_place,
        "the contact lies in the middle of the face",

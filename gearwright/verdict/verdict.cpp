@@ -57,7 +57,7 @@ std::string backlash_words(double j, double center_distance, double normal_modul
                      recommendation(recommended_backlash(center_distance, normal_module)));
 }
 
-std::string running(const ArcPair& pair) {
+std::string running(const ArcPair& pair, double backlash) {
   if (pair.contacts.empty())
     return "The gears do not have matching leads. The verb contact computes where they touch.";
   return fmt::format(
@@ -65,7 +65,7 @@ std::string running(const ArcPair& pair) {
       pair.overlap_ratio,
       pair.contacts.size() == 1 ? "one point of contact"
                                 : fmt::format("{} points of contact", pair.contacts.size()),
-      backlash_words(pair.base_backlash, pair.center_distance, pair.gears[0].spec.normal_module));
+      backlash_words(backlash, pair.center_distance, pair.gears[0].spec.normal_module));
 }
 
 bool uncut_ring(const Gear* gear) { return !gear->tooth; }
@@ -73,33 +73,35 @@ bool uncut_ring(const Gear* gear) { return !gear->tooth; }
 constexpr const char* kNoCutter =
     " The cutter of the internal gear is not given, so its root fillet is not checked.";
 
-std::string running(const InvolutePair& p, const std::string& contact) {
+std::string running(const InvolutePair& p, double backlash, const std::string& contact) {
   const bool no_collision = p.interference.empty() && p.beyond_flank.empty();
-  return fmt::format(
-      "{} {}{}.{}", contact,
-      backlash_words(p.mesh.backlash.normal, p.center_distance, p.gears[0].spec.normal_module),
-      !no_collision        ? ""
-      : p.crossed_inside() ? " and no tip interference"
-                           : " and no interference",
-      uncut_ring(&p.gears[1]) ? kNoCutter : "");
+  return fmt::format("{} {}{}.{}", contact,
+                     backlash_words(backlash, p.center_distance, p.gears[0].spec.normal_module),
+                     !no_collision        ? ""
+                     : p.crossed_inside() ? " and no tip interference"
+                                          : " and no interference",
+                     uncut_ring(&p.gears[1]) ? kNoCutter : "");
 }
 
-std::string running(const ParallelPair& p) {
+std::string running(const ParallelPair& p, double backlash) {
   if (const auto face = face_width_needed(p)) {
-    return running(p, fmt::format("The pair runs only as a helical gear pair, because the "
-                                  "transverse contact ratio is {:.3f} and the total contact ratio "
-                                  "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
-                                  p.mesh.true_ratio, p.contact_ratio_true(), *face));
+    return running(p, backlash,
+                   fmt::format("The pair runs only as a helical gear pair, because the "
+                               "transverse contact ratio is {:.3f} and the total contact ratio "
+                               "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
+                               p.mesh.true_ratio, p.contact_ratio_true(), *face));
   }
   return running(
-      p, fmt::format("The pair runs with continuous contact (total contact ratio {:.3f}). There is",
-                     p.contact_ratio_true()));
+      p, backlash,
+      fmt::format("The pair runs with continuous contact (total contact ratio {:.3f}). There is",
+                  p.contact_ratio_true()));
 }
 
-std::string running(const CrossedPair& p) {
+std::string running(const CrossedPair& p, double backlash) {
   return running(
-      p, fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
-                     p.contact_ratio_true()));
+      p, backlash,
+      fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
+                  p.contact_ratio_true()));
 }
 
 std::string gears_alone(const Judged& judged) {
@@ -126,7 +128,8 @@ std::string standing(const Judged& judged) {
   if (!judged.pair) return gears_alone(judged);
   const auto& ends = judged.backlash_ends;
   const std::string nominal =
-      judged.pair->visit([](const auto& pair) { return running(pair); }) +
+      judged.pair->visit(
+          [j = judged.pair->stated_backlash()](const auto& pair) { return running(pair, j); }) +
       (ends ? fmt::format(" Within the tolerances, the backlash is {:.4f} mm to {:.4f} mm.",
                           (*ends)[0], (*ends)[1])
             : "") +

@@ -269,7 +269,7 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             pair = Run("pair", json.dumps({"gear1": gears[0], "gear2": gears[1],
                                            "pair": {"center_distance_mm": distance}}), "--json",
                        name="pair.json").json["pair"]
-            normal = pair["backlash"]["normal_base_mm"]
+            normal = pair["backlash"]["normal_mm"]
             said = f"The least backlash is {normal:.4f} mm." if normal >= 5e-5 else "There is no backlash in the mesh m."
             self.assertIn(said, answer["verdict"]["headline"])
 
