@@ -77,7 +77,7 @@ namespace {
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)
-    text += (text.empty() ? "`" : ", `") + spelled_member("search." + field) + "`";
+    text += (text.empty() ? "`" : ", `") + spelled_member("search", field).key + "`";
   return text;
 }
 
