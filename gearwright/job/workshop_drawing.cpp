@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/section.hpp"
@@ -283,9 +282,7 @@ DataGroup mate(const SolvedJob& job, int which) {
                         with_minus(fmt::format("{}", other.spec.teeth))});
   Records pair{pair_quantities().of(*job.pair), job.spec.units()};
   if (job.ends) {
-    auto [lower, upper] = limits_of(job, arranged_corners(job), [](const Arranged& at) {
-      return pair_quantities().of(*at.pair);
-    });
+    auto [lower, upper] = pair_limits(job);
     pair.ends = {std::move(lower), std::move(upper)};
   }
   if (const auto& tolerance = job.completed.pair.distance_tolerance;
@@ -312,7 +309,7 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   Records gear{gear_quantities().of(job.gears[i]), units};
   Records measure{measure_records(job)[i], units};
   if (job.ends) {
-    auto [lower, upper] = gear_limits(job, arranged_corners(job), i);
+    auto [lower, upper] = gear_limits(job, i);
     gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }
