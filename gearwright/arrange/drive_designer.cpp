@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "gearwright/arrange/drive_designs.hpp"
-#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/judge.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/windup.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"

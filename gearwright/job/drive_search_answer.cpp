@@ -7,14 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 

@@ -19,16 +19,16 @@
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 

@@ -9,9 +9,7 @@
 #include "gearwright/base/system.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

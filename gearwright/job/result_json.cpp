@@ -7,8 +7,7 @@
 
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 

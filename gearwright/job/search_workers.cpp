@@ -7,7 +7,6 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/search_job.hpp"
 
 namespace gearwright {
 

@@ -14,10 +14,10 @@
 #include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
 namespace {

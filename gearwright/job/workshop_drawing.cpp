@@ -11,14 +11,13 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/sheet_files.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {

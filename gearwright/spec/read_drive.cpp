@@ -12,7 +12,6 @@
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/arrange/given_gear.hpp"
+#include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/drive/drive_graph.hpp"
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/spec/json.hpp"
