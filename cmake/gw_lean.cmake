@@ -17,7 +17,7 @@
 # Functions that only the folder of a search needs are omitted together with the store.
 include_guard()
 
-set(gw_store_sources "/gearwright/store/|/gearwright/job/(search_(campaign|files|record|tables)|study_campaign)\\.cpp$")
+set(gw_store_sources "/gearwright/store/|/gearwright/job/(search_(campaign|files|record)|study_campaign)\\.cpp$")
 
 # Removes from the list the source of each pair that this build does not use. On Windows,
 # X_windows.cpp replaces X.cpp in the same way.

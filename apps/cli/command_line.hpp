@@ -11,7 +11,6 @@
 
 #include "apps/cli/verbs.hpp"
 #include "apps/common/search_verb.hpp"
-#include "apps/common/study_verb.hpp"
 
 namespace gearwright::apps {
 

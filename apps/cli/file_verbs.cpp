@@ -19,7 +19,7 @@
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/rexs_export.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::apps {
 

@@ -20,14 +20,12 @@
 #include "gearwright/catalogue/spec_schema.hpp"
 #include "gearwright/drive/drive.hpp"
 #include "gearwright/job/csv_answer.hpp"
-#include "gearwright/job/files.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/verify.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::apps {
 

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright::apps {
 

@@ -12,8 +12,7 @@
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
-#include "gearwright/job/search_job.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright::apps {
 

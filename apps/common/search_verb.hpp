@@ -1,15 +1,15 @@
 // The verb search, in one process or several: command line, progress, Ctrl-C and output.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "gearwright/job/search_job.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::apps {
 
@@ -59,5 +59,27 @@ CLI::App* add_search(CLI::App& app, SearchCommand& command);
 
 /// Returns the exit status.   Throws  IoError
 int run_search_verb(const SearchCommand& command, const Together* together = nullptr);
+
+// The verb scatter over the designs of a search, in one process or several: options, progress,
+// Ctrl-C and output.
+
+struct StudyCommand : CampaignCommand {
+  std::optional<std::string> designs;
+  bool csv = false;
+
+  /// True if at least one option is given that is valid only for a study of designs.
+  bool given() const { return designs || out || shard || resume || top; }
+};
+
+void add_study_options(CLI::App* sub, StudyCommand& command);
+
+/// Adds the verb scatter to a program that supports it only for the designs of a search.
+CLI::App* add_study(CLI::App& app, StudyCommand& command);
+
+/// Returns the exit status.   Throws  IoError
+int run_study_verb(const StudyCommand& command, const SpecText& text,
+                   const Together* together = nullptr);
+/// Reads the spec that the command names, and runs the verb for it.
+int run_study_verb(const StudyCommand& command, const Together* together);
 
 }  // namespace gearwright::apps

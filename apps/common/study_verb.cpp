@@ -1,4 +1,4 @@
-#include "apps/common/study_verb.hpp"
+#include "apps/common/search_verb.hpp"
 
 #include <fmt/format.h>
 

@@ -17,7 +17,6 @@
 #include <memory>
 
 #include "apps/common/search_verb.hpp"
-#include "apps/common/study_verb.hpp"
 #include "gearwright/base/version.hpp"
 
 namespace {

@@ -15,7 +15,6 @@
 #include "apps/python/values.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/key.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/solved_job.hpp"
 

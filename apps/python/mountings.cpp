@@ -8,7 +8,7 @@
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright::python {

@@ -16,8 +16,8 @@
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/job/scatter_study.hpp"
 #include "gearwright/job/search_answer.hpp"
+#include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/job/search_record.hpp"
 #include "gearwright/job/search_tables.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

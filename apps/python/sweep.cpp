@@ -9,7 +9,6 @@
 #include "apps/python/watched.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 
 namespace gearwright::python {
 

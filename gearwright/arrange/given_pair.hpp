@@ -1,16 +1,151 @@
 // The data of one or two gears on a drawing. arrange() computes absent values from given values.
+//
+// In addition to the gear data, a drawing gives the cutting method, measurements, tolerances,
+// material and flank modifications.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "gearwright/arrange/given_gear.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/result.hpp"
+#include "gearwright/compliance/shaft.hpp"
+#include "gearwright/gear/basic.hpp"
+#include "gearwright/gear/bore.hpp"
+#include "gearwright/gear/double_helical.hpp"
+#include "gearwright/gear/gear.hpp"
+#include "gearwright/gear/modifications.hpp"
+#include "gearwright/inspection/flank_tolerances.hpp"
 #include "gearwright/pair/shift.hpp"
+#include "gearwright/rating/factor.hpp"
+#include "gearwright/rating/material.hpp"
 
 namespace gearwright {
+
+// The material of a gear as given on a drawing, and the complete material that results.
+
+/// The given data. If the table of materials contains `name`, the row of this name provides the
+/// missing values.
+struct MaterialInput {
+  std::optional<std::string> name;
+  std::optional<MaterialKind> kind;
+  std::optional<double> youngs_modulus;    ///< E        N/mm²
+  std::optional<double> poisson_ratio;     ///< ν
+  std::optional<double> density;           ///< ρ        kg/m³
+  std::optional<double> sigma_Hlim;        ///< σ_Hlim   N/mm²
+  std::optional<double> sigma_Flim;        ///< σ_Flim   N/mm²
+  std::optional<double> surface_hardness;  ///< HV
+  std::optional<double> yield_strength;    ///< R_e      N/mm²
+  std::vector<double> temperatures;        ///< °C, at which the lists of a plastic apply
+  ByTemperature sigma_Hlim_by, sigma_Flim_by, youngs_modulus_by;
+};
+
+/// The material of `owner`, for example "gear1.material". Given values replace the values in the
+/// table of materials.
+///
+/// Errors    a member of `owner` if a strength is unknown, or if the standard does not cover the
+///           material
+Result<Material> material_of(const MaterialInput& given, const std::string& owner,
+                             RatingEdition edition);
+
+/// E of the given material, N/mm²: the given number, otherwise the value of the named material or of
+/// the kind, otherwise the value of steel.
+///
+/// Errors    `youngs_modulus` of `owner` for a plastic without a given number
+Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);
+
+/// The density of the given material, kg/mm³. The strength of the material need not be known. The
+/// density is unknown if the material is a plastic without a given density, or if neither `kind`
+/// nor the name of a material in the table is given.
+std::optional<double> density_of(const MaterialInput& given);
+
+struct GearInput;
+
+/// The two ends of a range.
+using Ends = std::array<double, 2>;
+
+/// The pinion cutter of a gear, and the sum of profile shifts that determines how deep it cuts.
+struct CutByInput {
+  int gear = 0;                              ///< 1 or 2 if gear 1 or 2 of the spec is the cutter,
+                                             ///< otherwise 0
+  std::shared_ptr<const GearInput> cutter;   ///< a cutter given by its own data
+  std::optional<double> profile_shift_pair;  ///< e: sum of the profile shifts of cutter and gear
+  std::optional<double> module;              ///< mm; redundant, because the cutter determines it
+  std::optional<Angle> pressure_angle;       ///< α_n; redundant, because the cutter determines it
+};
+
+/// The given measuring tools and measuring diameters.
+struct MeasureInput {
+  std::optional<int> span_teeth{};         ///< k
+  std::optional<double> ball_diameter{};   ///< D_M  mm
+  std::optional<double> pin_diameter{};    ///< D_M  mm
+  std::optional<double> chord_diameter{};  ///< d_y  mm, at which the jaws touch
+};
+
+/// The accuracy grade of the flanks, a series or a measurement that determines the thickness
+/// allowances, the deviations of the tip diameter, and the runout of the blank.
+struct ToleranceInput {
+  std::optional<int> quality;                           ///< A, the ISO 1328 grade
+  FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
+  std::optional<std::string> series;                    ///< series of DIN 3967, for example "cd25"
+  std::optional<Ends> span;                             ///< W_k  mm, least and greatest
+  std::optional<Ends> over_balls;                       ///< M_d  mm, least and greatest
+  /// A_da, mm: lower and upper deviation of d_a. The upper deviation gives the longer tooth of an
+  /// external gear and the shorter tooth of an internal gear.
+  std::optional<Ends> tip_deviations;
+  std::optional<std::string> tip_fit;  ///< fit of ISO 286, for example "h9"
+  /// Circular runout of the tip circle and of both faces to the axis, µm; used only on drawings.
+  std::optional<double> tip_runout_um, face_runout_um;
+
+  bool says_thickness() const { return series || span || over_balls; }
+};
+
+/// The input for one gear. `profile_shift` is the given shift; arrange() writes the resulting shift
+/// to `cylindrical.profile_shift`.
+struct GearInput {
+  CylindricalSpec cylindrical;
+  std::optional<double> profile_shift;  ///< x
+  bool helix_given = false;             ///< if false, the helix angle is 0, except that the verb
+                                        ///< `fit` computes it
+  bool hand_given = false;              ///< true if the hand is given as a word, not as a sign
+  bool transverse_given = false;  ///< true if module or pressure angle is given in the transverse
+                                  ///< section
+  bool face_width_given = false;  ///< if false, the face width is 10 m_n, with a warning
+  bool rack_given = false;        ///< if false, the rack is ISO53-A
+  std::optional<BaseGear<double>> basic;  ///< base cylinder; determines module, helix angle and
+                                          ///< shift
+  std::optional<CutByInput> cut_by;       ///< none if the gear is cut by its rack
+  std::optional<double> tip_clearance;    ///< mm, from a tip fillet to the root of the mating gear
+  bool tip_clearance_by_rule = false;     ///< true if this clearance is 0.2 m_n + 0.05 mm
+  std::optional<Ends> allowance_ends;     ///< E_sni, E_sns  mm; the nominal gear uses their mean
+  MeasureInput measure;
+  ToleranceInput tolerance;
+  std::optional<Bore> bore;
+  std::optional<DoubleHelical> double_helical;
+  MaterialInput material;
+  std::optional<Shaft> shaft;
+  std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
+
+  /// The input for a gear with a complete spec. If the caller resets `profile_shift` of the result,
+  /// arrange() computes the profile shift.
+  static GearInput of(const CylindricalSpec& spec) {
+    GearInput gear;
+    gear.cylindrical = spec;
+    gear.profile_shift = spec.profile_shift;
+    gear.helix_given = true;
+    gear.face_width_given = spec.face_width > 0;
+    gear.rack_given = true;
+    return gear;
+  }
+
+  /// Sets the face width to 10 m_n if it is not given.
+  void complete_face_width() {
+    if (!face_width_given) cylindrical.face_width = 10 * cylindrical.normal_module;
+  }
+};
 
 /// The mounting of the two gears.
 struct PairInput {

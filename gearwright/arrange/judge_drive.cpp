@@ -1,4 +1,4 @@
-#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/judge.hpp"
 
 #include <fmt/format.h>
 

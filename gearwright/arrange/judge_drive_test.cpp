@@ -2,7 +2,7 @@
 // the verdict is green. They overlap somewhere if the verdict is red because of an overlap. The
 // oracle uses only points of the outlines: two gears overlap if a point of one gear lies inside a
 // tooth of the other gear.
-#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/judge.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 namespace gearwright {
 

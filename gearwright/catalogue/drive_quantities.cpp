@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/drive/drive_forces.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/drive/drive.hpp"
 
@@ -63,5 +64,19 @@ std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh);
 
 const Quantities<PlanetSet>& assembly_quantities();
 const Quantities<PlanetSet>& phasing_quantities();
+
+// The quantities of a search for drives, which has the key `kind` in [search]. A result contains
+// them under `search`.
+
+const Quantities<FoundDrive>& found_drive_quantities();
+
+struct DriveSearchView {
+  const DriveSearchProblem* problem;
+  const DriveSearchResult* result;
+  const DriveDesigns* designs;
+  std::optional<double> default_face_load{};  ///< the default K_Hβ, if the search is rated and its
+                                              ///< spec gives none
+};
+const Quantities<DriveSearchView>& drive_search_quantities();
 
 }  // namespace gearwright

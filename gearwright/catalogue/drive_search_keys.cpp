@@ -95,7 +95,7 @@ const KeyTable& drive_search_keys() {
        teeth("ring_teeth", SetMember::ring, "30 to 150",
              "number of teeth of the ring, without sign"),
        teeth("ring2_teeth", SetMember::ring2, "30 to 150", "number of teeth of the second ring"),
-       band("stages", "", KeyRange::between(1, 4), &Problem::stages, "2",
+       band("stages", "", KeyRange::between(1, kMostStages), &Problem::stages, "2",
             "number of stages of a train"),
        band("pinion_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::pinion,
             "17 to 40", "numbers of teeth of the pinions of a train"),

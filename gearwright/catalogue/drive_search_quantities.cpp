@@ -1,4 +1,3 @@
-#include "gearwright/catalogue/drive_search_quantities.hpp"
 
 #include <cmath>
 

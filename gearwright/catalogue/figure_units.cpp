@@ -1,6 +1,5 @@
 #include "gearwright/catalogue/figure_units.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 

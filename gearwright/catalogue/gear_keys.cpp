@@ -7,7 +7,6 @@
 #include <initializer_list>
 
 #include "gearwright/base/error.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
 
 namespace gearwright {
 

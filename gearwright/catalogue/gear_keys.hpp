@@ -1,14 +1,17 @@
-// The keys of [gear1] and [gear2], and of the tables that they contain. The flank modifications are
-// in modification_keys.hpp.
+// The keys of [gear1] and [gear2], of the tables that they contain, and of [pair] and [fit].
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
-#include "gearwright/arrange/given_gear.hpp"
+#include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/arrange/two_halves.hpp"
+#include "gearwright/base/angle.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/compliance/shaft.hpp"
+#include "gearwright/gear/modifications.hpp"
 
 namespace gearwright {
 
@@ -72,5 +75,49 @@ const KeyTable& measured_keys();
 const KeyTable& measured_ball_keys();
 /// The keys of a [gearN] that has readings but no module, for other known data of the gear.
 const KeyTable& unknown_gear_keys();
+
+// The keys of [pair], which describe the mounting of the two gears.
+
+const KeyTable& pair_keys();
+
+/// The keys of [gear2] if gear 2 is a rack.
+const KeyTable& rack_bar_keys();
+
+// The keys of [fit], which are the inputs of the verb `fit` in addition to the gears and the pair.
+
+/// [fit]
+struct FitInput {
+  std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
+  bool few_teeth = false;  ///< true for a pinion with circular fillets and the wheel that it cuts
+  std::optional<double> min_tip_land, min_gap, clearance, backlash;  ///< mm, for few_teeth
+  std::optional<double> contact_ratio;                               ///< total contact ratio, for
+                                                                     ///< few_teeth
+};
+
+const KeyTable& fit_keys();
+
+// The table of the flank modifications with their words, symbols and keys. The keys of
+// [gearN.modifications] are made from it.
+//
+// A key without a prefix applies to both flanks. A key with the prefix right_ or left_ applies to
+// one flank and takes precedence.
+
+/// A modification. The key of "tip_relief" is tip_relief_um.
+struct ModificationEntry : ModificationMember {
+  std::string_view symbol;       ///< C_αa
+  std::string_view words;        ///< "tip relief"
+  std::string_view reach;        ///< ending of the key for the reach of a relief, "_start_mm"
+  std::string_view reach_words;  ///< "from diameter"
+  std::string_view meaning;      ///< the material removed
+};
+
+/// The entries in the order of kModifications.
+const std::array<ModificationEntry, kModifications.size()>& modification_entries();
+
+constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};
+/// Prefixes of the members of one flank: "modifications.right.tip_relief.amount".
+constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
+
+const KeyTable& modification_keys();
 
 }  // namespace gearwright

@@ -103,19 +103,12 @@ const Bore* keyway(const Gear& g) {
   return g.bore && g.bore->keyway_width > 0.0 ? &*g.bore : nullptr;
 }
 
-void add_all(Quantities<Gear>& q) {
-  q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
-  using G = Gear;
+using G = Gear;
+
+void add_reference_data(Quantities<G>& q) {
   auto of_reference = q.part(reference_of);
-  auto of_teeth = q.part(involute_of);
-  auto of_arcs = q.part(arcs_of_gear);
   auto of_involute_gear = q.part(involute_gear);
   auto of_cutter = q.part(maybe<&G::cut_by>);
-  auto of_root = q.part(fillet<&GeneratedTooth::root_fillet>);
-  auto of_tip = q.part(fillet<&GeneratedTooth::tip_fillet>);
-  auto of_bulge = q.part(maybe<&G::tip_bulge>);
-  auto of_keyway = q.part(keyway);
-
   q.under(kTeeth);
   q.term("teeth", "negative for an internal gear", [](const G& g) { return g.spec.teeth; });
   q.word("kind", "kind of teeth",
@@ -159,6 +152,10 @@ void add_all(Quantities<Gear>& q) {
   q.number("lead_mm", "lead", "p_z", "> 0 right hand; null for spur gears", [](const G& g) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
    }).expected(has_involutes);
+}
+
+void add_sizes(Quantities<G>& q) {
+  auto of_reference = q.part(reference_of);
   q.under(kDiameters);
   q.term("reference_diameter_mm", "z m_t", &G::reference_diameter);
   of_reference.number("base_diameter_mm", "base diameter", "d_b", "of the involute",
@@ -206,6 +203,12 @@ void add_all(Quantities<Gear>& q) {
            "[T2.13]; null if they do not meet",
            &G::pointed_diameter)
       .expected(has_involutes);
+}
+
+void add_flank_limits(Quantities<G>& q) {
+  auto of_reference = q.part(reference_of);
+  auto of_arcs = q.part(arcs_of_gear);
+  auto of_involute_gear = q.part(involute_gear);
   q.under(kTooth);
   of_reference.term("normal_base_pitch_mm", "equal for both gears of a pair",
                     &Reference::base_pitch_normal);
@@ -250,6 +253,14 @@ void add_all(Quantities<Gear>& q) {
          "true if the bottom land of the cutter, not the blank, limits the tooth",
          [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
+}
+
+void add_fillets_and_body(Quantities<G>& q) {
+  auto of_teeth = q.part(involute_of);
+  auto of_root = q.part(fillet<&GeneratedTooth::root_fillet>);
+  auto of_tip = q.part(fillet<&GeneratedTooth::tip_fillet>);
+  auto of_bulge = q.part(maybe<&G::tip_bulge>);
+  auto of_keyway = q.part(keyway);
   q.under(kRootFillet);
   of_root.number("root_fillet_radius_mm", "radius", "r_r", "null without a circular root fillet",
                  &FilletArc::radius);
@@ -309,6 +320,14 @@ void add_all(Quantities<Gear>& q) {
                    &Bore::keyway_width);
   of_keyway.number("keyway_depth_mm", "keyway depth", "", "depth into the hub, from the bore",
                    &Bore::keyway_depth);
+}
+
+void add_all(Quantities<G>& q) {
+  q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
+  add_reference_data(q);
+  add_sizes(q);
+  add_flank_limits(q);
+  add_fillets_and_body(q);
 }
 
 }  // namespace

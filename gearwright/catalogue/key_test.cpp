@@ -13,8 +13,6 @@
 #include "gearwright/catalogue/compensate_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"

@@ -98,7 +98,7 @@ bool has_nominal(const T& t) { return has_standard(t) && t.standard->root_stress
 
 const LoadedTorque* torque_of(const T& t) { return t.torque; }
 
-void add_torque(Quantities<T>& q) {
+void add_loaded_error(Quantities<T>& q) {
   auto of_torque = q.part(torque_of);
   q.under(kLoad);
   q.term("torque_Nm", "on gear 1", [](const T& t) { return newton_metres(t.torque->torque); });
@@ -119,6 +119,10 @@ void add_torque(Quantities<T>& q) {
          "is given or a position has no result",
          [](const T& t) { return t.torque->harmonics; })
       .doors(kJson);
+}
+
+void add_mesh_stiffness(Quantities<T>& q) {
+  auto of_torque = q.part(torque_of);
   of_torque
       .record<stiffness_quantities>(
           "mesh_stiffness_N_per_mm_um",
@@ -166,6 +170,10 @@ void add_torque(Quantities<T>& q) {
                                     : Value();
            })
       .when(has_standard);
+}
+
+void add_stresses(Quantities<T>& q) {
+  auto of_torque = q.part(torque_of);
   of_torque.term("max_pressure_MPa",
                  "Hertz pressure over all positions; a lower bound if an edge carries load",
                  &LoadedTorque::max_pressure);
@@ -198,6 +206,10 @@ void add_torque(Quantities<T>& q) {
            })
       .per_gear()
       .when(has_nominal);
+}
+
+void add_distribution(Quantities<T>& q) {
+  auto of_torque = q.part(torque_of);
   of_torque
       .term("face_load_factor",
             "maximum load along the face divided by the mean load, averaged over the positions",
@@ -234,6 +246,13 @@ void add_torque(Quantities<T>& q) {
            [](const T& t) { return numbers(t.torque->face_load); })
       .when(on_lines)
       .doors(kJson);
+}
+
+void add_torque(Quantities<T>& q) {
+  add_loaded_error(q);
+  add_mesh_stiffness(q);
+  add_stresses(q);
+  add_distribution(q);
 }
 
 const Quantities<ProbeAnswer>& probe_quantities() {

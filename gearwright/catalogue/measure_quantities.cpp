@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 
 #include <fmt/format.h>
 

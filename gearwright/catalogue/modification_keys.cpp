@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 #include <deque>
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {

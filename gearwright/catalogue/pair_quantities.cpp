@@ -1,4 +1,4 @@
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 
 #include <cmath>
 #include <numbers>

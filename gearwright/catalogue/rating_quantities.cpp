@@ -9,7 +9,7 @@ namespace gearwright {
 
 namespace {
 
-using V = RatingView;
+using V = RatingAnswer;
 using R = Rating;
 
 constexpr const char* kLoad = "Load";
@@ -388,7 +388,7 @@ void add_all(Quantities<V>& q) {
 
 }  // namespace
 
-const Quantities<RatingView>& rating_quantities() { return define<add_all>("rating"); }
+const Quantities<RatingAnswer>& rating_quantities() { return define<add_all>("rating"); }
 
 std::vector<FactorSource> factor_sources(const Rating& rating) {
   std::vector<FactorSource> all;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/rating/sizing.hpp"
 #include "gearwright/rating/spectrum.hpp"
 
 namespace gearwright {
@@ -22,7 +23,8 @@ struct ToothContact {
   double face_load_factor;            ///< K_Hβ of the computed line load
 };
 
-struct RatingView {
+/// The rating of a pair, with values that would improve it.
+struct RatingAnswer {
   RatedPair pair;
   RatingInput input;
   Rating rating;
@@ -32,9 +34,10 @@ struct RatingView {
   std::optional<double> face_holding;    ///< mm, least common face width with which the pair has
                                          ///< these safeties
   std::optional<ToothContact> contact;   ///< none unless the spec requests it
+  WantedSafety wanted{};                 ///< required safeties in the spec, or 1
 };
 
-const Quantities<RatingView>& rating_quantities();
+const Quantities<RatingAnswer>& rating_quantities();
 
 /// The clause of the standard for a factor, and the branch that was used. If the branches for gear
 /// 1 and gear 2 differ, both are listed.

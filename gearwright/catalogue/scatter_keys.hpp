@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/compensate_keys.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace gearwright {

@@ -5,13 +5,9 @@
 namespace gearwright {
 
 SpelledChange spelled_change(const NearestChange& change, UnitSystem units) {
-  const bool of_search = !change.field.starts_with("rating.") && !change.field.starts_with("gear");
-  SpelledChange spelled{spelled_member((of_search ? "search." : "") + change.field), change.from,
-                        change.to};
-  if (change.field == "limits.avoid_interference")
-    spelled = {"search.interference", "\"exclude\"", "\"flag\""};
-  if (change.field.ends_with("material.name"))
-    spelled = {spelled.key, "\"" + change.from + "\"", "\"" + change.to + "\""};
+  const SpelledMember from = spelled_member("search", change.field, change.from);
+  SpelledChange spelled{from.key, from.value,
+                        spelled_member("search", change.field, change.to).value};
   if (const KeyUnit* unit = metric_unit(spelled.key)) {
     spelled = {key_in(units, spelled.key), numbers_in(units, spelled.from, *unit),
                numbers_in(units, spelled.to, *unit)};

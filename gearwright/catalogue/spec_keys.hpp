@@ -7,7 +7,6 @@
 #include "gearwright/catalogue/drawing_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/scatter_keys.hpp"
 

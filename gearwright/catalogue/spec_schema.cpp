@@ -1,4 +1,5 @@
 #include "gearwright/catalogue/spec_schema.hpp"
+#include "gearwright/catalogue/inch_schema.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/inch_schema.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 

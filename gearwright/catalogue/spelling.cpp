@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 
 namespace gearwright {
@@ -145,9 +145,12 @@ Error with_keys(const Error& error, const GivenKeys& given) {
 
 }  // namespace
 
-std::string spelled_member(std::string_view member, const GivenKeys& given) {
-  const auto s = spelling_of(member, given);
-  return key_in(given.units, s ? s->path : std::string(member));
+SpelledMember spelled_member(std::string_view owner, std::string_view member,
+                             const std::string& value) {
+  auto s = spelling_of(joined(owner, member), {});
+  if (!s) s = spelling_of(member, {});
+  if (!s) return {joined(owner, member), value};
+  return {s->path, spelled_value(value, *s->key)};
 }
 
 std::string spelled(std::string_view sentence, const GivenKeys& given, std::string_view owner) {
@@ -155,8 +158,10 @@ std::string spelled(std::string_view sentence, const GivenKeys& given, std::stri
 }
 
 Error in_units_of(const GivenKeys& given, const Error& error) {
-  // The file of a topography is in mm in both systems.
-  if (given.units == UnitSystem::mm || error.field.ends_with("topography")) return error;
+  if (given.units == UnitSystem::mm) return error;
+  // A modification that is given as text is the name of a file, whose numbers are in mm.
+  const Key* key = modification_keys().find(error.field.substr(error.field.rfind('.') + 1));
+  if (key && key->kind == KeyKind::text) return error;
   const KeyUnit* unit = metric_unit(error.field);
   Error made{key_in(given.units, error.field), error.value,
              sentence_in(given.units, error.rule, unit), error.kind};

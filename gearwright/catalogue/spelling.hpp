@@ -40,7 +40,13 @@ Error in_units_of(const GivenKeys& given, const Error& error);
 std::string spelled(std::string_view sentence, const GivenKeys& given = {},
                     std::string_view owner = {});
 
-/// The key of one member, "search.limits.contact_ratio", or the member itself if it has no key.
-std::string spelled_member(std::string_view member, const GivenKeys& given = {});
+struct SpelledMember {
+  std::string key;    ///< with its path, "search.contact_ratio_min"
+  std::string value;  ///< as it is written in the file; a word is in quotes
+};
+/// A member of the table `owner`, or of the spec if this table has no such member. If there is no
+/// key, the result is the member itself.
+SpelledMember spelled_member(std::string_view owner, std::string_view member,
+                             const std::string& value = {});
 
 }  // namespace gearwright

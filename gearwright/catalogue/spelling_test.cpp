@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
@@ -37,9 +37,22 @@ TEST(Spelling, members_become_keys) {
            {"profile_shift", "profile_shift"},
            {"gear1.normal_module_mm", "gear1.normal_module_mm"},
        }) {
-    EXPECT_EQ(spelled_member(member), key);
-    EXPECT_EQ(spelled_member(key), key) << "twice";
+    EXPECT_EQ(spelled_member("", member).key, key);
+    EXPECT_EQ(spelled_member("", key).key, key) << "twice";
   }
+}
+
+// A member of a search may belong to [search] or to another table, and only words are in quotes.
+TEST(Spelling, a_member_is_searched_in_its_table_and_then_in_the_spec) {
+  const auto shown = [](const char* member, const char* value) {
+    const auto [key, text] = spelled_member("search", member, value);
+    return key + " = " + text;
+  };
+  EXPECT_EQ(shown("limits.contact_ratio", "1.2"), "search.contact_ratio_min = 1.2");
+  EXPECT_EQ(shown("limits.avoid_interference", "flag"), "search.interference = \"flag\"");
+  EXPECT_EQ(shown("coprime", "true"), "search.coprime = true");
+  EXPECT_EQ(shown("rating.torque", "80"), "rating.torque_Nm = 80");
+  EXPECT_EQ(shown("gear1.material.name", "34CrMo4"), "gear1.material.name = \"34CrMo4\"");
 }
 
 // If a spec gives a key, the member that this key sets is spelled with the same key.
@@ -49,7 +62,8 @@ TEST(Spelling, every_key_is_found_by_its_member) {
     for (const Key& key : table.tables.front()().keys) {
       for (const std::string& member : key.members()) {
         const std::string path = std::string(table.key) + "." + std::string(key.key);
-        EXPECT_EQ(spelled_member(std::string(table.key) + "." + member, {path}), path);
+        const Error error{std::string(table.key) + "." + member, "", ""};
+        EXPECT_EQ(spelled(error, {path}).field, path);
       }
     }
   }

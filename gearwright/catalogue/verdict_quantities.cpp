@@ -41,7 +41,7 @@ ValueMap change_of(const Finding& finding) {
     return keys;
   }
   const auto add = [&, what = what, value = value](const std::string& table) {
-    keys.emplace_back(spelled_member(table + "." + member_of(what)), Value(value));
+    keys.emplace_back(spelled_member(table, member_of(what)).key, Value(value));
   };
   if (what == Adjustable::center_distance) {
     add("pair");

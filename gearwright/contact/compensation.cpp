@@ -122,7 +122,7 @@ class Judge {
   }
 
   double place_cost(const ContactScore& s) const {
-    const double along = task_.along_face ? s.pattern_place * s.pattern_place : 0.0;
+    const double along = task_.along_face ? s.pattern_middle * s.pattern_middle : 0.0;
     return centering_ * (along + s.along_profile * s.along_profile);
   }
 

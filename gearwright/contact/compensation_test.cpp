@@ -57,7 +57,7 @@ double value_of(const Case& c, const CompensationTask& t, const std::vector<doub
   for (int s = 0; s < t.scenarios; ++s)
     take_worst(worst, score_of(*c.pair(um, s), t.fine_positions));
   if (worst.lost || worst.span->rad() > limit) return std::numeric_limits<double>::infinity();
-  return worst.span->rad() + w * worst.pattern_place * worst.pattern_place;
+  return worst.span->rad() + w * worst.pattern_middle * worst.pattern_middle;
 }
 
 Case crowned(double helix_deg, double crossing_deg) {
@@ -140,7 +140,7 @@ TEST(ContactScore, the_place_of_a_pattern) {
     c.sample = testing::involutes(20, 41, 0);
     c.scenarios.emplace_back();
     const double k = 0.5 * um * 18 / 20;
-    EXPECT_NEAR(std::abs(score_of(*c.pair({um}, 0), 12).pattern_place),
+    EXPECT_NEAR(std::abs(score_of(*c.pair({um}, 0), 12).pattern_middle),
                 um == 0.0 ? 0.0 : 1 / std::tanh(k) - 1 / k, 0.01)
         << um;
   }

@@ -1,11 +1,9 @@
 #include "gearwright/contact/contact_score.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/continuous.hpp"
 
@@ -13,11 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// Angles (peak to peak) and mean positions (h, p) below these limits are rounding errors.
-constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
-constexpr double kNoPlace = 1e-9;
-
-double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
+constexpr double kNoPlace = 1e-9;  // smaller mean positions (h, p, q) are rounding errors
 
 // The gap at which the density of the contact pattern has fallen to 1/e, mm. A small load closes
 // such a gap.
@@ -79,7 +73,7 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
     middle += pattern_middle(transmission, t, faces);
     ++n;
   }
-  if (n > 0) c.score.pattern_place = without_rounding(middle / n, kNoPlace);
+  if (n > 0) c.score.pattern_middle = without_rounding(middle / n, kNoPlace);
   if (c.score.lost) return c;
   if (pair.gear2_drives()) std::reverse(touches.begin(), touches.end());  // as in one_pitch()
   c.score.span =
@@ -131,8 +125,8 @@ void take_worst(ContactScore& worst, const ContactScore& s) {
   }
   if (s.span) worst.span = std::max(worst.span.value_or(Angle()), *s.span);
   if (std::abs(s.along_face) > std::abs(worst.along_face)) worst.along_face = s.along_face;
-  if (std::abs(s.pattern_place) > std::abs(worst.pattern_place))
-    worst.pattern_place = s.pattern_place;
+  if (std::abs(s.pattern_middle) > std::abs(worst.pattern_middle))
+    worst.pattern_middle = s.pattern_middle;
   if (std::abs(s.along_profile) > std::abs(worst.along_profile))
     worst.along_profile = s.along_profile;
   worst.edge_share = std::max(worst.edge_share, s.edge_share);

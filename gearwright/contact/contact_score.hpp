@@ -11,13 +11,20 @@
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/contact/transmission.hpp"
 
 namespace gearwright {
+
+/// A peak-to-peak transmission error below this limit is a rounding error.
+inline constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
+/// 0 for a number whose magnitude is below the limit.
+inline double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
 
 struct ContactScore {
   Angle peak_to_peak;          ///< NaN if nothing touches at any position
@@ -27,7 +34,7 @@ struct ContactScore {
   bool lost = false;           ///< true if contact is lost at some position
   /// Peak to peak of the continuous curve; none if contact is lost or if it was not computed.
   std::optional<Angle> span{};
-  double pattern_place = 0.0;  ///< q; 0 if it was not computed
+  double pattern_middle = 0.0;  ///< q; 0 if it was not computed
 
   bool nothing_touches() const;
   Angle span_or_sampled() const { return span && !lost ? *span : peak_to_peak; }

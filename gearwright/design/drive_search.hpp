@@ -167,6 +167,8 @@ double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidat
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 
+/// Greatest number of stages of a train in a search.
+inline constexpr int kMostStages = 4;
 /// Greatest number of teeth in a search. The product of three such numbers is exact in double.
 inline constexpr int kMostDriveTeeth = 2000;
 

@@ -302,7 +302,7 @@ NearestChanges nearest_changes(const SearchProblem& problem, const SearchWatch& 
     switched("coprime", "true", "false", 0.5, [](SearchProblem& p) { p.coprime = false; });
   // If designs are drawn, the change never permits interference.
   if (problem.limits.avoid_interference && !problem.draw) {
-    switched("limits.avoid_interference", "true", "false", kNotToRun, [](SearchProblem& p) {
+    switched("limits.avoid_interference", "exclude", "flag", kNotToRun, [](SearchProblem& p) {
       p.limits.avoid_interference = p.limits.clear_fillets = false;
       p.limits.form_clearance = 0.0;
     });

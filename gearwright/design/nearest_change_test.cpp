@@ -212,7 +212,7 @@ TEST_P(NearestChangeOf, ItHelpsAndLessDoesNot) {
     EXPECT_GT(c.effort, 0.0) << what;
     SearchProblem p = e.problem;
     if (c.field == "coprime" || c.field == "limits.avoid_interference") {
-      EXPECT_EQ(c.from + c.to, "truefalse") << what;
+      EXPECT_EQ(c.from + c.to, c.field == "coprime" ? "truefalse" : "excludeflag") << what;
       (c.field == "coprime" ? p.coprime : p.limits.avoid_interference) = false;
       EXPECT_EQ(c.effort, c.field == "coprime" ? 0.5 : 100.0) << what;
       EXPECT_TRUE(feasible(p)) << what;

@@ -220,6 +220,28 @@ double mean_allowance(const std::string& series, double reference_diameter) {
   return ends ? ((*ends)[0] + (*ends)[1]) / 2 : 0.0;
 }
 
+void PairStage::set_teeth(const PairTeeth& given) {
+  for (const std::size_t i : {0, 1}) {
+    CylindricalSpec spec;
+    spec.teeth = teeth[i];
+    spec.normal_module = given.normal_module;
+    spec.normal_pressure_angle = given.normal_pressure_angle;
+    spec.helix_angle = Angle::degrees(i == 0 || teeth[1] < 0 ? given.helix_deg : -given.helix_deg);
+    spec.face_width = given.face_width.value_or(10 * given.normal_module);
+    spec.thickness_allowance = given.allowance[i].value_or(0.0);
+    specs[i] = spec;
+  }
+}
+
+void PairStage::set_allowances(const std::string& series) {
+  for (auto& spec : specs) {
+    if (series.empty() || !spec || spec->thickness_allowance != 0.0) continue;
+    const double diameter =
+        spec->normal_module * std::abs(spec->teeth) / std::cos(spec->helix_angle.rad());
+    spec->thickness_allowance = mean_allowance(series, diameter);
+  }
+}
+
 std::vector<std::string> set_member_names() {
   std::vector<std::string> names;
   for (const SetMember member : kMembers) names.emplace_back(to_string(member));

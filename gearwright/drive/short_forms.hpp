@@ -6,6 +6,7 @@
 // it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -31,6 +32,10 @@ struct PerMember {
   std::optional<double> of(SetMember member) const {
     const auto& own = each[static_cast<std::size_t>(member)];
     return own ? own : all;
+  }
+  /// True if a gear has a number of its own.
+  bool any() const {
+    return std::any_of(each.begin(), each.end(), [](const auto& own) { return own.has_value(); });
   }
 };
 
@@ -73,6 +78,15 @@ struct PlanetarySpec {
   }
 };
 
+/// The numbers of the teeth of two plain gears.
+struct PairTeeth {
+  double normal_module;  ///< m_n  mm
+  Angle normal_pressure_angle = Angle::degrees(20);
+  double helix_deg = 0.0;                            ///< β of the first gear
+  std::optional<double> face_width{};                ///< b  mm; 10 m_n if absent
+  std::array<std::optional<double>, 2> allowance{};  ///< E_sn  mm; 0 if absent
+};
+
 /// Two gears on fixed axes. The number of teeth of the second gear is < 0 for a ring.
 struct PairStage {
   std::array<int, 2> teeth{};
@@ -82,6 +96,11 @@ struct PairStage {
   std::array<std::optional<Bore>, 2> bores{};
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;
+
+  /// Gives both gears teeth. The hand of the second gear fits the first.
+  void set_teeth(const PairTeeth& given);
+  /// Gives gears without an allowance the mean allowance of a series of DIN 3967.
+  void set_allowances(const std::string& series);
 };
 
 struct StageSpec {

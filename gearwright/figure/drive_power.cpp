@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/drive_figures.hpp"

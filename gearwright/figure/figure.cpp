@@ -1,10 +1,8 @@
 #include "gearwright/figure/figure.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/base/number_text.hpp"
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/ticks.hpp"
 
 namespace gearwright {

@@ -1,7 +1,6 @@
 #include "gearwright/figure/free_labels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace gearwright {

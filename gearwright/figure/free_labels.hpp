@@ -5,7 +5,6 @@
 // narrow screen, which are the largest ones.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 

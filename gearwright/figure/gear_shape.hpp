@@ -7,7 +7,6 @@
 // are within the tolerance.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 // belong to the selected torque.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 

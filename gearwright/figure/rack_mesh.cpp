@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/markup.hpp"
-#include "gearwright/figure/mesh.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {

@@ -1,4 +1,5 @@
 #include "gearwright/job/compensate_answer.hpp"
+#include "gearwright/job/corrected_spec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/continuous.hpp"
-#include "gearwright/job/contact_answer.hpp"
-#include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/load/nearby_load.hpp"
@@ -192,6 +191,47 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
+// Adds the closed forms for circular-arc teeth to the answer. Returns the value of each correction
+// in closed form, from which the search starts, and 0 for other corrections.
+std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
+                                 const std::vector<WorkshopCorrection>& corrections,
+                                 CompensateAnswer& answer) {
+  std::vector<double> values(corrections.size(), 0.0);
+  const ArcPair* const arcs = job.pair->arcs();
+  if (!arcs) return values;
+  answer.setting = arc_setting(*arcs, setup);
+  answer.lead = lead_without_slope(*arcs, setup, job.spec.contact.driver == 2);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const WorkshopCorrection& c = corrections[k];
+    if (c.is(CutterSetting::tool_setting) && answer.setting) values[k] = answer.setting->exact;
+    if (c.is(CutterSetting::cutter_lead) && c.gear == 1 && answer.lead)
+      values[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
+  }
+  return values;
+}
+
+// Adds warnings about positions without contact or without a result under load.
+void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
+  const auto contact_lost = [](const Warning& w) {
+    return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
+  };
+  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
+    job.warnings.push_back(
+        {WarningCode::contact_lost,
+         "Contact is lost at some positions, and no correction in the searched range restores "
+         "contact. The transmission error covers the remaining positions.",
+         0});
+  }
+  for (const AimedLoad& l : answer.loads)
+    if (std::isnan(l.after.max_pressure))
+      job.warnings.push_back(
+          {WarningCode::load_unfinished,
+           fmt::format("At {} N m the corrected teeth have a position without a result, because no "
+                       "teeth touch there or the forces do not converge.",
+                       format_number(newton_metres(l.torque))),
+           0});
+}
+
 }  // namespace
 
 Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, int curves) {
@@ -231,24 +271,12 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
     task.curves = std::min(curves, kLoadCurves);
   }
   if (input.centering_arcsec) task.centering = Angle::arcseconds(*input.centering_arcsec);
-  if (const ArcPair* arcs = job.pair->arcs()) {
-    answer.setting = arc_setting(*arcs, setup);
-    answer.lead = lead_without_slope(*arcs, setup, job.spec.contact.driver == 2);
-  }
+  task.starts.push_back(closed_forms(job, setup, *corrections, answer));
   if (answer.setting && answer.setting->angle_nominal) {
     // Difference between the rack angle at the end of the flank and the rack angle of the drawing.
     constexpr Angle kProfileEnd = Angle::degrees(10);
     task.profile = {*answer.setting->angle_nominal, kProfileEnd};
   }
-  std::vector<double> closed_forms(corrections->size(), 0.0);
-  for (std::size_t k = 0; k < closed_forms.size(); ++k) {
-    const WorkshopCorrection& c = (*corrections)[k];
-    if (c.is(CutterSetting::tool_setting) && answer.setting)
-      closed_forms[k] = answer.setting->exact;
-    if (c.is(CutterSetting::cutter_lead) && c.gear == 1 && answer.lead)
-      closed_forms[k] = answer.lead->exact[0].value_or(Angle()).rad() / kRadPerDeg;
-  }
-  task.starts.push_back(std::move(closed_forms));
   answer.result = compensated(job, setup, task, *corrections, gear2_drives, scenarios);
   const Compensation& result = answer.result;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
@@ -260,25 +288,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   answer.after = result.after;
   answer.nothing_to_correct = result.nothing_to_correct();
   answer.centering = result.centering;
-  const auto contact_lost = [](const Warning& w) {
-    return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
-  };
-  if (answer.after.lost && std::none_of(job.warnings.begin(), job.warnings.end(), contact_lost)) {
-    job.warnings.push_back(
-        {WarningCode::contact_lost,
-         "Contact is lost at some positions, and no correction in the searched range restores "
-         "contact. The transmission error covers the remaining positions.",
-         0});
-  }
   if (load) answer.loads = aimed_loads(*load, task, result.value);
-  for (const AimedLoad& l : answer.loads)
-    if (std::isnan(l.after.max_pressure))
-      job.warnings.push_back(
-          {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth have a position without a result, because no "
-                       "teeth touch there or the forces do not converge.",
-                       format_number(newton_metres(l.torque))),
-           0});
+  warn_of_positions(job, answer);
   for (std::size_t k = 0; k < corrections->size(); ++k) {
     const WorkshopCorrection& c = (*corrections)[k];
     answer.corrections.push_back(found_correction(c, result.value[k],

@@ -8,7 +8,6 @@
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

@@ -11,7 +11,7 @@
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/fillet_contact.hpp"
 #include "gearwright/contact/halves.hpp"

@@ -3,7 +3,6 @@
 // halves of a double-helical pair. The influences of the errors have names.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>

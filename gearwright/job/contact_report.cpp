@@ -7,12 +7,11 @@
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/continuous.hpp"
-#include "gearwright/contact/halves.hpp"
 
 namespace gearwright {
 

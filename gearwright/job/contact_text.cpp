@@ -11,7 +11,6 @@
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright {

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
-#include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 
 namespace gearwright {
 

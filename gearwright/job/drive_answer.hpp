@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/design/drive_search.hpp"
 #include "gearwright/drive/drive.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/verbs.hpp"
@@ -33,6 +34,16 @@ inline constexpr std::size_t kDefaultDrives = 100;
 
 /// True if the spec has a [search] for drives.
 bool searches_drives(const JobSpec& spec);
+
+/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56", for a train with different
+/// modules of its stages with these modules, "19:58 (m 1.5), 20:66 (m 2.5)".
+std::string teeth_text(const DriveCandidate& c);
+
+/// A candidate as a spec for the verb `drive`, from the keys that all candidates share and the
+/// numbers of the candidate.
+///
+/// Law       the drive of this spec is drive_of() of the candidate
+Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
 /// The best drives of the search, each computed by the verb `drive`. Answer::specs contains the
 /// spec of each drive.

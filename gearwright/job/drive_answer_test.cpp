@@ -14,9 +14,9 @@
 
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/job/drive_job.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
-#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
 namespace {

@@ -9,7 +9,7 @@
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/report/drive_report.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 

@@ -7,20 +7,24 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
-#include "gearwright/job/drive_designs.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr std::size_t kListedDrives = 20;
+
+// True if the designs of the search are rated.
+bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
+  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
+}
 
 struct FoundDrives {
   DriveSearchProblem problem;
@@ -166,17 +170,14 @@ bool searches_drives(const JobSpec& spec) {
 
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int threads) {
   GW_EXPECTS(searches_drives(spec));
-  DriveSearchProblem problem = read_drive_search(spec.tree->tables["search"]);
+  DriveDesignTask task{read_drive_search(spec.tree->tables["search"]),
+                       default_face_step(spec.units())};
+  DriveSearchProblem& problem = task.problem;
+  const bool rated = rates_drives(spec, problem);
   problem.module_per_stage =
-      problem.kind == DriveKind::train && problem.modules.size() > 1 && rates_drives(spec, problem);
+      problem.kind == DriveKind::train && problem.modules.size() > 1 && rated;
   auto result = search_drives(problem, threads);
-  if (!result) {
-    Error error = result.error();
-    constexpr std::string_view kGraph = "drive.";
-    if (error.field.starts_with(kGraph))
-      error.field = "search." + error.field.substr(kGraph.size());
-    return error;
-  }
+  if (!result) return of_drive_table(result.error(), spec.tree->tables);
   if (!result->is_complete)
     return Error{
         "search.stages", std::to_string(problem.stages[1]),
@@ -184,11 +185,18 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
                     "combinations of all numbers of teeth except the last. Narrow the band ratio, "
                     "pinion_teeth or wheel_teeth, or give coaxial_teeth",
                     kMostTrains, kMostTrainTrials)};
-  auto designs = drive_designs(spec, problem, *result, top, threads);
+  if (rated && problem.modules.empty())
+    return absent_input(
+        "search.normal_module_mm",
+        "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
+  const WantedSafety of_rating = wanted_safety(spec);
+  task.required = {problem.safety_flank.value_or(of_rating.flank),
+                   problem.safety_root.value_or(of_rating.root)};
+  if (rated) task.rate = [&](Drive& drive) { return rate_drive(spec, drive); };
+  auto designs = drive_designs(task, *result, top, threads);
   if (!designs) return designs.error();
-  const auto face_load = rates_drives(spec, problem) && has_default_face_load(spec)
-                             ? spec.rating.input.face_load_factor
-                             : std::nullopt;
+  const auto face_load =
+      rated && has_default_face_load(spec) ? spec.rating.input.face_load_factor : std::nullopt;
   const auto found = std::make_shared<FoundDrives>(
       FoundDrives{problem, std::move(result).take(), std::move(designs).take(), face_load});
   Answer answer;

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
@@ -16,21 +15,20 @@
 #include "gearwright/cad/mesh_files.hpp"
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
+#include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
-#include "gearwright/job/nominal_csv.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -373,7 +371,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
   report.pair = job.pair;
   if (job.rack) report.rack = &*job.rack;
   if (job.pair && job.ends) {
-    auto [lower, upper] = pair_limits(job, arranged_corners(job));
+    auto [lower, upper] = pair_limits(job);
     report.pair_ends = {std::move(upper), std::move(lower)};
   }
   for (int which = 1; options.wants("report") && which <= job.parts() && !job.rack; ++which)

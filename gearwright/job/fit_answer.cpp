@@ -11,7 +11,6 @@
 #include "gearwright/job/corrected_spec.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

@@ -4,15 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearwright/job/drive_designs.hpp"
+#include "gearwright/job/drive_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_search.hpp"
 
 namespace gearwright {
-
-bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
-  return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
-}
 
 std::string teeth_text(const DriveCandidate& c) {
   std::vector<std::string> list;

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
-#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/listing.hpp"
 
 namespace gearwright {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "gearwright/job/rating_answer.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/verdict/verdict.hpp"
 

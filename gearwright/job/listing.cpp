@@ -4,15 +4,12 @@
 
 #include <algorithm>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 
@@ -40,7 +37,7 @@ std::string line(const std::string& words, std::size_t words_width, const std::s
 std::string pair_interval_listing(const SolvedJob& job) {
   if (!job.ends || !job.pair) return {};
   // Each limit has a listing of its own, because the values of two gears already need two columns.
-  auto [lower, upper] = pair_limits(job, arranged_corners(job));
+  auto [lower, upper] = pair_limits(job);
   const auto both = differing(std::move(lower), std::move(upper));
   return "\nValues with the thinnest teeth and the most backlash, or the least of all "
          "combinations\n" +
@@ -133,9 +130,8 @@ std::string gear_listing(const SolvedJob& job) {
   if (!halves.empty())
     text += quantity_listing(job.spec.units(), double_helical_quantities().table(), halves,
                              gear_columns(halves.size()));
-  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i)
-    text += interval_listing(job, i, gear_quantities().table(), gear_limits(job, corners, i));
+    text += interval_listing(job, i, gear_quantities().table(), gear_limits(job, i));
   return text;
 }
 

@@ -1,9 +1,13 @@
 // Results as listings for users. A terminal shows them if --json is not given.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/job/files.hpp"
@@ -36,5 +40,61 @@ std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem uni
 std::string file_listing(const std::vector<JobFile>& files, UnitSystem units);
 /// One line per arc with its ends, then a line for every point with name, x and y.
 std::string outline_listing(const Outline& outline, int n, UnitSystem units);
+
+// Tables for terminals with one row for each record, such as a point of contact or a design.
+//
+// A line of a table of designs has at most kTableWidth characters, unless a single column is wider.
+// To achieve this, a column with equal values in all rows is listed once above the table, and
+// columns that do not fit are moved to a further table with the same rows.
+//
+// The width of a text is its number of characters, because a terminal shows each character of the
+// listings in one column.
+
+constexpr std::size_t kLineWidth = 80;    ///< width of sentences, which is that of a terminal
+constexpr std::size_t kTableWidth = 110;  ///< width of tables with a row for each design
+
+/// Number of characters of UTF-8 text.
+std::size_t text_width(std::string_view text);
+/// The text, filled on the right with blanks to `width` characters.
+std::string padded(const std::string& text, std::size_t width);
+/// The text, filled on the left with blanks to `width` characters.
+std::string padded_left(const std::string& text, std::size_t width);
+
+/// Sentences broken at blanks into lines of at most kLineWidth characters, if no word is longer.
+/// Blanks at the start are kept, the lines after the first begin with two more blanks, and every
+/// line ends with a line break.
+std::string wrapped(std::string_view text);
+
+/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
+/// lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path);
+
+struct ListingColumn {
+  std::string words;  ///< term for the quantity, in full
+  std::string head;   ///< heading: the symbol, or words
+  std::string unit;
+  std::vector<std::string> cells;                   ///< one for each row
+  bool left = false;                                ///< true if the cells are aligned to the left
+  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, to compare columns;
+                                                    ///< empty for columns of words
+};
+
+/// The columns of those quantities in `keys` for which at least one record shows a value, in these
+/// units. A heading is the symbol or, if another column has the same symbol, the words. The key of
+/// an inner record is "record.key".
+std::vector<ListingColumn> listing_columns(UnitSystem units,
+                                           const std::vector<ValueRecord>& records,
+                                           std::initializer_list<std::string_view> keys);
+
+/// Lists records below each other, in these units. The line of each record begins with its name and
+/// has the columns of `keys`.
+std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
+                        const std::vector<ValueRecord>& records,
+                        std::initializer_list<std::string_view> keys);
+
+/// Lists designs below each other. The first column names the designs. If there are at least two
+/// designs, any other column that has the same text in all rows, or the same numbers as an earlier
+/// column, becomes a line of the list "Common to all designs" above the table.
+std::string design_listing(const std::vector<ListingColumn>& columns);
 
 }  // namespace gearwright

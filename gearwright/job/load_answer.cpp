@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright {

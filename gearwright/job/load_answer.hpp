@@ -7,6 +7,7 @@
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
@@ -35,5 +36,15 @@ struct LoadPart {
 ///
 /// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);
+
+// The verb `rate` rates the pair of a spec that has [rating] and materials. It also computes values
+// that would improve the rating.
+
+/// Rates the pair. If a limit of the standard is exceeded, the job gets a warning.
+///
+/// Errors    `rating` if the spec has none; `gearN.material…` if a strength of the material is
+///           unknown; the errors of rated_pair and rate; the errors of answer_load if
+///           `rating.tooth_contact` is set
+Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress = nullptr);
 
 }  // namespace gearwright

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/inspection/balls.hpp"
@@ -99,11 +98,9 @@ ValueRecord measured_at(const SolvedJob& job, const Arranged& end, std::size_t i
   return measure_quantities().of(measures);
 }
 
-std::array<ValueRecord, 2> measured_limits(const SolvedJob& job,
-                                           const std::vector<Arranged>& corners, std::size_t i,
+std::array<ValueRecord, 2> measured_limits(const SolvedJob& job, std::size_t i,
                                            const GearMeasures& nominal) {
-  return limits_of(job, corners,
-                   [&](const Arranged& at) { return measured_at(job, at, i, nominal); });
+  return limits_of(job, [&](const Arranged& at) { return measured_at(job, at, i, nominal); });
 }
 
 }  // namespace
@@ -111,12 +108,11 @@ std::array<ValueRecord, 2> measured_limits(const SolvedJob& job,
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) {
   std::vector<std::vector<ValueRecord>> records;
   std::vector<Warning> ignored;
-  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < job.gears.size(); ++i) {
     records.emplace_back();
     const auto nominal = measured(job, static_cast<int>(i) + 1, job.pair, ignored);
     if (!nominal) continue;
-    auto [lower, upper] = measured_limits(job, corners, i, *nominal);
+    auto [lower, upper] = measured_limits(job, i, *nominal);
     records.back() = differing(std::move(lower), std::move(upper));
   }
   return records;
@@ -124,12 +120,11 @@ std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job) 
 
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures) {
   Json j = job_record(job);
-  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; i < measures.size(); ++i) {
     Json& measure = j["gears"][i]["measure"];
     measure = to_json(measure_quantities().of(measures[i]));
     if (!job.ends) continue;
-    const auto [lower, upper] = measured_limits(job, corners, i, measures[i]);
+    const auto [lower, upper] = measured_limits(job, i, measures[i]);
     measure["interval"] = interval_json(lower, upper);
   }
   return j;
@@ -141,9 +136,8 @@ std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures
   const QuantityTable& table = measure_quantities().table();
   std::string text =
       quantity_listing(job.spec.units(), table, records, gear_columns(records.size()));
-  const std::vector<Arranged> corners = arranged_corners(job);
   for (std::size_t i = 0; job.ends && i < measures.size(); ++i)
-    text += interval_listing(job, i, table, measured_limits(job, corners, i, measures[i]));
+    text += interval_listing(job, i, table, measured_limits(job, i, measures[i]));
   return text;
 }
 

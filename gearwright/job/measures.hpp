@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/measure_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/verdict/verdict.hpp"

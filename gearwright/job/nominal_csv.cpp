@@ -1,4 +1,4 @@
-#include "gearwright/job/nominal_csv.hpp"
+#include "gearwright/job/csv_answer.hpp"
 
 #include <charconv>
 #include <cmath>

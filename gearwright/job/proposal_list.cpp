@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 

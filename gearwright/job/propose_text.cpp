@@ -6,7 +6,6 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 
 namespace gearwright {
 

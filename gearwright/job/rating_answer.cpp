@@ -1,4 +1,4 @@
-#include "gearwright/job/rating_answer.hpp"
+#include "gearwright/job/load_answer.hpp"
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/job/contact_answer.hpp"

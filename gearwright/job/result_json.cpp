@@ -5,11 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -44,13 +42,12 @@ Json job_record(const SolvedJob& job) {
   }
   if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
   if (job.ends) {
-    const std::vector<Arranged> corners = arranged_corners(job);
     for (std::size_t i = 0; i < job.gears.size(); ++i) {
-      const auto [lower, upper] = gear_limits(job, corners, i);
+      const auto [lower, upper] = gear_limits(job, i);
       j["gears"][i]["interval"] = interval_json(lower, upper);
     }
     if (job.pair) {
-      const auto [lower, upper] = pair_limits(job, corners);
+      const auto [lower, upper] = pair_limits(job);
       j["pair"]["interval"] = interval_json(lower, upper);
     }
   }
@@ -177,22 +174,19 @@ void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other) {
 
 }  // namespace
 
-std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const std::vector<Arranged>& corners,
-                                     const RecordAt& record) {
+std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& record) {
   std::array<ValueRecord, 2> ends{record(job.ends->lower), record(job.ends->upper)};
   enclose(ends[0], ends[1], record(job));
-  for (const Arranged& corner : corners) enclose(ends[0], ends[1], record(corner));
+  for (const Arranged& corner : job.corners()) enclose(ends[0], ends[1], record(corner));
   return ends;
 }
 
-std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, const std::vector<Arranged>& corners,
-                                       std::size_t i) {
-  return limits_of(job, corners,
-                   [i](const Arranged& at) { return gear_quantities().of(at.gears[i]); });
+std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i) {
+  return limits_of(job, [i](const Arranged& at) { return gear_quantities().of(at.gears[i]); });
 }
 
-std::array<ValueRecord, 2> pair_limits(const SolvedJob& job, const std::vector<Arranged>& corners) {
-  return limits_of(job, corners, [](const Arranged& at) { return pair_quantities().of(*at.pair); });
+std::array<ValueRecord, 2> pair_limits(const SolvedJob& job) {
+  return limits_of(job, [](const Arranged& at) { return pair_quantities().of(*at.pair); });
 }
 
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper) {

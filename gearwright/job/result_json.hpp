@@ -55,16 +55,14 @@ Json verdict_json(const Verdict& verdict);
 using RecordAt = std::function<ValueRecord(const Arranged&)>;
 
 /// The limits of each number of a record within the tolerances. They are the values at the lower
-/// and at the upper end, if no other combination in `corners` and no nominal value lies outside
+/// and at the upper end, if no other combination of ends and no nominal value lies outside
 /// them. Otherwise they are the least and the greatest value.
 ///
-/// Domain    the job has tolerances (contract); `corners` is the result of arranged_corners()
-std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const std::vector<Arranged>& corners,
-                                     const RecordAt& record);
+/// Domain    the job has tolerances (contract)
+std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& record);
 /// limits_of() for the quantities of the gear with index i, and for those of the pair.
-std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, const std::vector<Arranged>& corners,
-                                       std::size_t i);
-std::array<ValueRecord, 2> pair_limits(const SolvedJob& job, const std::vector<Arranged>& corners);
+std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i);
+std::array<ValueRecord, 2> pair_limits(const SolvedJob& job);
 
 /// {key: [first limit, second limit]} for the numbers that differ. The quantities of all interfaces
 /// are included, for example the thickness allowance, which other JSON results omit because it

@@ -5,12 +5,10 @@
 #include <algorithm>
 
 #include "gearwright/catalogue/columns.hpp"
-#include "gearwright/catalogue/drive_search_quantities.hpp"
+#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/inch_schema.hpp"
-#include "gearwright/catalogue/measure_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
 #include "gearwright/job/verbs.hpp"

@@ -12,7 +12,7 @@
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 namespace {

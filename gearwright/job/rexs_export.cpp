@@ -9,7 +9,6 @@
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/rexs_file.hpp"
-#include "gearwright/spec/rexs_spec.hpp"
 
 namespace gearwright {
 

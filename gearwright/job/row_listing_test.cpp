@@ -1,5 +1,5 @@
 // Tables with a line for each record.
-#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/listing.hpp"
 
 #include <gtest/gtest.h>
 

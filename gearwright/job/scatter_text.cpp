@@ -12,7 +12,6 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 

@@ -11,13 +11,31 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/design/design_row.hpp"
+#include "gearwright/design/shift_points.hpp"
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/job/search_record.hpp"
 
 namespace gearwright {
+
+// Converts feasible designs to bytes and back, for the chunks of a large search on disk. Every number
+// of a row has 64 bits with the low byte first. The rows follow each other and are compressed by
+// zstd. Reading gives the same rows, bit for bit.
+
+struct ChunkFinds {
+  std::vector<DesignRow> designs;
+  std::vector<ShiftPoint> points;  ///< points of the grid of profile shifts, if requested
+};
+
+std::string pack(const ChunkFinds& finds);
+
+/// Converts the bytes of pack() back to designs.
+///
+/// Throws    IoError if the bytes were not made by pack(). `where` names the bytes in the message
+ChunkFinds unpack(std::string_view bytes, const std::string& where);
 
 inline constexpr const char* kDesignsFile = "search.parquet";
 inline constexpr const char* kSpecNote = "spec";  ///< key of the spec, as JSON, in the footer

@@ -1,4 +1,4 @@
-#include "gearwright/job/search_record.hpp"
+#include "gearwright/job/search_files.hpp"
 
 #include <zstd.h>
 

@@ -7,7 +7,6 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/search_job.hpp"
 
 namespace gearwright {
 
@@ -77,7 +76,7 @@ namespace {
 std::string spelled_list(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields)
-    text += (text.empty() ? "`" : ", `") + spelled_member("search." + field) + "`";
+    text += (text.empty() ? "`" : ", `") + spelled_member("search", field).key + "`";
   return text;
 }
 

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <vector>
 
+#include "gearwright/job/search_files.hpp"
 #include "gearwright/job/search_job.hpp"
-#include "gearwright/job/search_record.hpp"
 
 namespace gearwright {
 

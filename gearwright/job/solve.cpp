@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
@@ -121,6 +122,12 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
 }
 
 }  // namespace
+
+const std::vector<Arranged>& SolvedJob::corners() const {
+  const std::lock_guard lock(shared_corners->mutex);
+  if (!shared_corners->list) shared_corners->list = arranged_corners(*this);
+  return *shared_corners->list;
+}
 
 std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;

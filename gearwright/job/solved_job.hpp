@@ -1,7 +1,10 @@
 // A spec and the gears that it describes.
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <string_view>
+#include <vector>
 
 #include "gearwright/arrange/arrange.hpp"
 #include "gearwright/spec/spec.hpp"
@@ -19,6 +22,14 @@ struct SolvedJob : Arranged {
 
   /// The number of gears, including a rack.
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
+  /// arranged_corners() of the tolerances, computed at the first call. Copies share the result.
+  const std::vector<Arranged>& corners() const;
+
+  struct Corners {
+    std::mutex mutex{};
+    std::optional<std::vector<Arranged>> list{};
+  };
+  std::shared_ptr<Corners> shared_corners = std::make_shared<Corners>();  ///< for corners()
 };
 
 /// Computes the gears and the pair of a spec.

@@ -9,8 +9,8 @@
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
 #include "gearwright/job/csv_answer.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/scatter_study.hpp"
 #include "gearwright/report/search_report.hpp"
 

@@ -1,5 +1,5 @@
 // Text in lines of a limited width.
-#include "gearwright/job/row_listing.hpp"
+#include "gearwright/job/listing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/job/solved_job.hpp"
 #include "gearwright/job/verbs.hpp"
 
 namespace gearwright {
@@ -172,6 +173,17 @@ void expect_enclosed(const Json& interval, const Json& at, const std::string& pa
     for (std::size_t i = 0; i < std::min(interval.size(), at.size()); ++i)
       expect_enclosed(interval[i], at[i], path + "[" + std::to_string(i) + "]");
   }
+}
+
+TEST(ToleranceEnds, combinations_are_arranged_once_for_all_outputs) {
+  const Json spec{{"gear1", gear(17, {-0.10, -0.06})},
+                  {"gear2", gear(40, {-0.12, -0.08})},
+                  {"pair", {{"center_distance_mm", 72}}}};
+  const JobSpec read = testing::taken(read_spec(json_text(spec), SpecFormat::json));
+  const SolvedJob job = testing::taken(solve(read, Scope::pair));
+  const SolvedJob copy = job;
+  EXPECT_EQ(job.corners().size(), 4u);
+  EXPECT_EQ(&job.corners(), &copy.corners());
 }
 
 // A thin tooth with a great tip diameter has the thinnest tip, and neither end has it. With z 119,

@@ -1,6 +1,7 @@
 // Searches for trains: (1) a list of modules finds a train that is not larger than those of its
 // modules alone; (2) the axial forces on an intermediate shaft have opposite directions; (3) each
-// stage has the least module with which it has the required safeties.
+// stage has the least module with which it has the required safeties; (4) the spec of a design
+// describes the drive that the search computed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,11 +9,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
-#include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/read_search.hpp"
 
 namespace gearwright {
 namespace {
@@ -54,6 +59,38 @@ TEST(TrainSearchAnswerTest, AListOfModulesFindsATrainAsSmallAsEachModule) {
   ASSERT_EQ(designs.size(), kTop);
   constexpr double kRounding = 1e-12;  // of the sum of the centre distances
   EXPECT_LE(designs[0]["size_mm"], smallest * (1 + kRounding));
+}
+
+// Law (4). Each candidate gets shifts and a face width that its search would not choose.
+TEST(TrainSearchAnswerTest, TheSpecOfACandidateDescribesTheDriveThatIsRated) {
+  const std::string common =
+      "normal_module_mm = [2, 3]\nhelix_angle_deg = 12\nface_width_mm = [10, 40]\n"
+      "friction_coefficient = 0.07\nspeed_rpm = 900\ntorque_Nm = 40\nmaterial = \"16MnCr5\"\n";
+  for (const std::string kind :
+       {"kind = \"train\"\nstages = 3\nratio = [-21, -20]\npinion_teeth = [17, 19]\nwheel_teeth = "
+        "[45, 56]\nbacklash_mm = [0.1, 0.2]\n",
+        "kind = \"train\"\nratio = [11.9, 12]\npinion_teeth = [17, 22]\nthickness_allowance_mm = "
+        "-0.04\n",
+        "kind = \"planetary\"\nratio = [4, 5]\nmesh_efficiency = { sun_planet = 0.98 }\n",
+        "kind = \"stepped\"\nratio = [6, 7]\nplanets = [2, 4]\nprofile_shift = { planet = 0.2 "
+        "}\n"}) {
+    const auto spec = read_spec("[search]\n" + kind + common, SpecFormat::toml);
+    ASSERT_TRUE(spec) << spec.error().message();
+    const DriveSearchProblem problem = read_drive_search(spec->tree->tables["search"]);
+    const auto found = search_drives(problem);
+    ASSERT_TRUE(found && found->found.size() > 2) << kind;
+    for (DriveCandidate c : {found->found.front(), found->found[1], found->found.back()}) {
+      c.face_width = 20.25;
+      c.shifts = {0.125, 0.0625, -0.1, 0.3};
+      if (!c.stages.empty()) c.shifts.resize(2 * c.stages.size(), 0.21);
+      const auto own = drive_of(problem, c);
+      const auto read = read_spec_tree(drive_spec(*spec, problem, c), {}, SpecUse::geometry);
+      ASSERT_TRUE(own) << own.error().message();
+      ASSERT_TRUE(read) << read.error().message();
+      const Json& tree = read->tree->tables;
+      EXPECT_EQ(json_text(expanded_spec(tree, *own)), json_text(expanded_spec(tree, *read->drive)));
+    }
+  }
 }
 
 // Law (3). With a given face width, the safeties of a stage depend on its own module only, so the

@@ -21,11 +21,9 @@
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/propose_answer.hpp"
-#include "gearwright/job/rating_answer.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 

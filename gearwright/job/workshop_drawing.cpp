@@ -7,19 +7,17 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/cad/section.hpp"
 #include "gearwright/cad/sheet_files.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/row_listing.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright {
@@ -283,9 +281,7 @@ DataGroup mate(const SolvedJob& job, int which) {
                         with_minus(fmt::format("{}", other.spec.teeth))});
   Records pair{pair_quantities().of(*job.pair), job.spec.units()};
   if (job.ends) {
-    auto [lower, upper] = limits_of(job, arranged_corners(job), [](const Arranged& at) {
-      return pair_quantities().of(*at.pair);
-    });
+    auto [lower, upper] = pair_limits(job);
     pair.ends = {std::move(lower), std::move(upper)};
   }
   if (const auto& tolerance = job.completed.pair.distance_tolerance;
@@ -312,7 +308,7 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
   Records gear{gear_quantities().of(job.gears[i]), units};
   Records measure{measure_records(job)[i], units};
   if (job.ends) {
-    auto [lower, upper] = gear_limits(job, arranged_corners(job), i);
+    auto [lower, upper] = gear_limits(job, i);
     gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }

@@ -1,4 +1,4 @@
-#include "gearwright/report/drive_pictures.hpp"
+#include "gearwright/report/drive_report.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,6 @@
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
-#include "gearwright/report/drive_pictures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"

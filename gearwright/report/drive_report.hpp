@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/drive/drive_layout.hpp"
 #include "gearwright/report/report.hpp"
 
@@ -27,5 +28,21 @@ struct DriveReportInput {
 
 /// The page, UTF-8.   Domain  a drive (contract)
 std::string drive_report_html(const DriveReportInput& input);
+
+// Pictures of an assembled drive: sections of the drive whose gears the user can turn, and the
+// meshes of the planets side by side.
+//
+// One control turns all pictures. While t runs from 0 to 1, the drive makes the smallest motion
+// after which it looks the same as before.
+
+/// The name of the SVG definition that contains the shape of a gear (gear_shape.hpp).
+std::string shape_name(std::size_t gear);
+
+/// The SVG definitions of the shapes of all gears.
+std::string drive_definitions(const Drive& drive);
+
+/// A figure for each axial section, true to scale, followed by the phases of the planets. The first
+/// figure has the control that turns the gears.
+std::string drive_section_figures(const Drive& drive, const DriveLayout& layout, UnitSystem units);
 
 }  // namespace gearwright

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/figure/markup.hpp"
-
 namespace gearwright {
 
 std::string file_link(std::string_view name) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/load_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/load_scene.hpp"

@@ -56,7 +56,7 @@ struct ReportInput {
   const ProposeView* propose = nullptr;        ///< null if there are no proposals for the flanks
   const CompensateView* compensate = nullptr;  ///< null if the spec requests no corrections
   const ScatterView* scatter = nullptr;        ///< null if the spec has no [scatter]
-  const RatingView* rating = nullptr;          ///< null if the spec requests no rating
+  const RatingAnswer* rating = nullptr;        ///< null if the spec requests no rating
   Verdict verdict;                             ///< on the gears, the pair and the contact
   std::vector<ReportFile> files;
   std::string spec_text;              ///< the spec, verbatim; omitted if empty

@@ -9,8 +9,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/catalogue/measure_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -157,7 +156,7 @@ std::string finding(const Rating& r) {
       least(r.S_F), least(r.S_H));
 }
 
-std::string table(const RatingView& view, UnitSystem units) {
+std::string table(const RatingAnswer& view, UnitSystem units) {
   TableBuilder t("Strength, as rated", {"Gear 1", "Gear 2", "Clause of the standard, branch"});
   const auto both = [](const FactorPair& f) {
     return fixed(f[0].value, 2) + " / " + fixed(f[1].value, 2);
@@ -213,7 +212,7 @@ std::string compensate_section(const CompensateView& view, UnitSystem units) {
          in_columns(what, "\n" + scores(view, units)) + closed_forms(view, units) + "</section>\n";
 }
 
-std::string rating_section(const RatingView& view, UnitSystem units) {
+std::string rating_section(const RatingAnswer& view, UnitSystem units) {
   const bool plastic = view.rating.edition == RatingEdition::vdi_2736;
   const std::string method =
       fmt::format("{}{}", name(view.rating.edition), plastic ? "" : ", method B");

@@ -43,7 +43,7 @@ std::string halves_part(std::string_view shared, std::string_view alike,
 std::string file_section(const std::vector<ReportFile>& files);
 
 /// The inspection dimensions, with a column for each gear: the records of
-/// catalogue/measure_quantities.hpp, the values at both ends of the tolerances if there are any,
+/// catalogue/gear_quantities.hpp, the values at both ends of the tolerances if there are any,
 /// and the K-diagrams. Empty if there are no dimensions.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
@@ -101,7 +101,7 @@ std::optional<DistributionScene> distribution_scene(const ScatterView& view,
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
 /// Strength: inputs, factors, stresses and safeties, each with its clause of the standard.
-std::string rating_section(const RatingView& view, UnitSystem units);
+std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
 // The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
 // of both.

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/table_builder.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "gearwright/arrange/two_halves.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/quantity.hpp"
 #include "gearwright/report/report.hpp"
 

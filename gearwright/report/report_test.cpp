@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/pair_quantities.hpp"
+#include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 #include "gearwright/verdict/verdict.hpp"

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "gearwright/base/numbers.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/contact/continuous.hpp"
 #include "gearwright/contact/halves.hpp"
@@ -20,15 +19,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kNoAngle = 1e-9 * kRadPerArcsec;  // a smaller peak to peak is a rounding error
-
 // True if the member differs from the nominal pair. The numbers of the nominal pair must be equal
 // to those of the verb `contact`, so the nominal pair is not searched in lanes.
 bool deviates(const ContactSetup& drawn, const Deviation& deviation) {
   return deviation.modified || !(deviation.errors == drawn.place().errors);
 }
-
-double without_rounding(double span) { return span < kNoAngle ? 0.0 : span; }
 
 }  // namespace
 
@@ -105,11 +100,11 @@ class FlankTouches {
     if (touches_.size() == 1) {
       if (track_) extremes_ = track_->extremes();
       if (!extremes_) extremes_ = continuous_extremes(transmissions_[0], touches_[0]);
-      return without_rounding(extremes_->span());
+      return without_rounding(extremes_->span(), kNoAngle);
     }
     const auto positions = static_cast<int>(touches_[0].size());
     const auto span = continuous_span(mesh_, std::max(kLeastSpanPositions, positions));
-    return span ? without_rounding(span->rad()) : kNoNumber;
+    return span ? without_rounding(span->rad(), kNoAngle) : kNoNumber;
   }
   double long_period(const ContactSetup& setup, const Deviation& deviation) {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };

@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_drive.hpp"
+#include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
@@ -76,6 +77,11 @@ void visit_materials(const Json& tree, const MaterialVisit& visit) {
     for (std::size_t i = 0; i < tree["stage"].size(); ++i)
       visit_stage(tree["stage"][i], fmt::format("stage[{}]", i + 1), fmt::format("s{}_", i + 1),
                   visit);
+  if (const Json search = tree.value("search", Json()); is_drive_search(search)) {
+    if (search["kind"] != "train") visit_set(search, "search", "", visit);
+    for (int k = 1; search["kind"] == "train" && k <= kMostStages; ++k)
+      visit_stage(search, "search", fmt::format("s{}_", k), visit);
+  }
   if (tree.contains("drive") && tree["drive"].is_object() && tree["drive"].contains("gear") &&
       tree["drive"]["gear"].is_array())
     for (std::size_t i = 0; i < tree["drive"]["gear"].size(); ++i) {

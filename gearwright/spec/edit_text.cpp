@@ -3,7 +3,7 @@
 #ifndef NDEBUG
 #define NDEBUG
 #endif
-#include "gearwright/spec/edit_text.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 #include <toml++/toml.h>
 
@@ -15,8 +15,8 @@
 
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
 

@@ -1,5 +1,5 @@
 // A key is set in a text, and the rest of the text is unchanged.
-#include "gearwright/spec/edit_text.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gearwright {
 
@@ -23,5 +24,20 @@ Json parse_json(std::string_view text);
 /// The text of a tree on one line, or with `indent` spaces per level. Bytes that are not valid
 /// UTF-8 become U+FFFD.
 std::string json_text(const Json& tree, int indent = -1);
+
+// A spec as TOML text, from its tree.
+// Internal to spec/ and the program.
+
+/// A value on one line. A table is written in braces.
+std::string toml_value(const Json& value);
+
+/// The tree as TOML text. Reading the text gives the same doubles. Plain values precede tables, and
+/// each table of a list has a heading [[name]].
+///
+/// Domain    an object of numbers, strings, booleans, arrays and objects (contract)
+std::string toml_text(const Json& tree);
+
+/// Sentences as comments. Each sentence begins on a new line.
+std::string toml_comment(const std::vector<std::string>& sentences);
 
 }  // namespace gearwright

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec.hpp"
 
@@ -37,5 +38,25 @@ std::optional<Error> check_tree(const Json& tree);
 /// Errors    the errors of read_spec, except errors of syntax, and the errors of check_tree
 Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& folder = {},
                                SpecUse use = SpecUse::geometry);
+
+// Converts the units of a spec to mm when it is read, and results and specs back to the units of
+// the user when they are written.
+//
+// Internal to spec/, job/ and the programs, because public headers do not contain trees.
+
+struct GivenKeys;  // catalogue/spelling.hpp
+
+/// The spec in mm with the keys of the catalogue, without the key `units`. `given` receives the
+/// units and, for inch, the lengths as written.
+///
+/// Throws  SpecError if `units` is not a known word, or if the key of a length has the wrong unit
+Json in_catalogue_units(const Json& spec, GivenKeys& given);
+
+/// A result or a part of a spec, with keys, numbers and sentences converted to this unit system. A
+/// spec inside a result gets the key `units`. A second call changes nothing.
+Json in_units(UnitSystem units, const Json& record);
+
+/// A whole spec in this unit system, with the key `units` if it is not "mm".
+Json spec_in(UnitSystem units, const Json& spec);
 
 }  // namespace gearwright

@@ -12,7 +12,6 @@
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_search.hpp"
-#include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {
 
@@ -166,17 +165,8 @@ void read_teeth(TableReader& t, PairStage& pair) {
   if (pair.teeth[1] < 0 && read_list(t, "bore_mm").size() < 2) bore[1].reset();
   for (const std::size_t i : {0, 1})
     if (bore[i]) pair.bores[i] = Bore{*bore[i]};
-  if (!module) return;
-  for (const std::size_t i : {0, 1}) {
-    CylindricalSpec spec;
-    spec.teeth = pair.teeth[i];
-    spec.normal_module = *module;
-    spec.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
-    spec.helix_angle = Angle::degrees(i == 0 || pair.teeth[1] < 0 ? beta : -beta);
-    spec.face_width = face.value_or(10 * *module);
-    spec.thickness_allowance = allowance[i].value_or(0.0);
-    pair.specs[i] = spec;
-  }
+  if (module)
+    pair.set_teeth({*module, Angle::degrees(alpha.value_or(20.0)), beta, face, allowance});
 }
 
 StageSpec read_stage(const Json& node, const std::string& path,
@@ -210,13 +200,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
            "must be a number, or a band of two numbers, because a pair of gears has one mesh");
   if (stage.pair.backlash && !stage.pair.specs[0])
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");
-  for (const std::size_t i : {0, 1}) {
-    auto& spec = stage.pair.specs[i];
-    if (series.empty() || !spec || spec->thickness_allowance != 0.0) continue;
-    const double diameter =
-        spec->normal_module * std::abs(stage.pair.teeth[i]) / std::cos(spec->helix_angle.rad());
-    spec->thickness_allowance = mean_allowance(series, diameter);
-  }
+  stage.pair.set_allowances(series);
   stage.friction = t.number("friction_coefficient").value_or(stage.friction);
   read_input_loads(t, stage.speeds_rpm, stage.torque_Nm);
   const auto eta = read_list(t, "mesh_efficiency");
@@ -268,10 +252,10 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
 
 Error of_drive_table(Error error, const Json& tree) {
   constexpr std::string_view kGraph = "drive.";
-  if (error.field.starts_with(kGraph) && !tree.contains("drive")) {
-    const char* own = tree.contains("planetary") ? "planetary" : "stage";
-    error.field = std::string(own) + "." + error.field.substr(kGraph.size());
-  }
+  if (!error.field.starts_with(kGraph)) return error;
+  for (const std::string own : {"planetary", "stage", "search"})
+    if (tree.contains(own))
+      return {own + "." + error.field.substr(kGraph.size()), error.value, error.rule, error.kind};
   return error;
 }
 

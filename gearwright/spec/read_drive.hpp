@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/arrange/given_gear.hpp"
+#include "gearwright/arrange/given_pair.hpp"
 #include "gearwright/drive/drive_graph.hpp"
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/spec/json.hpp"
@@ -40,8 +40,8 @@ PlanetarySpec read_set(const Json& node, const std::string& path);
 /// Domain    read_drive accepts the spec (contract)
 Json expanded_spec(const Json& tree, const DriveInput& drive);
 
-/// Replaces the names in an error of a drive's graph by the keys of the file. For example,
-/// `drive.fixed` of a set becomes planetary.fixed.
+/// Replaces the names in an error of a drive's graph by the keys of the table that describes the
+/// drive or the search for drives. For example, `drive.fixed` of a set becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
 // Reads the table [drive], which is the graph of a drive, and values that occur in several tables

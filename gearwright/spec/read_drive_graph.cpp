@@ -10,7 +10,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"

@@ -76,11 +76,13 @@ DriveSearchProblem read_drive_search(const Json& given) {
     if (p.modules.empty() && search.contains(key))
       t.fail(key, "needs normal_module_mm, because without a module no teeth are computed");
   if (p.kind == DriveKind::train) {
-    for (const char* key : {"mesh_efficiency", "helix_angle_deg"})
+    for (const char* key :
+         {"mesh_efficiency", "helix_angle_deg", "profile_shift", "thickness_allowance_mm"})
       if (search.contains(key) && !search[key].is_number())
         t.fail(key, "must be one number for all stages of a train");
-    if (search.contains("backlash_mm") && search["backlash_mm"].is_object())
-      t.fail("backlash_mm", "must be one number or one band for all stages of a train");
+    for (const char* key : {"backlash_mm", "face_width_mm"})
+      if (search.contains(key) && search[key].is_object())
+        t.fail(key, "must be one number or one band for all stages of a train");
   }
   Json set = shared_keys(search, false);
   set["planet"] = 20;
@@ -95,6 +97,7 @@ DriveSearchProblem read_drive_search(const Json& given) {
       !search.contains("thickness_allowance_mm") && !search.contains("backlash_mm"))
     p.base.series = kUsualSeries;
   complete_ends(p);
+  drive_materials({{"search", given}});  // read here only to report errors
   return p;
 }
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/table_reader.hpp"

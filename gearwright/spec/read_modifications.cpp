@@ -15,7 +15,7 @@
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/modification_keys.hpp"
+#include "gearwright/catalogue/gear_keys.hpp"
 
 namespace gearwright {
 

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <initializer_list>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gearwright/base/result.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright {
 
@@ -68,5 +70,22 @@ std::optional<std::string> other_rexs_format(const std::filesystem::path& path);
 
 /// The model as the text of a file. Reading the text gives the same doubles.
 std::string rexs_text(const RexsModel& model);
+
+// Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]]
+// tables, and a planetary stage to [planetary]. Internal to spec/ and job/.
+
+struct RexsSpec {
+  Json tables;
+  std::vector<std::string> notes;  ///< one sentence about each part that was not read
+};
+
+/// Errors    a model without cylindrical stages, or with stages of another type; stages that form
+///           neither a chain nor one planetary set (set_of_rexs); a stage without two gears, a gear
+///           without teeth
+Result<RexsSpec> spec_of_rexs(const RexsModel& model);
+
+/// The spec as TOML. Comments at its beginning name the version of the file and the parts that were
+/// not read.
+Result<std::string> spec_text_of_rexs(std::string_view xml);
 
 }  // namespace gearwright

@@ -1,4 +1,4 @@
-#include "gearwright/spec/rexs_spec.hpp"
+#include "gearwright/spec/rexs_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/drive/short_forms.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/rexs_set.hpp"
-#include "gearwright/spec/toml_text.hpp"
 
 namespace gearwright {
 

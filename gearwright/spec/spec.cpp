@@ -9,7 +9,6 @@
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/catalogue/pair_keys.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -17,7 +16,6 @@
 #include "gearwright/spec/read_gear.hpp"
 #include "gearwright/spec/read_search.hpp"
 #include "gearwright/spec/table_reader.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright {
 

@@ -21,7 +21,7 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/rexs_spec.hpp"
+#include "gearwright/spec/rexs_file.hpp"
 #include "gearwright/spec/table_reader.hpp"
 
 namespace gearwright {

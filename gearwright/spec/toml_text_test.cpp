@@ -1,5 +1,5 @@
 // A spec that is written and read again is unchanged.
-#include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/json.hpp"
 
 #include <nlohmann/json.hpp>
 

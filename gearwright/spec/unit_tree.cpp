@@ -1,4 +1,4 @@
-#include "gearwright/spec/unit_tree.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 #include <fmt/format.h>
 

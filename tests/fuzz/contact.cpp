@@ -8,8 +8,8 @@
 #include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/toml_text.hpp"
 #include "tests/fuzz/fuzzing.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/json.hpp"
 #include "tests/fuzz/fuzzing.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

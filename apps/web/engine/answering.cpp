@@ -10,10 +10,9 @@
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/verbs.hpp"
 #include "gearwright/spec/inherit.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/table_reader.hpp"
-#include "gearwright/spec/toml_text.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::web {
 

@@ -22,7 +22,7 @@
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
-#include "gearwright/spec/edit_text.hpp"
+#include "gearwright/spec/spec_text.hpp"
 
 namespace gearwright::web {
 

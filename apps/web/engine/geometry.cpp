@@ -10,7 +10,6 @@
 #include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/catalogue/pair_quantities.hpp"
 #include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"

@@ -8,7 +8,7 @@
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/job/search_workers.hpp"
-#include "gearwright/spec/toml_text.hpp"
+#include "gearwright/spec/json.hpp"
 
 namespace gearwright::web {
 

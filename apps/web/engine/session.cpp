@@ -1,7 +1,5 @@
 #include "apps/web/engine/session.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

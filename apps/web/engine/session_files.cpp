@@ -6,9 +6,8 @@
 #include "apps/web/engine/session.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/toml_text.hpp"
-#include "gearwright/spec/unit_tree.hpp"
 
 namespace gearwright::web {
 

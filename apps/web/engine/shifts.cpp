@@ -1,6 +1,5 @@
 // Computes the x1–x2 chart of a session's pair: the chart of a search that permits only the tooth
 // numbers of this pair.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,10 @@
-#include "gearwright/job/drive_designer.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "gearwright/arrange/judge_drive.hpp"
+#include "gearwright/arrange/drive_designs.hpp"
+#include "gearwright/arrange/judge.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/windup.hpp"
-#include "gearwright/job/drive_designs.hpp"
-#include "gearwright/job/drive_job.hpp"
-#include "gearwright/spec/parse_spec.hpp"
-#include "gearwright/spec/read_search.hpp"
 
 namespace gearwright {
 
@@ -22,23 +16,56 @@ bool has_gears(const Drive& drive) {
       [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
 }
 
-bool is_safe(const Drive& drive, const WantedSafety& wanted) {
+bool is_safe(const Drive& drive, const StageSafety& required) {
   const auto holds = [&](FactorPair Rating::*safety, double least) {
     const auto own = least_safety(drive, safety);
     return !own || *own >= least;
   };
-  return holds(&Rating::S_H, wanted.flank) && holds(&Rating::S_F, wanted.root);
+  return holds(&Rating::S_H, required.flank) && holds(&Rating::S_F, required.root);
+}
+
+// The stages of a train. The hand alternates from stage to stage, so that both gears of an
+// intermediate shaft have the same hand and their axial forces have opposite directions.
+Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate& c) {
+  const PlanetarySpec& base = problem.base;
+  std::vector<StageSpec> stages(c.stages.size());
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    PairStage& pair = stages[k].pair;
+    pair.teeth = c.stages[k];
+    pair.shifts = {base.profile_shift.all, base.profile_shift.all};
+    if (const GearShifts& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
+      pair.shifts = {x[2 * k], x[2 * k + 1]};
+    const double beta = base.helix_deg.all.value_or(0.0);
+    if (!problem.modules.empty())
+      pair.set_teeth({c.stage_module(k),
+                      base.normal_pressure_angle,
+                      k % 2 == 1 ? -beta : beta,
+                      c.face_width ? c.face_width : base.face_width.all,
+                      {base.allowance.all, base.allowance.all}});
+    pair.set_allowances(base.series);
+    pair.efficiency = base.efficiency.all;
+    pair.backlash = base.backlash.all;
+    stages[k].friction = base.friction;
+  }
+  stages.front().speeds_rpm = base.speeds_rpm;
+  stages.front().torque_Nm = base.torque_Nm;
+  return train_of(stages);
 }
 
 }  // namespace
 
-struct DriveDesigner::MadeDrive {
-  JobSpec spec;
-  Drive drive;
-};
-
-DriveDesigner::DriveDesigner(const JobSpec& spec, const DriveSearchProblem& problem)
-    : spec_(spec), problem_(problem), rates_(rates_drives(spec, problem)) {}
+Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
+  if (!candidate.stages.empty()) return train(problem, candidate);
+  PlanetarySpec set = set_of(problem, candidate);
+  if (candidate.face_width) set.face_width = {candidate.face_width};
+  for (std::size_t m = 0, g = 0; m < kSetMembers && g < candidate.shifts.size(); ++m) {
+    if (candidate.teeth[m] == 0) continue;
+    if (const auto& x = candidate.shifts[g++]) set.profile_shift.each[m] = x;
+  }
+  auto graph = graph_of(set);
+  if (!graph) return graph.error();
+  return DriveInput{std::move(graph).take()};
+}
 
 DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
   const bool same_cost = !problem_.module_per_stage && !problem_.asks(DriveObjective::efficiency) &&
@@ -79,24 +106,20 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   for (GearShifts& shifts : all) {
     candidate.shifts = std::move(shifts);
     const auto made = made_from(candidate);
-    const auto sliding = made ? greatest_sliding(made->drive.geometry) : std::nullopt;
+    const auto sliding = made ? greatest_sliding(made->geometry) : std::nullopt;
     least = std::min(least, sliding.value_or(0.0));
   }
   return least;
 }
 
-StageSafety DriveDesigner::required() const {
-  return {problem_.safety_flank.value_or(spec_.rating.safety_flank_min.value_or(1.0)),
-          problem_.safety_root.value_or(spec_.rating.safety_root_min.value_or(1.0))};
-}
-
 // The profile shifts to be tried. If the search gives shifts, only these are tried. The list is
 // empty if the teeth of the candidate are impossible. The shifts do not depend on the face width.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
-  if (spec_.tree->tables["search"].contains("profile_shift")) return {candidate.shifts};
+  const PerMember& given = problem_.base.profile_shift;
+  if (given.all || given.any()) return {candidate.shifts};
   if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
-  const auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
-  return own ? shift_trials(own->drive->graph) : std::vector<GearShifts>();
+  const auto own = drive_of(problem_, candidate);
+  return own ? shift_trials(own->graph) : std::vector<GearShifts>();
 }
 
 // The safeties of the stages of a train, each the smaller value of its two gears. None if the
@@ -104,9 +127,9 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
 std::optional<std::vector<StageSafety>> DriveDesigner::stage_safeties(
     const DriveCandidate& candidate) const {
   auto made = made_from(candidate);
-  if (!made || rate_drive(made->spec, made->drive)) return std::nullopt;
+  if (!made || task_.rate(*made)) return std::nullopt;
   std::vector<StageSafety> list;
-  for (const auto& mesh : made->drive.ratings) {
+  for (const auto& mesh : made->ratings) {
     if (!mesh) return std::nullopt;
     const Rating& r = mesh->rating;
     list.push_back(
@@ -119,7 +142,7 @@ std::optional<std::vector<StageSafety>> DriveDesigner::stage_safeties(
 // face width. The smallest gear limits this width. If a stage with the greatest module is still
 // too weak, the stage with the smallest pinion gets a greater module.
 DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
-  const StageSafety least = required();
+  const StageSafety& least = task_.required;
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
     grows = false;
@@ -164,7 +187,7 @@ DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   // with the width. A limit that is meant as a whole number of steps may differ from this
   // multiple by rounding.
   constexpr double kRounding = 1e-9;
-  const double step = default_face_step(spec_.units());
+  const double step = task_.face_step;
   // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
   constexpr double kPlaces = 1e6;
   const auto whole_steps = [&](double steps) {
@@ -190,32 +213,30 @@ DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   return best;
 }
 
-// Makes the drive of the candidate. None if its spec or its drive is impossible.
-std::optional<DriveDesigner::MadeDrive> DriveDesigner::made_from(
-    const DriveCandidate& candidate) const {
-  auto own = read_spec_tree(drive_spec(spec_, problem_, candidate), {}, SpecUse::geometry);
+// Makes the drive of the candidate. None if it is impossible.
+std::optional<Drive> DriveDesigner::made_from(const DriveCandidate& candidate) const {
+  const auto own = drive_of(problem_, candidate);
   if (!own) return std::nullopt;
-  auto made = make_drive(*own->drive);
-  if (!made) return std::nullopt;
-  return MadeDrive{std::move(own).take(), std::move(made).take()};
+  auto made = make_drive(*own);
+  return made ? std::optional(std::move(made).take()) : std::nullopt;
 }
 
 DriveOutcome DriveDesigner::with_width(DriveCandidate candidate) const {
   auto made = made_from(candidate);
-  if (!made || !has_gears(made->drive)) return DriveFault::no_teeth;
-  auto& [own, drive] = *made;
+  if (!made || !has_gears(*made)) return DriveFault::no_teeth;
+  Drive& drive = *made;
   if (!drive.sets.empty() && drive.sets.front().neighbours) {
     candidate.clearance = drive.sets.front().neighbours->clearance / candidate.module;
     if (candidate.clearance < problem_.neighbour_clearance) return DriveFault::neighbours;
   }
   if (greatest_sliding(drive.geometry).value_or(0.0) > problem_.sliding) return DriveFault::sliding;
-  const WantedSafety wanted = wanted_safety(own);
-  if (rates_) {
+  if (task_.rate) {
     if (drive.flow && drive.flow->self_locking()) return DriveFault::safety;
-    if (auto error = rate_drive(own, drive)) return *error;
-    if (!is_safe(drive, wanted)) return DriveFault::safety;
+    if (auto error = task_.rate(drive)) return *error;
+    if (!is_safe(drive, task_.required)) return DriveFault::safety;
   }
   const bool any_spacing = problem_.base.spacing == Spacing::nearest;
+  const WantedSafety wanted{task_.required.flank, task_.required.root};
   if (drive_level(drive, wanted, !any_spacing) != Level::green) return DriveFault::verdict;
   if (drive.flow) candidate.efficiency = drive.flow->efficiency;
   if (drive.backward) candidate.efficiency_backward = drive.backward->efficiency;

@@ -1,14 +1,12 @@
-#include "gearwright/job/drive_designs.hpp"
+#include "gearwright/arrange/drive_designs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/job/drive_designer.hpp"
 
 namespace gearwright {
 
@@ -24,10 +22,10 @@ constexpr std::size_t kEstimateTrains = 64, kLeastForEstimate = 1000;
 // candidates of a module like a search with this module alone.
 class Candidates {
  public:
-  Candidates(const JobSpec& spec, const DriveSearchProblem& problem,
-             const std::vector<DriveCandidate>& all, int threads)
-      : designer_(spec, problem),
-        problem_(problem),
+  Candidates(const DriveDesignTask& task, const std::vector<DriveCandidate>& all, int threads)
+      : designer_(task),
+        task_(task),
+        problem_(task.problem),
         all_(&all),
         made_(all.size()),
         threads_(threads) {}
@@ -36,7 +34,7 @@ class Candidates {
   // number. The estimate for a module is made from trains of this module that are evenly
   // distributed over the order of the candidates.
   std::size_t leave_out_hopeless() {
-    if (problem_.kind != DriveKind::train || !designer_.rates()) return 0;
+    if (problem_.kind != DriveKind::train || !task_.rate) return 0;
     std::map<double, std::vector<std::size_t>> of_module;
     for (std::size_t i = 0; i < all_->size(); ++i) of_module[(*all_)[i].module].push_back(i);
     std::size_t hopeless = 0;
@@ -50,7 +48,7 @@ class Candidates {
       for (const std::size_t i : which) {
         DriveCandidate widest = (*all_)[i];
         if (problem_.face_width) widest.face_width = greatest_face_width(problem_, widest);
-        if (!strength.is_hopeless(widest, designer_.required())) continue;
+        if (!strength.is_hopeless(widest, task_.required)) continue;
         made_[i] = State::left_out;
         ++hopeless;
       }
@@ -160,7 +158,7 @@ class Candidates {
     std::iota(which.begin(), which.end(), std::size_t{0});
     std::vector<TrainStrength> strengths;
     for (const double m : problem_.modules) strengths.push_back(strength_of(which, m));
-    const StageSafety least = designer_.required();
+    const StageSafety& least = task_.required;
     const StageSafety probable{least.flank * std::exp(kFlankMargin),
                                least.root * std::exp(kRootMargin)};
     const auto modules_of = [&](const DriveCandidate& train, const StageSafety& required) {
@@ -239,6 +237,7 @@ class Candidates {
   }
 
   DriveDesigner designer_;
+  const DriveDesignTask& task_;
   const DriveSearchProblem& problem_;
   std::vector<DriveCandidate> chosen_;  // the candidates, if their first modules were chosen
   const std::vector<DriveCandidate>* all_;
@@ -260,14 +259,11 @@ void sort_designs(const DriveSearchProblem& problem, std::vector<FoundDrive>& li
 
 }  // namespace
 
-Result<DriveDesigns> drive_designs(const JobSpec& spec, const DriveSearchProblem& problem,
-                                   const DriveSearchResult& result, std::size_t top, int threads) {
-  if (rates_drives(spec, problem) && problem.modules.empty())
-    return absent_input(
-        "search.normal_module_mm",
-        "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
+Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
+                                   std::size_t top, int threads) {
+  const DriveSearchProblem& problem = task.problem;
   DriveDesigns designs;
-  Candidates candidates(spec, problem, result.found, threads);
+  Candidates candidates(task, result.found, threads);
   designs.hopeless = candidates.leave_out_hopeless();
   while (designs.list.size() < top) {
     const auto which = candidates.next(top - designs.list.size(), designs);

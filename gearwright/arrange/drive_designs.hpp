@@ -1,0 +1,105 @@
+// The designs of a search for drives. Each candidate is computed as by the verb `drive`, in the
+// order of the candidates. It is rated if the search requires safeties, and listed if its verdict
+// is green.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "gearwright/design/drive_search.hpp"
+#include "gearwright/design/train_strength.hpp"
+#include "gearwright/drive/drive.hpp"
+#include "gearwright/verdict/verdict.hpp"
+
+namespace gearwright {
+
+/// A drive in the result of a search, computed in the same way as by the verb `drive`. Its verdict
+/// is green.
+struct FoundDrive {
+  DriveCandidate candidate;
+  Drive drive;
+};
+
+/// The reasons why a computed candidate is left out.
+enum class DriveFault { no_teeth, neighbours, sliding, safety, verdict };
+inline constexpr std::array<std::string_view, 5> kDriveFaultNames{"no_teeth", "neighbours",
+                                                                  "sliding", "safety", "verdict"};
+
+struct DriveDesigns {
+  std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first
+  std::vector<std::size_t> pareto;  ///< indices in `list`
+  std::size_t computed = 0;
+  std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
+                                 ///< too small
+  std::size_t beyond_limit = 0;  ///< candidates that were not computed because of the limit
+  std::array<std::size_t, kDriveFaultNames.size()> left_out{};
+};
+
+/// A search for drives, with the inputs of the designs.
+struct DriveDesignTask {
+  DriveSearchProblem problem;
+  double face_step;        ///< mm; step of the face widths from which the search chooses
+  StageSafety required{};  ///< least safeties of every stage
+  /// Rates the meshes of a drive; empty if the designs are not rated.
+  std::function<std::optional<Error>(Drive&)> rate{};
+};
+
+/// The candidates that the result lists: the `top` best by the first objective and, if there are
+/// several objectives, up to `top` more from the Pareto front. The next candidate replaces a
+/// candidate without a green verdict, until kMostComputedDrives candidates of the same module have
+/// been computed. Trains are left out if, by the estimate of design/train_strength.hpp, they cannot
+/// have the required safeties, or if the sliding of one stage exceeds the limit. If each stage may
+/// have its own module, it gets the least one with which it has the required safeties.
+///
+/// Law       a search over a list of modules finds a drive if a search with one of these modules
+///           alone finds a drive
+/// Errors    the errors of `rate`, if no drive can be rated
+Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
+                                   std::size_t top, int threads);
+
+/// Greatest number of candidates of each module that are computed.
+inline constexpr std::size_t kMostComputedDrives = 20000;
+
+/// The drive of a candidate, with its shifts and its face width.
+///
+/// Errors    as graph_of()
+Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+
+/// A design, the reason why a candidate is left out, or an error of the rating.
+using DriveOutcome = std::variant<FoundDrive, DriveFault, Error>;
+
+/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face width, rates
+/// it and judges it.
+class DriveDesigner {
+ public:
+  /// The task must outlive the designer.
+  explicit DriveDesigner(const DriveDesignTask& task) : task_(task), problem_(task.problem) {}
+
+  /// If the search gives no profile shifts, several are tried, and the best design by the
+  /// objectives is returned.
+  DriveOutcome operator()(DriveCandidate candidate) const;
+  /// A train with its greatest face width and, for each stage, the greatest safeties over all trials
+  /// of profile shifts. None if the train cannot be rated.
+  std::optional<RatedTrain> rated(DriveCandidate candidate) const;
+  /// The least specific sliding of a train over all trials of profile shifts. It is 0 if the teeth
+  /// cannot be made, because this is another reason to leave a train out.
+  double least_sliding(DriveCandidate candidate) const;
+
+ private:
+  std::vector<GearShifts> trials(DriveCandidate candidate) const;
+  bool is_better(const DriveOutcome& a, const DriveOutcome& b) const;
+  std::optional<std::vector<StageSafety>> stage_safeties(const DriveCandidate& candidate) const;
+  DriveOutcome with_stage_modules(DriveCandidate candidate) const;
+  DriveOutcome sized(DriveCandidate candidate) const;
+  std::optional<Drive> made_from(const DriveCandidate& candidate) const;
+  DriveOutcome with_width(DriveCandidate candidate) const;
+
+  const DriveDesignTask& task_;
+  const DriveSearchProblem& problem_;
+};
+
+}  // namespace gearwright
