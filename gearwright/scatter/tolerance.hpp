@@ -95,6 +95,9 @@ struct ScatterTolerance {
 struct Deviation {
   ContactErrors errors;               ///< nominal errors plus deviations of the member
   PairModifications modifications;    ///< nominal modifications plus deviations of the member
+  /// True if this coordinate has a normal score, by which it can be correlated. A phase has no
+  /// score, and neither has a number of waves that does not vary.
+  bool has_score(int coordinate) const;
   bool modified = false;              ///< true if the modifications are not the nominal ones
   std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the nominal gear
   /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.
@@ -117,6 +120,9 @@ int coordinates_of(std::span<const ScatterTolerance> tolerances);
 /// Errors    as ContactSetup::of, for the first tolerance with an invalid end; the field of the
 ///           error is the name of this tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
+/// The names of the coordinates for the user. A single coordinate has the name of its tolerance,
+/// and others have an ending: "errors.crossing_deg", "bearings.bore_a.x_mm".
+std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances);
                                 std::span<const ScatterTolerance> tolerances);
 
 /// The flank deviations that a grade of ISO 1328-1 allows on a gear, mm. f_H limits the slope
