@@ -127,14 +127,15 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out =
       head("Inputs") + fmt::format("  {:<44}{:>12}{:>12}  {}\n", "", "least", "greatest", "from");
   for (const ScatterTolerance& t : a.task.tolerances) {
+    const Unit unit = unit_of(coordinate_names({&t, 1}).front());
     const auto end = [&](double value) {
-      return t.coordinates() == 1 || t.bore()
-                 ? format_number(value_in(units, unit_of(t.name), value))
-                 : std::string();
+      return t.coordinates() == 1 || t.bore() ? format_number(value_in(units, unit, value))
+                                              : std::string();
     };
-    out += fmt::format("  {:<44}{:>12}{:>12}  {}\n", printable(key_in(units, t.name)),
-                       end(t.distribution.least()), end(t.distribution.greatest()),
-                       key_in(units, t.source));
+    const std::string name =
+        key_in(units, t.name) + (t.bore() ? fmt::format("  {}", unit_text(units, unit)) : "");
+    out += fmt::format("  {:<44}{:>12}{:>12}  {}\n", printable(name), end(t.distribution.least()),
+                       end(t.distribution.greatest()), key_in(units, t.source));
   }
   if (std::any_of(a.task.tolerances.begin(), a.task.tolerances.end(),
                   [](const auto& t) { return std::holds_alternative<VaryingWave>(t.of); }))
