@@ -229,12 +229,28 @@ class TwoHalves(unittest.TestCase):
         self.assertEqual(run.status, 1)
         self.assertIn("is not supported for double-helical gears", run.err)
 
-    def test_modifications_are_left_out_with_a_note(self):
-        spec = PAIR.format("").replace("[gear2]", "[gear1.modifications]\nlead_crowning_um = 10\n[gear2]", 1)
-        with tempfile.TemporaryDirectory() as folder:
-            run = Run("run", spec, "--out", folder)
-            self.assertEqual(run.status, 0, run.err)
-            self.assertIn("modifications of double-helical gears are not supported in this version", run.out)
+    def test_files_have_the_modifications_of_both_halves(self):
+        """A tip relief of 0.1 mm removes the same volume from each half of the mesh."""
+        plain = PAIR.format("")
+        relieved = plain.replace("[gear2]", "[gear1.modifications]\ntip_relief_um = 100\ntip_relief_start_mm = 80\n[gear2]", 1)
+        volumes = []
+        for spec in (plain, relieved):
+            with tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "gear1.stl"
+                run = Run("export", spec, "--gear", "1", "--mesh-tolerance", "0.002", "--stl", str(file))
+                self.assertEqual(run.status, 0, run.err)
+                self.assertNotIn("without flank modifications", run.out)
+                data = file.read_bytes()[84:]
+                half = [0.0, 0.0]
+                for at in range(0, len(data), 50):
+                    a, b, c = (struct.unpack_from("<3f", data, at + 12 + 12 * i) for i in range(3))
+                    six = (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                           + a[2] * (b[0] * c[1] - b[1] * c[0]))
+                    half[min(a[2], b[2], c[2]) < 0] += six / 6
+                volumes.append(half)
+        removed = [was - now for was, now in zip(*volumes)]
+        self.assertGreater(min(removed), 100)
+        self.assertAlmostEqual(removed[0] / removed[1], 1, delta=0.02)
 
     def test_gear_2_takes_the_halves_of_gear_1(self):
         short = PAIR.format("").replace("face_width_mm = 150\n[gear2.double_helical]\ngap_mm = 30\n", "")
