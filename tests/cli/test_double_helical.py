@@ -140,7 +140,7 @@ class TwoHalves(unittest.TestCase):
         self.assertEqual(len(found["loosening"]["tolerances"]), 2)
 
     def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
-        for key, table in (("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust", "[scatter.robust]\n"),
+        for key, table in (("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust.aim", '[scatter.robust]\naim = "loaded_transmission_error"\n'),
                            ("gear1.pitch", 'quality = 6\n[scatter.gear1]\npitch = "F_p"\n'),
                            ("gear2.pitch", 'quality = 6\n[scatter.gear2]\npitch = "F_p"\n')):
             run = Run("scatter", PAIR.format("") + "[load]\ntorque_Nm = 100\n" + self.SCATTER + table +
@@ -148,6 +148,17 @@ class TwoHalves(unittest.TestCase):
             self.assertEqual(run.status, 1, key)
             for words in (f"scatter.{key}", "double-helical"):
                 self.assertIn(words, run.err)
+
+    def test_robust_corrections_of_halves(self):
+        spec = (PAIR.format("") + self.SCATTER + "[scatter.errors]\ncrossing_deg = [-0.01, 0.01]\n[scatter.robust]\n"
+                'corrections = ["gear1.lead_crowning_um"]\npercentile = 50\n')
+        found = self.scatter(spec)["robust"]
+        self.assertLess(found["after"]["percentile_arcsec"], found["before"]["percentile_arcsec"])
+        taken = Run("scatter", spec, "--take")
+        self.assertIn("lead_crowning_um", taken.out)
+        # The comparison uses the samples of the next seed, so these samples give its percentile.
+        again = self.scatter(taken.out.replace("[scatter]", "[scatter]\nseed = 2", 1))["peak_to_peak_arcsec"]
+        self.assertAlmostEqual(again["percentiles"][0], found["after"]["percentile_arcsec"], 6)
 
     def test_a_grade_adds_no_pitches_of_halves(self):
         found = self.scatter(PAIR.format("") + self.SCATTER + "quality = 6\nindices = true\n")
