@@ -181,7 +181,7 @@ py::object compensate(const py::object& given, const py::kwargs& kwargs) {
 // The columns of the samples: the inputs, such as "errors.crossing_deg" or "bearings.bore_a.x_mm",
 // and then the quantities by key.
 std::vector<std::string> member_columns(const ScatterAnswer& a) {
-  std::vector<std::string> names = scatter_columns(a.task);
+  std::vector<std::string> names = coordinate_names(a.task.tolerances);
   for (const ScatterEntry& entry : scatter_entries()) names.emplace_back(entry.key);
   return names;
 }

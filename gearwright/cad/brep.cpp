@@ -9,14 +9,19 @@ namespace {
 using brep::Rims, brep::ShellWriter, brep::Side;
 
 Rims add_teeth(ShellWriter& shell, const SolidGear& gear, const GearFaces& faces, Side side) {
-  if (faces.fit) return brep::add_modified_teeth(shell, gear, *faces.fit, side);
   const BodyWalls& walls = faces.walls;
   const std::vector<Band> bands = gear.bands();
-  Rims teeth = shell.add_walls(walls.teeth, walls.helices.front(), bands.front(), side);
-  if (bands.size() == 1) return teeth;
+  const bool two = bands.size() == 2;
+  const auto add = [&](const Band& band, const HelixSpline& helix, bool mirrored,
+                       const brep::Rim* base) {
+    if (!faces.fit) return shell.add_walls(walls.teeth, helix, band, side, base);
+    return brep::add_modified_teeth(shell, *gear.body->modified, band,
+                                    mirrored ? in_mirror(*faces.fit) : *faces.fit, side, base);
+  };
+  Rims teeth = add(bands.front(), walls.helices.front(), two, nullptr);
+  if (!two) return teeth;
   const bool grooved = gear.body->grooved();
-  const Rims upper = shell.add_walls(walls.teeth, walls.helices.back(), bands.back(), side,
-                                     grooved ? nullptr : &teeth.top);
+  const Rims upper = add(bands.back(), walls.helices.back(), false, grooved ? nullptr : &teeth.top);
   if (grooved) {
     const double half = gear.body->two_helices->gap / 2.0;
     shell.add_neck(gear.body->two_helices->groove_radius, {teeth.top, gear.height - half},

@@ -141,10 +141,11 @@ class ShellWriter {
 //
 //   Law   every edge is used twice, once in each direction
 
-/// Adds the teeth of a gear with flank modifications.
+/// Adds the teeth of a band with flank modifications. `base` has the same meaning as for
+/// ShellWriter::add_walls().
 ///
-/// Domain    fit = fit_modified(*gear.body->modified, …) (contract)
-Rims add_modified_teeth(ShellWriter& shell, const SolidGear& gear, const ModifiedFit& fit,
-                        Side side);
+/// Domain    fit = fit_modified(teeth, …), or its mirror image for the half at z < 0 (contract)
+Rims add_modified_teeth(ShellWriter& shell, const ModifiedTeeth& teeth, const Band& band,
+                        const ModifiedFit& fit, Side side, const Rim* base = nullptr);
 
 }  // namespace gearwright::brep

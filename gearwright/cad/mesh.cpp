@@ -102,25 +102,17 @@ class GearMesh {
 
   /// Adds the walls of the teeth.
   void add_walls(MeshBuilder& builder) {
-    if (const ModifiedTeeth* modified = body().modified.get()) {
-      WallEdges edges = edges_of(pitch_columns(half_, copies_), copies_, lower_levels());
-      crease_at_reliefs(*modified, *grid_, edges);
-      std::vector<Ring> rings = modified_rings(*modified, *grid_, copies_);
-      const SinCos turn = sincos_of(gear_.turn);
-      for (Ring& ring : rings) {
-        ring.z += gear_.height;
-        for (RingPoint& p : ring.points)
-          p = {turned(p.point, turn), turned_about_axis(p.before, turn),
-               turned_about_axis(p.after, turn)};
-      }
-      lower_ = upper_ = builder.add_wall(rings, edges, copies_, ring_);
-      return;
-    }
     const std::vector<Column> columns = pitch_columns(half_, copies_);
-    lower_ = upper_ = builder.add_wall(columns, copies_, lower_levels(), ring_);
-    if (bands_.size() == 2)
-      upper_ = builder.add_wall(columns, copies_, upper_levels(), ring_,
-                                body().grooved() ? nullptr : &lower_);
+    const auto add = [&](const Levels& levels, bool mirrored, const WallEnds* below) {
+      if (!body().modified) return builder.add_wall(columns, copies_, levels, ring_, below);
+      WallEdges edges = edges_of(columns, copies_, levels);
+      crease_at_reliefs(*body().modified, *grid_, edges);
+      return builder.add_wall(modified_rings_in(levels.band, mirrored), edges, copies_, ring_,
+                              below);
+    };
+    const bool two = bands_.size() == 2;
+    lower_ = upper_ = add(lower_levels(), two, nullptr);
+    if (two) upper_ = add(upper_levels(), false, body().grooved() ? nullptr : &lower_);
   }
 
   /// Adds the end faces and the rim of an internal gear.
@@ -144,7 +136,7 @@ class GearMesh {
   /// Adds the groove of a double-helical gear and the two faces next to it.
   std::optional<Error> add_groove(MeshBuilder& builder) const {
     const auto& [gap, radius, stagger] = *body().two_helices;
-    const auto cap = cap_at(radius, 0.0);
+    const auto cap = cap_at(radius, -bands_.front().width / 2);
     if (!cap) return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
     const double low = gear_.height - gap / 2.0, high = gear_.height + gap / 2.0;
     const CapPlace under{true, low, bands_.front().angle(low), lower_.top};
@@ -183,6 +175,23 @@ class GearMesh {
   CapPlace top_place() const {
     const double z = upper_levels().z(steps_);
     return {true, z, bands_.back().angle(z), upper_.top};
+  }
+
+  // The rings of the modified teeth, or of their mirror image, in a band of the solid.
+  std::vector<Ring> modified_rings_in(const Band& band, bool mirrored) const {
+    std::vector<Ring> rings = modified_rings(*body().modified, *grid_, copies_);
+    if (mirrored) std::reverse(rings.begin(), rings.end());
+    const double sign = mirrored ? -1.0 : 1.0;
+    const SinCos turn = sincos_of(band.angle(band.middle));
+    const auto normal = [&](const Vec3& n) {
+      return turned_about_axis(Vec3(n.x(), n.y(), sign * n.z()), turn);
+    };
+    for (Ring& ring : rings) {
+      ring.z = band.middle + sign * ring.z;
+      for (RingPoint& p : ring.points)
+        p = {turned(p.point, turn), normal(p.before), normal(p.after)};
+    }
+    return rings;
   }
 
   Error too_fine() const {
@@ -234,13 +243,13 @@ class GearMesh {
                            kHalfPointsMax + 1);
     if (half_.size() > kHalfPointsMax + 1) return too_fine();
     if (modified) {
-      grid_ = modified_grid(*modified, std::move(half_), body().face_width,
-                            body().face_width / steps_, given_);
+      const double width = bands_.front().width;
+      grid_ = modified_grid(*modified, std::move(half_), width, width / steps_, given_);
       half_ = grid_->half;
     }
     const std::size_t n = half_.size() - 1;
-    const double rings = grid_ ? static_cast<double>(grid_->levels.size())
-                               : (steps_ + 1.0) * static_cast<double>(bands_.size());
+    const double rings = (grid_ ? static_cast<double>(grid_->levels.size()) : steps_ + 1.0) *
+                         static_cast<double>(bands_.size());
     if (n > kHalfPointsMax) return too_fine();
     if (2.0 * static_cast<double>(n) * copies_ * rings > kVerticesMax) return too_fine();
     for (std::size_t i = 1; i < n; ++i)
@@ -249,8 +258,8 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // The cap at the height z above the middle of the face. `radius` is the radius of the hole or,
-  // for an internal gear, of the rim or groove.
+  // The cap at the height z of the modified teeth. `radius` is the radius of the hole or, for an
+  // internal gear, of the rim or groove.
   std::optional<Cap> cap_at(double radius, double z) const {
     const int teeth = body().outline.teeth;
     const Circle circle = ring_ ? rim_circle(radius, copies_, tolerance_)
@@ -262,9 +271,12 @@ class GearMesh {
   }
 
   std::optional<Error> find_caps(double below, double above) {
-    const double end = Levels{steps_, body().bands().back()}.z(steps_);
+    const double end = bands_.front().width / 2;
     top_ = cap_at(above, end);
-    bottom_ = body().modified || below != above ? cap_at(below, -end) : top_;
+    // The half at z < 0 is the mirror image of the other half, so its lower end is the upper end of
+    // the modified teeth.
+    bottom_ =
+        body().modified || below != above ? cap_at(below, body().two_helices ? end : -end) : top_;
     if (!top_ || !bottom_)
       return not_a_body(body().outline.teeth, "the flanks of a tooth space cross");
     return std::nullopt;

@@ -110,29 +110,25 @@ void MeshBuilder::add_ring(const Ring& ring, const std::vector<char>& crease, in
 WallEnds MeshBuilder::add_wall(const std::vector<Column>& part, int copies, const Levels& levels,
                                bool inward, const WallEnds* below) {
   GW_EXPECTS(!part.empty() && copies >= 1 && levels.steps >= 1);
-  const std::size_t first = mesh_.vertices.size();
-  const std::size_t first_shaded = mesh_.shaded_vertices.size();
   const WallEdges edges = edges_of(part, copies, levels);
+  std::vector<Ring> rings;
   for (int level = 0; level <= levels.steps; ++level)
-    add_ring(screw_ring(part, edges.crease, levels.band, levels.z(level)), edges.crease, copies,
-             level == 0 ? below : nullptr);
-  const std::size_t ring = below ? 0 : part.size() * static_cast<std::size_t>(copies);
-  return add_quads(below ? below->top : first, first + ring, first_shaded, levels.steps, edges,
-                   copies, inward);
+    rings.push_back(screw_ring(part, edges.crease, levels.band, levels.z(level)));
+  return add_wall(rings, edges, copies, inward, below);
 }
 
 WallEnds MeshBuilder::add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
-                               bool inward) {
+                               bool inward, const WallEnds* below) {
   GW_EXPECTS(rings.size() >= 2 && copies >= 1);
   const std::size_t first = mesh_.vertices.size();
   const std::size_t first_shaded = mesh_.shaded_vertices.size();
   for (const Ring& ring : rings) {
     GW_EXPECTS(ring.points.size() == edges.crease.size());
-    add_ring(ring, edges.crease, copies);
+    add_ring(ring, edges.crease, copies, &ring == &rings.front() ? below : nullptr);
   }
-  const std::size_t ring = edges.crease.size() * static_cast<std::size_t>(copies);
-  return add_quads(first, first + ring, first_shaded, static_cast<int>(rings.size()) - 1, edges,
-                   copies, inward);
+  const std::size_t ring = below ? 0 : edges.crease.size() * static_cast<std::size_t>(copies);
+  return add_quads(below ? below->top : first, first + ring, first_shaded,
+                   static_cast<int>(rings.size()) - 1, edges, copies, inward);
 }
 
 // `bottom` is the first vertex of the lowest ring. The vertices of all other rings begin at

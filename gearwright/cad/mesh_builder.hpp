@@ -73,11 +73,12 @@ class MeshBuilder {
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
-  /// Adds a wall whose levels are given one by one, from bottom to top.
+  /// Adds a wall whose levels are given one by one, from bottom to top. `below` has the same meaning
+  /// as above.
   ///
   /// Domain    two rings or more, each with a point for every column (contract)
-  WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies,
-                    bool inward);
+  WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies, bool inward,
+                    const WallEnds* below = nullptr);
 
   /// Adds `copies` turned copies of the vertices `part` inside a cap, and returns the index of the
   /// first vertex.

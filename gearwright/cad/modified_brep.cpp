@@ -27,19 +27,19 @@ struct ToothWall {
 
 class ModifiedWriter {
  public:
-  ModifiedWriter(brep::ShellWriter& shell, const SolidGear& gear, const ModifiedFit& fit)
+  ModifiedWriter(brep::ShellWriter& shell, const ModifiedTeeth& teeth, const Band& band,
+                 const ModifiedFit& fit)
       : shell_(shell),
         fit_(fit),
-        band_(gear.bands().front()),
-        height_(gear.height),
-        turn_(sincos_of(gear.turn)),
-        copies_(std::abs(gear.body->outline.teeth)),
-        walls_(tooth_walls(*gear.body->modified)) {}
+        band_(band),
+        turn_(sincos_of(band.angle(band.middle))),
+        copies_(std::abs(teeth.outline().teeth)),
+        walls_(tooth_walls(teeth)) {}
 
-  Rims add_teeth(Side side) {
+  Rims add_teeth(Side side, const brep::Rim* base) {
     const std::size_t n = walls_.size() * static_cast<std::size_t>(copies_);
-    Corners below = corners_at(0);
-    Edges floor = level_edges_at(0, below);
+    Corners below = base ? base->corners : corners_at(0);
+    Edges floor = base ? base->edges : level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
     std::vector<Edges> chain(n);  // per wall: the upright edges at its start, one for each layer
                                   // above the last plane
@@ -136,9 +136,9 @@ class ModifiedWriter {
     Vec3 p = rows[wall(i).left ? rows.size() - 1 - a : a][b];
     if (!wall(i).left) p.y() = -p.y();
     p = turned_about_axis(turned_about_axis(p, tooth(i)), turn_);
-    return {p.x(), p.y(), p.z() + height_};
+    return {p.x(), p.y(), p.z() + band_.middle};
   }
-  double z_at(std::size_t level) const { return fit_.levels[level].z + height_; }
+  double z_at(std::size_t level) const { return fit_.levels[level].z + band_.middle; }
   double angle_at(std::size_t level) const { return band_.angle(z_at(level)); }
   WallKnots knots_u(std::size_t i) const {
     const ToothWall& w = wall(i);
@@ -197,7 +197,6 @@ class ModifiedWriter {
   brep::ShellWriter& shell_;
   const ModifiedFit& fit_;
   Band band_;  // band in the frame of the solid
-  double height_;
   SinCos turn_;
   int copies_;
   std::vector<ToothWall> walls_;
@@ -205,9 +204,10 @@ class ModifiedWriter {
 
 }  // namespace
 
-brep::Rims brep::add_modified_teeth(ShellWriter& shell, const SolidGear& gear,
-                                    const ModifiedFit& fit, Side side) {
-  return ModifiedWriter(shell, gear, fit).add_teeth(side);
+brep::Rims brep::add_modified_teeth(ShellWriter& shell, const ModifiedTeeth& teeth,
+                                    const Band& band, const ModifiedFit& fit, Side side,
+                                    const Rim* base) {
+  return ModifiedWriter(shell, teeth, band, fit).add_teeth(side, base);
 }
 
 }  // namespace gearwright

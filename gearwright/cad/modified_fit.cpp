@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -260,6 +261,26 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
       fit.faces[side].push_back(std::move(faces));
       above[side] = std::move(upper);
     }
+  }
+  return fit;
+}
+
+ModifiedFit in_mirror(ModifiedFit fit) {
+  std::reverse(fit.levels.begin(), fit.levels.end());
+  for (ToothLevel& level : fit.levels) level.z = -level.z;
+  std::reverse(fit.along_v.begin(), fit.along_v.end());
+  for (WallKnots& knots : fit.along_v) {
+    std::reverse(knots.distinct.begin(), knots.distinct.end());
+    for (double& knot : knots.distinct) knot = -knot;
+    std::reverse(knots.multiplicity.begin(), knots.multiplicity.end());
+  }
+  for (auto& layers : fit.faces) {
+    std::reverse(layers.begin(), layers.end());
+    for (ModifiedFace& face : layers | std::views::join)
+      for (std::vector<Vec3>& row : face.poles) {
+        std::reverse(row.begin(), row.end());
+        for (Vec3& pole : row) pole.z() = -pole.z();
+      }
   }
   return fit;
 }

@@ -45,4 +45,7 @@ std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, dou
 /// Errors    a face that no spline approximates within kSectionMax_mm
 Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLevel> levels);
 
+/// The mirror image of a fit in the plane z = 0.
+ModifiedFit in_mirror(ModifiedFit fit);
+
 }  // namespace gearwright

@@ -11,6 +11,7 @@
 
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/section.hpp"
+#include "gearwright/cad/testing/mesh_topology.hpp"
 #include "gearwright/cad/testing/modified_bodies.hpp"
 
 namespace gearwright {
@@ -53,6 +54,36 @@ TEST(ModifiedMesh, vertices_lie_on_the_modified_flank) {
       EXPECT_GT(seen[0], 1000) << g.name;
       EXPECT_GT(seen[1], 1000) << g.name;
     }
+  }
+}
+
+// Both halves of a double-helical gear have the modified flanks of the half at z > 0, the lower half
+// as its mirror image.
+TEST(ModifiedMesh, both_halves_of_a_double_helical_gear_are_modified) {
+  for (const ModifiedGear& g : testing::modified_double_helical_gears()) {
+    const TriangleMesh mesh = tessellated(g.body);
+    std::array<std::array<int, 2>, 2> seen{};
+    for (const Vec3& p : mesh.vertices) {
+      const Vec3 q = testing::in_half(g, p);
+      if (std::abs(q.z()) > g.gear.spec.face_width / 2 + 1e-9) continue;  // in the groove
+      const FlankReading at = read_flank(g, q);
+      if (!on_flank(g, q, at)) continue;
+      ++seen[at.left ? 1 : 0][p.z() < 0 ? 1 : 0];
+      EXPECT_NEAR(at.error, 0.0, 1e-9) << g.name << " " << p.transpose();
+    }
+    for (const auto& side : seen)
+      for (const int count : side) EXPECT_GT(count, 1000) << g.name;
+    const testing::Topology shape = testing::topology(mesh);
+    EXPECT_TRUE(shape.closed) << g.name;
+    EXPECT_EQ(shape.parts, 1) << g.name;
+    EXPECT_EQ(shape.euler, g.body.bore ? 0 : 2) << g.name;
+    EXPECT_EQ(shape.unused, 0u) << g.name;
+    ToothedBody plain = g.body;
+    plain.modified = nullptr;
+    const double removed =
+        mesh_volume(tessellated(plain, 5e-4)) - mesh_volume(tessellated(g.body, 5e-4));
+    EXPECT_NEAR(removed / (2 * g.body.modified->removed_volume(g.gear.spec.face_width)), 1.0, 0.02)
+        << g.name;
   }
 }
 

@@ -237,7 +237,7 @@ Result<ModifiedTeeth> ModifiedTeeth::of(
   }
   const ModifiedTeeth teeth{ModifiedSide(divided, -body.twist, removal[0]),
                             ModifiedSide(divided, body.twist, removal[1])};
-  const double half = body.face_width / 2;
+  const double half = body.bands().back().width / 2;
   for (const bool left : {false, true}) {
     const ModifiedSide& side = teeth.side(left);
     for (int i = 0; i < kExaminedRows; ++i) {

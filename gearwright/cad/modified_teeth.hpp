@@ -96,7 +96,8 @@ class ModifiedSide {
   bool has_edge_ = false;             // true if the last flank arc ends on a tip land
 };
 
-/// Both sides of the teeth of a body.
+/// Both sides of the teeth of a body. For a double-helical gear, these are the teeth of the half at
+/// z > 0, in a frame in the middle of this half; the other half is their mirror image.
 class ModifiedTeeth {
  public:
   /// Makes the teeth of a body from the removal fields of their right and left flanks.
@@ -112,7 +113,7 @@ class ModifiedTeeth {
   /// Heights at which an end relief of either side begins, mm, in ascending order.
   std::vector<double> kinks_z() const;
 
-  /// Volume removed from all teeth, mm³.
+  /// Volume removed from all teeth over the face width of the frame, mm³.
   ///
   /// Accuracy  1e-6 of the volume of the body; the polygons that replace the outlines change the
   ///           removed volume by 5e-5 of its value

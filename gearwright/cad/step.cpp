@@ -108,8 +108,9 @@ Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
     add_half_tooth(faces, made.walls, index);
     return made;
   }
-  const auto levels = tooth_levels(*gear.modified, teeth.slices, gear.face_width);
-  const std::size_t n = modified_face_count(*gear.modified, levels);
+  const std::vector<Band> bands = gear.bands();
+  const auto levels = tooth_levels(*gear.modified, teeth.slices, bands.back().width);
+  const std::size_t n = bands.size() * modified_face_count(*gear.modified, levels);
   if (n > kMaxStepFaces) return too_many(n, teeth.slices);
   auto fit = fit_modified(*gear.modified, levels);
   if (!fit) return fit.error();
@@ -151,8 +152,9 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     const ToothedBody& body = bodies[i];
     volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_volume(body));
     for (const SolidGear& gear : body.gears())
-      if (gear.body->modified && !body.same_as)
-        volumes.back() -= gear.body->modified->removed_volume(gear.body->face_width);
+      for (const Band& band : gear.bands())
+        if (gear.body->modified && !body.same_as)
+          volumes.back() -= gear.body->modified->removed_volume(band.width);
     report.volume_mm3 += volumes.back();
     if (body.same_as) {
       parts.push_back(

@@ -48,7 +48,9 @@ Read read(const ModifiedGear& g) {
 // 40 × 40 points of every B-spline face are computed. Those away from the ends of the flank are
 // measured.
 TEST(StepModified, flanks_lie_on_the_modified_surface) {
-  for (const ModifiedGear& g : modified_gears(3.0)) {
+  std::vector<ModifiedGear> gears = modified_gears(3.0);
+  gears.push_back(testing::modified_double_helical_gears()[2]);
+  for (const ModifiedGear& g : gears) {
     const Read r = read(g);
     EXPECT_LE(r.report.max_deviation_mm, 2.2e-5) << g.name;
     double worst = 0.0;
@@ -62,13 +64,17 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
       // Faces that are not flanks are skipped: their middle lies beyond a form diameter. The teeth
       // are turned copies of each other, so only those near the x axis are measured.
       const gp_Pnt m = surface->Value((u0 + u1) / 2, (v0 + v1) / 2);
-      const double foot = read_flank(g, {m.X(), m.Y(), m.Z()}).foot;
+      const auto in_gear = [&](const gp_Pnt& at) {
+        const Vec3 p(at.X(), at.Y(), at.Z());
+        return g.body.two_helices ? testing::in_half(g, p) : p;
+      };
+      const double foot = read_flank(g, in_gear(m)).foot;
       if (foot < 0.0 || foot > 1.0 || std::abs(std::atan2(m.Y(), m.X())) > 0.4) continue;
       for (int i = 0; i < 40; ++i) {
         for (int j = 0; j < 40; ++j) {
           const gp_Pnt p =
               surface->Value(u0 + (u1 - u0) * (i + 0.382) / 40, v0 + (v1 - v0) * (j + 0.618) / 40);
-          const FlankReading at = read_flank(g, {p.X(), p.Y(), p.Z()});
+          const FlankReading at = read_flank(g, in_gear(p));
           ++seen[at.left ? 1 : 0];
           worst = std::max(worst, std::abs(at.error));
         }
@@ -80,10 +86,14 @@ TEST(StepModified, flanks_lie_on_the_modified_surface) {
   }
 }
 
-// One spur, one helical and one internal gear, because a kernel needs seconds for each check.
+// One spur, one helical, one internal gear and two double-helical gears, because a kernel needs
+// seconds for each check.
 std::vector<ModifiedGear> solid_gears() {
   std::vector<ModifiedGear> all = modified_gears(4.0);
   all.erase(all.begin() + 2, all.begin() + 4);
+  std::vector<ModifiedGear> halves = testing::modified_double_helical_gears();
+  all.push_back(std::move(halves[0]));
+  all.push_back(std::move(halves[1]));
   return all;
 }
 
@@ -96,7 +106,7 @@ TEST(StepModified, solids_are_valid_closed_and_of_the_computed_volume) {
     EXPECT_EQ(static_cast<std::size_t>(testing::count(solid, TopAbs_FACE)), r.report.face_count);
     EXPECT_EQ(static_cast<std::size_t>(testing::count(solid, TopAbs_EDGE)), r.report.edge_count);
     EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid()) << g.name;
-    const double cut = metal_area(g.body) * g.body.face_width;
+    const double cut = metal_volume(g.body);
     EXPECT_NEAR(testing::volume(solid) / r.report.volume_mm3, 1.0, 1e-6) << g.name;
     EXPECT_LT(r.report.volume_mm3, cut * (1 - 1e-5)) << g.name;
 

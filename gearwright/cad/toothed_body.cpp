@@ -66,10 +66,6 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
 std::optional<Error> modify(ToothedBody& body, const Gear& gear,
                             const std::array<FlankModifications, 2>& flanks) {
   if (!any_modification(flanks)) return std::nullopt;
-  if (body.two_helices) {
-    body.unmodified = "modifications of double-helical gears are not supported in this version";
-    return std::nullopt;
-  }
   if (!gear.root_form_radius()) {
     body.unmodified = "the gear has no usable flank";
     return std::nullopt;

@@ -206,8 +206,11 @@ const KeyTable& scatter_correlation_keys() {
                 "\"errors.intersecting_deg\"]",
         .required = true,
         .meaning =
-            "two inputs that are errors, tooth thicknesses or modifications. With `indices`, "
-            "both must be in the same group of `groups`"},
+            "two inputs. The position of a bore can be correlated with the position of the other "
+            "bore, or one coordinate of it, `bearings.bore_a.x_mm`, with a number. Pitches have "
+            "the score of their share of F_pT, or of `gear1.pitch.eccentric`, and waves that of "
+            "their number. Phases cannot be correlated. With `indices`, both must be in the same "
+            "group of `groups`"},
        {.key = "value",
         .symbol = "ρ",
         .kind = KeyKind::number,

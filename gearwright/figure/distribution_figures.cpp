@@ -34,14 +34,40 @@ FigureAxis value_axis(const DistributionScene& scene) {
   return {scene.words, scene.unit, least, greatest};
 }
 
-void add_percentiles(Figure& f, const DistributionScene& scene) {
-  for (const auto& [percent, value] : scene.percentiles) {
+// Draws the percentiles above `top`, the greatest y of the data. Labels that would overlap on a
+// narrow screen are in different rows, up to kMostRows; other lines have no label.
+void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
+  constexpr double kNarrow = 320.0, kLetter = 9.0, kRow = 17.0;  // px: least width of a plot, width
+                                                                 // of a letter, height of a row
+  constexpr std::size_t kMostRows = 4;
+  struct Label {
+    double value;
+    std::string words;
+    std::size_t row;
+  };
+  auto sorted = scene.percentiles;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Label> labels;
+  std::vector<double> ends;  // of the last label of each row, on the x axis
+  for (const auto& [percent, value] : sorted) {
     f.line({{value, -std::numeric_limits<double>::infinity()},
             {value, std::numeric_limits<double>::infinity()}},
            "leader dash");
-    f.text({value, f.y.hi}, escaped(format_number(percent) + " %"), Anchor::middle, "halo",
-           {0, 12});
+    std::string words = format_number(percent) + " %";
+    const double half =
+        0.5 * kLetter * static_cast<double>(words.size()) * (f.x.hi - f.x.lo) / kNarrow;
+    const auto free = std::find_if(ends.begin(), ends.end(),
+                                   [&, at = value](double end) { return end <= at - half; });
+    const auto row = static_cast<std::size_t>(free - ends.begin());
+    if (row == kMostRows) continue;
+    if (free == ends.end()) ends.push_back(0.0);
+    ends[row] = value + half;
+    labels.push_back({value, std::move(words), row});
   }
+  f.y.hi = (1.12 + 0.08 * static_cast<double>(std::max<std::size_t>(ends.size(), 1) - 1)) * top;
+  for (const Label& label : labels)
+    f.text({label.value, f.y.hi}, escaped(label.words), Anchor::middle, "halo",
+           {0, 12 + kRow * static_cast<double>(label.row)});
 }
 
 }  // namespace
@@ -62,7 +88,7 @@ Figure histogram_figure(const DistributionScene& scene) {
       .description = "A histogram of the share of the samples in equal intervals of the value.",
       .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
       .x = value_axis(scene),
-      .y = {"share of the samples", "%", 0.0, 1.12 * most}};
+      .y = {"share of the samples", "%"}};
   for (std::size_t i = 0; i < bars; ++i) {
     const double from = least + static_cast<double>(i) * step;
     const double share = 100 * count[i] / all;
@@ -71,7 +97,7 @@ Figure histogram_figure(const DistributionScene& scene) {
         {from, 0.0}, {from + step, share}, "bar alpha",
         fmt::format("{} to {}{}: {} %", shown(from), shown(from + step), scene.unit, shown(share)));
   }
-  add_percentiles(f, scene);
+  add_percentiles(f, scene, most);
   return f;
 }
 
@@ -83,7 +109,9 @@ Figure cumulative_figure(const DistributionScene& scene) {
            .description = "The share of the samples below each value, from 0 to 100 %.",
            .caption = ". The curve shows the share of the pairs whose value is below a limit.",
            .x = value_axis(scene),
-           .y = {"share of the samples below", "%", 0.0, 112.0}};
+           .y = {"share of the samples below", "%"}};
+  for (const int share : {0, 20, 40, 60, 80, 100})
+    f.y.names.push_back({static_cast<double>(share), std::to_string(share)});
   const std::size_t points = std::min(kMostPoints, sorted.size());
   std::vector<Vec2> curve;
   for (std::size_t k = 0; k < points; ++k) {
@@ -92,7 +120,7 @@ Figure cumulative_figure(const DistributionScene& scene) {
         {sorted[i], 100.0 * static_cast<double>(i + 1) / static_cast<double>(sorted.size())});
   }
   f.line(std::move(curve), "curve ink", "share below");
-  add_percentiles(f, scene);
+  add_percentiles(f, scene, 100.0);
   return f;
 }
 

@@ -327,8 +327,9 @@ namespace {
 // flanks.
 std::optional<Error> not_for_halves(const ScatterInput& input) {
   for (const auto& [key, given] :
-       {std::pair("robust", input.robust.has_value()), std::pair("loaded", input.loaded),
-        std::pair("pattern", input.pattern), std::pair("gear1.pitch", input.gears[0].pitch),
+       {std::pair("robust.aim", input.robust && under_load(input.robust->aim)),
+        std::pair("loaded", input.loaded), std::pair("pattern", input.pattern),
+        std::pair("gear1.pitch", input.gears[0].pitch),
         std::pair("gear2.pitch", input.gears[1].pitch)})
     if (given)
       return Error{fmt::format("scatter.{}", key), "",

@@ -77,8 +77,5 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);
 /// A row for each sample, with its inputs and then its results.
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& answer);
-/// The column names for the coordinates x of a sample: "errors.crossing_deg",
-/// "bearings.bore_a.x_mm".
-std::vector<std::string> scatter_columns(const ScatterTask& task);
 
 }  // namespace gearwright

@@ -15,7 +15,7 @@ namespace {
 std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances,
                                  const std::vector<ToleranceGroup>& groups,
                                  const std::vector<ToleranceCorrelation>& correlations) {
-  for (const auto& block : correlated_blocks(tolerances.size(), correlations)) {
+  for (const auto& block : correlated_blocks(tolerances, correlations)) {
     const auto holds = [&](const ToleranceGroup& group) {
       return std::all_of(block.begin(), block.end(), [&](std::size_t t) {
         return std::count(group.tolerances.begin(), group.tolerances.end(), t) > 0;
@@ -33,34 +33,59 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
   return std::nullopt;
 }
 
+// The coordinates of x that an entry of `between` names: one, or both of a bore. The name of pitches
+// means their share, and the name of a wave means its number of waves.
+std::vector<std::size_t> coordinates_named(const std::string& name,
+                                           const std::vector<ScatterTolerance>& tolerances) {
+  const std::vector<std::string> names = coordinate_names(tolerances);
+  const auto at = std::find_if(names.begin(), names.end(), [&](const std::string& known) {
+    return name == known || name == key_in(UnitSystem::inch, known);
+  });
+  if (at != names.end()) return {static_cast<std::size_t>(at - names.begin())};
+  std::size_t first = 0;
+  for (const ScatterTolerance& t : tolerances) {
+    if (t.name == name)
+      return t.bore() ? std::vector{first, first + 1} : std::vector<std::size_t>{first};
+    first += static_cast<std::size_t>(t.coordinates());
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<std::vector<ToleranceCorrelation>> correlations_of(
     const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups) {
-  std::vector<std::string> names;
-  for (const ScatterTolerance& t : tolerances) names.push_back(t.name);
   std::vector<ToleranceCorrelation> correlations;
-  for (const ScatterInput::Correlation& given : input.correlations) {
-    const std::string field =
-        fmt::format("scatter.correlations[{}].between", correlations.size() + 1);
-    std::array<std::size_t, 2> pair{};
+  for (std::size_t n = 0; n < input.correlations.size(); ++n) {
+    const ScatterInput::Correlation& given = input.correlations[n];
+    const std::string field = fmt::format("scatter.correlations[{}].between", n + 1);
+    std::array<std::vector<std::size_t>, 2> named;
     for (std::size_t k = 0; k < 2; ++k) {
-      const auto at = std::find(names.begin(), names.end(), given.between[k]);
-      if (at == names.end())
-        return Error{
-            field, given.between[k],
-            fmt::format("is not an input of this spec; the inputs are {}", fmt::join(names, ", "))};
-      pair[k] = static_cast<std::size_t>(at - names.begin());
+      named[k] = coordinates_named(given.between[k], tolerances);
+      if (named[k].empty())
+        return Error{field, given.between[k],
+                     fmt::format("is not an input of this spec; the inputs are {}",
+                                 fmt::join(coordinate_names(tolerances), ", "))};
     }
-    const auto [first, second] = std::minmax(pair[0], pair[1]);
-    const auto same = [first = first, second = second](const ToleranceCorrelation& c) {
-      return c.first == first && c.second == second;
-    };
-    if (std::any_of(correlations.begin(), correlations.end(), same))
-      return Error{field, "",
-                   "the correlation of these two inputs is given twice; remove one of the two"};
-    correlations.push_back({first, second, given.value});
+    for (std::size_t k = 0; k < 2; ++k)
+      if (named[k].size() > named[1 - k].size())
+        return Error{field, given.between[k],
+                     fmt::format("is a position and can be correlated with the position of another "
+                                 "bore; for {}, give {}.x_mm or {}.y_mm instead",
+                                 given.between[1 - k], given.between[k], given.between[k])};
+    for (std::size_t k = 0; k < named[0].size(); ++k) {
+      const auto [first, second] = std::minmax(named[0][k], named[1][k]);
+      const auto same = [first = first, second = second](const ToleranceCorrelation& c) {
+        return c.first == first && c.second == second;
+      };
+      if (first == second || std::any_of(correlations.begin(), correlations.end(), same))
+        return Error{field, "",
+                     first == second ? "must be two different inputs; both names mean the same one"
+                                     : "the correlation of these two inputs is given twice; remove "
+                                       "one of the two"};
+      correlations.push_back({first, second, given.value, n + 1});
+    }
   }
   if (auto error = check_correlations(tolerances, correlations)) {
     error->field = "scatter." + error->field;

@@ -62,6 +62,32 @@ TEST(ScatterCorrelations, RefusesAMatrixThatIsNone) {
       "scatter.correlations[1].value", "0.8274");
 }
 
+// A bore is correlated with a bore as a whole, and with a number by one of its coordinates.
+TEST(ScatterCorrelations, OfBoresWavesAndPitches) {
+  const auto error_of = [](const char* between, int quality = 6) {
+    Json spec = correlated_spec("");
+    spec["scatter"].erase("errors");
+    spec["scatter"]["bearings"] = {{"span_mm", 60}, {"radius_mm", 0.01}};
+    spec["scatter"]["quality"] = quality;
+    spec["scatter"]["correlations"] = {{{"between", Json::parse(between)}, {"value", 0.6}}};
+    const Json answer = testing::answered(spec, "scatter");
+    return answer.contains("scatter") ? std::string() : answer["rule"].get<std::string>();
+  };
+  EXPECT_EQ(error_of(R"(["bearings.bore_a", "bearings.bore_b"])"), "");
+  EXPECT_EQ(error_of(R"(["bearings.bore_a.y_mm", "errors.helix_slope1_um"])"), "");
+  EXPECT_EQ(error_of(R"(["bearings.bore_a.x_in", "errors.helix_slope1_um"])"), "");
+  EXPECT_EQ(error_of(R"(["gear1.profile_waves", "gear2.profile_waves"])"), "");
+  EXPECT_EQ(error_of(R"(["gear1.pitch", "gear2.pitch"])"), "");
+  EXPECT_EQ(error_of(R"(["gear1.pitch.eccentric", "gear1.modifications.profile_slope_um"])"), "");
+  const auto expect = [&](const char* between, const char* words) {
+    EXPECT_NE(error_of(between).find(words), std::string::npos) << error_of(between);
+  };
+  expect(R"(["bearings.bore_a", "gear1.pitch"])", "bearings.bore_a.x_mm or");
+  expect(R"(["bearings.bore_a.x_mm", "bearings.bore_a.y_mm"])", "uniform in its circle");
+  expect(R"(["gear1.pitch", "gear1.pitch.share"])", "the same one");
+  expect(R"(["gear1.profile_waves.phase_deg", "gear1.pitch"])", "gear1.profile_waves.waves, ");
+}
+
 TEST(ScatterCorrelations, IndicesNeedTheBlockInOneGroup) {
   const std::string one =
       R"([{"between": ["errors.crossing_deg", "errors.intersecting_deg"], "value": 0.5}])";

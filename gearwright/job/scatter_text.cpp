@@ -26,14 +26,6 @@ Value coordinates_at(const ScatterTolerance& t, const std::vector<double>& x, st
   return Value(std::move(list));
 }
 
-// The endings that are added to the name of an input to name its coordinates in a table.
-std::vector<const char*> parts_of(const ScatterTolerance& t) {
-  if (t.bore()) return {".x_mm", ".y_mm"};
-  if (std::holds_alternative<VaryingPitch>(t.of)) return {".share", ".phase_deg", ".eccentric"};
-  if (std::holds_alternative<VaryingWave>(t.of)) return {".waves", ".phase_deg"};
-  return {""};
-}
-
 // The value of every input. For a bore, a pitch or a wave, it is the list of its coordinates.
 ValueMap by_input(const ScatterTask& task, const std::vector<double>& x) {
   ValueMap map;
@@ -134,14 +126,15 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out =
       head("Inputs") + fmt::format("  {:<44}{:>12}{:>12}  {}\n", "", "least", "greatest", "from");
   for (const ScatterTolerance& t : a.task.tolerances) {
+    const Unit unit = unit_of(coordinate_names({&t, 1}).front());
     const auto end = [&](double value) {
-      return t.coordinates() == 1 || t.bore()
-                 ? format_number(value_in(units, unit_of(t.name), value))
-                 : std::string();
+      return t.coordinates() == 1 || t.bore() ? format_number(value_in(units, unit, value))
+                                              : std::string();
     };
-    out += fmt::format("  {:<44}{:>12}{:>12}  {}\n", printable(key_in(units, t.name)),
-                       end(t.distribution.least()), end(t.distribution.greatest()),
-                       key_in(units, t.source));
+    const std::string name =
+        key_in(units, t.name) + (t.bore() ? fmt::format("  {}", unit_text(units, unit)) : "");
+    out += fmt::format("  {:<44}{:>12}{:>12}  {}\n", printable(name), end(t.distribution.least()),
+                       end(t.distribution.greatest()), key_in(units, t.source));
   }
   if (std::any_of(a.task.tolerances.begin(), a.task.tolerances.end(),
                   [](const auto& t) { return std::holds_alternative<VaryingWave>(t.of); }))
@@ -416,16 +409,9 @@ std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   return out;
 }
 
-std::vector<std::string> scatter_columns(const ScatterTask& task) {
-  std::vector<std::string> names;
-  for (const ScatterTolerance& t : task.tolerances)
-    for (const char* part : parts_of(t)) names.push_back(t.name + part);
-  return names;
-}
-
 std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
   const UnitSystem units = job.spec.units();
-  const std::vector<std::string> names = scatter_columns(a.task);
+  const std::vector<std::string> names = coordinate_names(a.task.tolerances);
   std::string out = "replicate,sample";
   for (const std::string& name : names) out += "," + key_in(units, name);
   for (const ScatterEntry& entry : scatter_entries()) out += "," + key_in(units, entry.key);

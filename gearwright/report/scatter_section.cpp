@@ -63,7 +63,7 @@ std::string loaded_part(const ScatterView& view, UnitSystem units) {
 std::string input_table(const ScatterView& view, UnitSystem units) {
   TableBuilder table("Inputs", {"Least", "Greatest", "From"});
   for (const ScatterTolerance& t : view.task->tolerances) {
-    const Unit unit = unit_of(t.name);
+    const Unit unit = unit_of(coordinate_names({&t, 1}).front());
     const bool number = t.coordinates() == 1 || t.bore();
     const auto end = [&](double value) {
       return number ? format_number(value_in(units, unit, value)) : std::string();

@@ -1,6 +1,7 @@
 #include "gearwright/scatter/correlation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/math/statistics.hpp"
 
 namespace gearwright {
@@ -104,18 +106,44 @@ double common_factor(std::size_t size, std::span<const ToleranceCorrelation> cor
   return factor;
 }
 
+// For each coordinate, the index of its tolerance.
+std::vector<std::size_t> owners_of(std::span<const ScatterTolerance> tolerances) {
+  std::vector<std::size_t> owner;
+  for (std::size_t t = 0; t < tolerances.size(); ++t)
+    owner.resize(owner.size() + static_cast<std::size_t>(tolerances[t].coordinates()), t);
+  return owner;
+}
+
 }  // namespace
 
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations) {
-  const auto field = [](std::size_t i) { return fmt::format("correlations[{}]", i + 1); };
-  for (std::size_t i = 0; i < correlations.size(); ++i)
-    for (const std::size_t t : {correlations[i].first, correlations[i].second})
-      if (tolerances[t].coordinates() != 1)
-        return Error{field(i) + ".between", tolerances[t].name,
-                     "cannot be correlated, because it is not a single number; only errors, tooth "
-                     "thicknesses and modifications can be correlated"};
-  const Matrix r = matrix_of(tolerances.size(), correlations);
+  const auto field = [](const ToleranceCorrelation& c) {
+    return fmt::format("correlations[{}]", c.entry);
+  };
+  const std::vector<std::string> names = coordinate_names(tolerances);
+  std::vector<bool> scored;
+  std::vector<std::string> possible;
+  for (const ScatterTolerance& t : tolerances)
+    for (int k = 0; k < t.coordinates(); ++k) {
+      scored.push_back(t.has_score(k));
+      if (scored.back()) possible.push_back(names[scored.size() - 1]);
+    }
+  const std::vector<std::size_t> owner = owners_of(tolerances);
+  for (const ToleranceCorrelation& c : correlations) {
+    for (const std::size_t at : {c.first, c.second})
+      if (!scored[at])
+        return Error{field(c) + ".between", names[at],
+                     fmt::format("cannot be correlated, because it is a phase or a number of waves "
+                                 "that does not vary; the numbers that can be correlated are {}",
+                                 fmt::join(possible, ", "))};
+    if (owner[c.first] == owner[c.second] && tolerances[owner[c.first]].bore())
+      return Error{field(c) + ".between", names[c.second],
+                   fmt::format("cannot be correlated with {}, because the positions of a bore are "
+                               "uniform in its circle; correlate it with another bore",
+                               names[c.first])};
+  }
+  const Matrix r = matrix_of(names.size(), correlations);
   if (cholesky(r)) return std::nullopt;
   std::optional<std::size_t> best;
   double nearest = 0.0;
@@ -134,28 +162,30 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
   if (!best)
     return Error{"correlations", "",
                  fmt::format("{}; multiply all correlations by at most {:.2f}", why,
-                             common_factor(tolerances.size(), correlations))};
+                             common_factor(names.size(), correlations))};
   const ToleranceCorrelation& c = correlations[*best];
   return Error{
-      field(*best) + ".value", fmt::format("{}", c.value),
+      field(c) + ".value", fmt::format("{}", c.value),
       fmt::format(
           "{}; with the other correlations, the nearest possible value for {} and {} is {:.4f}",
-          why, tolerances[c.first].name, tolerances[c.second].name, nearest)};
+          why, names[c.first], names[c.second], nearest)};
 }
 
 std::vector<std::vector<std::size_t>> correlated_blocks(
-    std::size_t tolerances, std::span<const ToleranceCorrelation> correlations) {
-  std::vector<std::size_t> block(tolerances);
+    std::span<const ScatterTolerance> tolerances,
+    std::span<const ToleranceCorrelation> correlations) {
+  const std::vector<std::size_t> owner = owners_of(tolerances);
+  std::vector<std::size_t> block(tolerances.size());
   std::iota(block.begin(), block.end(), std::size_t{0});
   for (const ToleranceCorrelation& c : correlations) {
     if (c.value == 0.0) continue;
-    const auto [to, from] = std::minmax(block[c.first], block[c.second]);
+    const auto [to, from] = std::minmax(block[owner[c.first]], block[owner[c.second]]);
     std::replace(block.begin(), block.end(), std::size_t{from}, std::size_t{to});
   }
   std::vector<std::vector<std::size_t>> blocks;
-  for (std::size_t b = 0; b < tolerances; ++b) {
+  for (std::size_t b = 0; b < block.size(); ++b) {
     std::vector<std::size_t> members;
-    for (std::size_t t = 0; t < tolerances; ++t)
+    for (std::size_t t = 0; t < block.size(); ++t)
       if (block[t] == b) members.push_back(t);
     if (members.size() > 1) blocks.push_back(std::move(members));
   }
@@ -164,31 +194,49 @@ std::vector<std::vector<std::size_t>> correlated_blocks(
 
 Copula::Copula(std::span<const ScatterTolerance> tolerances,
                std::span<const ToleranceCorrelation> correlations) {
-  const auto l = cholesky(matrix_of(tolerances.size(), correlations));
-  GW_EXPECTS(l.has_value());
-  std::vector<std::size_t> coordinate;
-  std::size_t next = 0;
   for (const ScatterTolerance& t : tolerances) {
-    coordinate.push_back(next);
-    next += static_cast<std::size_t>(t.coordinates());
+    const std::size_t first = disc_.size();
+    disc_.resize(first + static_cast<std::size_t>(t.coordinates()),
+                 t.bore() ? std::optional(first) : std::nullopt);
   }
-  for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    Row row{coordinate[i], {}};
+  const auto l = cholesky(matrix_of(disc_.size(), correlations));
+  GW_EXPECTS(l.has_value());
+  for (std::size_t i = 0; i < disc_.size(); ++i) {
+    Row row{i, {}};
     for (std::size_t j = 0; j <= i; ++j)
-      if ((*l)[i][j] != 0.0) row.sum.emplace_back(coordinate[j], (*l)[i][j]);
+      if ((*l)[i][j] != 0.0) row.sum.emplace_back(j, (*l)[i][j]);
     if (row.sum.size() > 1) rows_.push_back(std::move(row));
   }
 }
 
+double Copula::score(std::span<const double> u, std::size_t coordinate) const {
+  const std::optional<std::size_t> first = disc_[coordinate];
+  if (!first) return normal_quantile(u[coordinate]);
+  const double distance = std::sqrt(-2.0 * std::log1p(-u[*first]));
+  const double turn = 2.0 * kPi * u[*first + 1];
+  return distance * (coordinate == *first ? std::cos(turn) : std::sin(turn));
+}
+
 std::vector<double> Copula::correlated(std::vector<double> u) const {
   if (rows_.empty()) return u;
-  const std::vector<double> independent = u;
+  std::vector<double> independent;
+  for (std::size_t i = 0; i < u.size(); ++i) independent.push_back(score(u, i));
+  std::vector<double> scores = independent;
+  for (const Row& row : rows_) {
+    scores[row.coordinate] = 0.0;
+    for (const auto& [at, factor] : row.sum) scores[row.coordinate] += factor * independent[at];
+  }
   // Φ of a large score is rounded to 1, but u must be less than 1.
   constexpr double kEnd = std::numeric_limits<double>::epsilon();
   for (const Row& row : rows_) {
-    double score = 0.0;
-    for (const auto& [at, factor] : row.sum) score += factor * normal_quantile(independent[at]);
-    u[row.coordinate] = std::clamp(normal_cdf(score), kEnd, 1.0 - kEnd);
+    if (const std::optional<std::size_t> first = disc_[row.coordinate]) {
+      const double x = scores[*first], y = scores[*first + 1];
+      const double turn = std::atan2(y, x) / (2.0 * kPi);
+      u[*first] = std::clamp(-std::expm1(-0.5 * (x * x + y * y)), kEnd, 1.0 - kEnd);
+      u[*first + 1] = turn < 0.0 ? turn + 1.0 : turn;
+    } else {
+      u[row.coordinate] = std::clamp(normal_cdf(scores[row.coordinate]), kEnd, 1.0 - kEnd);
+    }
   }
   return u;
 }

@@ -2,7 +2,11 @@
 //
 //   u′   independent coordinates in the unit cube       s = Φ⁻¹(u)   scores
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
-//   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30]
+//   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30],
+// [T14.32]
+//
+// The two scores of a bore are the coordinates of a point with the normal distribution of the plane,
+// so the position of the bore stays uniform in its circle.
 //
 // The copula does not change the distribution of any input. For an input without a correlation, u
 // and u′ are equal bit for bit.
@@ -17,25 +21,28 @@
 
 namespace gearwright {
 
-/// The correlation of the scores of two tolerances.
+/// The correlation of the scores of two coordinates of x.
 struct ToleranceCorrelation {
-  std::size_t first, second;  ///< indices of the tolerances
+  std::size_t first, second;  ///< indices of the coordinates
   double value;               ///< −1 to 1, excluded; the Pearson correlation of the scores
+  std::size_t entry = 1;      ///< N, number of the entry of the user, for errors
 };
 
 /// Checks that inputs with these correlations exist.
 ///
-/// Domain    each pair of tolerances at most once, |value| < 1, no tolerance with itself (contract)
-/// Errors    `correlations[N]` if a tolerance has more than one coordinate, or if R is not positive
-///           definite. In the second case, the text of the error gives the nearest possible value
-///           of one correlation or, if there is none, a common factor for all correlations
+/// Domain    each pair of coordinates at most once, |value| < 1, no coordinate with itself
+///           (contract)
+/// Errors    `correlations[N]` if a coordinate has no score, if both are of one bore, or if R is
+///           not positive definite. In the last case, the text of the error gives the nearest
+///           possible value of one correlation or, if there is none, a common factor for all
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
 /// Sets of tolerances. The tolerances of a set, at least two, are connected by correlations that
 /// are not 0.
 std::vector<std::vector<std::size_t>> correlated_blocks(
-    std::size_t tolerances, std::span<const ToleranceCorrelation> correlations);
+    std::span<const ScatterTolerance> tolerances,
+    std::span<const ToleranceCorrelation> correlations);
 
 class Copula {
  public:
@@ -43,7 +50,7 @@ class Copula {
   Copula(std::span<const ScatterTolerance> tolerances,
          std::span<const ToleranceCorrelation> correlations);
 
-  /// Converts u′ to u, for all coordinates of the tolerances in order.   Formula [T14.30]
+  /// Converts u′ to u, for all coordinates of the tolerances in order.   Formula [T14.30], [T14.32]
   ///
   /// Laws      (1) without correlations, or if all are 0, u = u′   (2) u is uniform if u′ is
   std::vector<double> correlated(std::vector<double> u) const;
@@ -55,7 +62,12 @@ class Copula {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L
   };
+  // The score of this coordinate of u.
+  double score(std::span<const double> u, std::size_t coordinate) const;
+
   std::vector<Row> rows_;
+  // For each coordinate of a bore, the first coordinate of this bore.
+  std::vector<std::optional<std::size_t>> disc_;
 };
 
 }  // namespace gearwright

@@ -1,6 +1,6 @@
 // Laws: (1) correlations of 0 change no bit; (2) the distribution of each input stays the same.
 // Golden: the rank correlation of a Gaussian copula, 6/π asin(ρ/2), and the variance of the play of
-// spur gears, which is a sum of two inputs.
+// spur gears, which is a sum of two inputs. Oracle: positions of bores from random normal points.
 #include "gearwright/scatter/correlation.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "gearwright/scatter/sample_points.hpp"
 #include "gearwright/scatter/testing/drawn_pair.hpp"
@@ -158,21 +159,131 @@ TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   EXPECT_NE(none->rule.find("at most 0.37"), std::string::npos) << none->rule;
 }
 
-TEST(Correlation, RefusesInputsOfSeveralCoordinates) {
-  std::vector<ScatterTolerance> tolerances{
-      testing::distance(0.01),
-      testing::tolerance("bearings.bore_a", 1.0, -0.02, 0.02, VaryingBore{100.0, 0.0, false})};
-  const std::vector<ToleranceCorrelation> correlations{{0, 1, 0.5}};
-  const auto error = check_correlations(tolerances, correlations);
-  ASSERT_TRUE(error);
-  EXPECT_EQ(error->value, "bearings.bore_a");
+ScatterTolerance bore(bool far_end) {
+  return testing::tolerance(far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0, -0.02, 0.02,
+                            VaryingBore{100.0, 0.0, far_end});
+}
+
+// The oracle draws correlated normal points of the plane and moves each along its radius, so that
+// the point is uniform in the disc. It uses the generators of the standard library.
+double correlation_in_discs(double rho) {
+  std::mt19937_64 generator(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> a, b;
+  for (int n = 0; n < 400000; ++n) {
+    std::array<std::array<double, 2>, 2> point{};
+    for (const std::size_t k : {0U, 1U}) {
+      point[0][k] = normal(generator);
+      point[1][k] = rho * point[0][k] + std::sqrt(1 - rho * rho) * normal(generator);
+    }
+    const auto x = [&](std::size_t i) {
+      const double far = std::hypot(point[i][0], point[i][1]);
+      return std::sqrt(1 - std::exp(-far * far / 2)) * point[i][0] / far;
+    };
+    a.push_back(x(0));
+    b.push_back(x(1));
+  }
+  return pearson(a, b);
+}
+
+TEST(Correlation, OfBoresIsThatOfTheirPositions) {
+  for (const double rho : {-0.5, 0.8}) {
+    ScatterTask task = three_inputs({{0, 2, rho}, {1, 3, rho}});
+    task.tolerances = {bore(false), bore(true)};
+    const auto points = SamplePoints(task).first(0, task.samples);
+    const double expected = correlation_in_discs(rho);
+    EXPECT_NEAR(pearson(input(points, 0), input(points, 2)), expected, 0.005);
+    EXPECT_NEAR(pearson(input(points, 1), input(points, 3)), expected, 0.005);
+    EXPECT_NEAR(pearson(input(points, 0), input(points, 1)), 0.0, 0.005);
+    EXPECT_NEAR(pearson(input(points, 2), input(points, 3)), 0.0, 0.005);
+    EXPECT_NEAR(pearson(input(points, 0), input(points, 3)), 0.0, 0.005);
+    // The positions of the second bore are uniform in the circle: the square of the distance and
+    // the direction have uniform distributions.
+    std::vector<double> square, direction;
+    for (const auto& x : points) {
+      square.push_back((x[2] * x[2] + x[3] * x[3]) / (0.02 * 0.02));
+      direction.push_back(std::atan2(x[3], x[2]) / (2 * std::numbers::pi) + 0.5);
+    }
+    for (std::vector<double>* values : {&square, &direction}) {
+      std::sort(values->begin(), values->end());
+      for (const double p : {0.05, 0.25, 0.5, 0.75, 0.95})
+        EXPECT_NEAR(quantile(*values, p), p, 0.01);
+    }
+  }
+}
+
+// [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L, each of whose variances depends on the
+// correlation r of x_A and x_B: var ΔC = R²(1 + r)/8, var Δδ = R²(1 − r)/(2L²).
+TEST(Correlation, OfBoresMovesTheAxisMoreAndTiltsItLess) {
+  ScatterTask task = three_inputs({{0, 2, 0.9}, {1, 3, 0.9}});
+  task.tolerances = {bore(false), bore(true)};
+  const ContactSetup setup = testing::spur_pair(false).setup();
+  std::vector<double> distance, in_plane;
+  for (const auto& x : SamplePoints(task).first(0, task.samples)) {
+    const ContactErrors e = deviation_at(setup, task.tolerances, x).errors;
+    distance.push_back(e.center_distance);
+    in_plane.push_back(e.intersecting.rad());
+  }
+  const double r = correlation_in_discs(0.9);
+  EXPECT_NEAR(moments(distance).variance, 0.0004 * (1 + r) / 8, 0.01 * 0.0004 / 8);
+  EXPECT_NEAR(moments(in_plane).variance, 0.0004 * (1 - r) / 2e4, 0.01 * 0.0004 / 2e4);
+}
+
+TEST(Correlation, OfABoreAndANumberLeavesTheBoreUniform) {
+  ScatterTask task = three_inputs({{0, 1, 0.7}, {0, 2, -0.5}});
+  task.tolerances = {testing::distance(0.01), bore(false)};
+  const auto points = SamplePoints(task).first(0, task.samples);
+  EXPECT_GT(pearson(input(points, 0), input(points, 1)), 0.6);
+  EXPECT_LT(pearson(input(points, 0), input(points, 2)), -0.4);
+  EXPECT_NEAR(pearson(input(points, 1), input(points, 2)), 0.0, 0.005);
+  std::vector<double> square;
+  for (const auto& x : points) square.push_back((x[1] * x[1] + x[2] * x[2]) / (0.02 * 0.02));
+  std::sort(square.begin(), square.end());
+  for (const double p : {0.05, 0.5, 0.95}) EXPECT_NEAR(quantile(square, p), p, 0.01);
+}
+
+TEST(Correlation, OfPitchesAndWavesIsThatOfTheirShareAndTheirNumber) {
+  ScatterTask task = three_inputs({{0, 3, 0.8}, {6, 8, 0.999}});
+  task.tolerances = {testing::tolerance("gear1.pitch", 1.0, 0.0, 1.0, VaryingPitch{1, 0.04, 0.01}),
+                     testing::tolerance("gear2.pitch", 1.0, 0.0, 1.0, VaryingPitch{2, 0.05, 0.01}),
+                     testing::tolerance("gear1.profile_waves", 1.0, 0.0, 1.0,
+                                        VaryingWave{1, false, {1, 4}, 0.004}),
+                     testing::tolerance("gear2.profile_waves", 1.0, 0.0, 1.0,
+                                        VaryingWave{2, false, {1, 4}, 0.004})};
+  const auto points = SamplePoints(task).first(0, task.samples);
+  EXPECT_NEAR(pearson(rank_numbers(input(points, 0)), rank_numbers(input(points, 3))),
+              6 / std::numbers::pi * std::asin(0.4), 0.005);
+  EXPECT_NEAR(pearson(input(points, 1), input(points, 4)), 0.0, 0.005);
+  int different = 0;
+  for (const auto& x : points) different += x[6] != x[8];
+  EXPECT_LT(different, task.samples / 20);
+}
+
+TEST(Correlation, RefusesPhasesAndBothCoordinatesOfABore) {
+  const std::vector<ScatterTolerance> tolerances{
+      testing::distance(0.01), bore(false),
+      testing::tolerance("gear1.helix_waves", 1.0, 0.0, 1.0, VaryingWave{1, true, {2, 2}, 0.004}),
+      testing::tolerance("gear1.pitch", 1.0, 0.0, 1.0, VaryingPitch{1, 0.04, 0.01})};
+  const auto refused = [&](std::size_t first, std::size_t second) {
+    const std::vector<ToleranceCorrelation> correlations{{first, second, 0.5}};
+    const auto error = check_correlations(tolerances, correlations);
+    return error ? error->value : std::string();
+  };
+  EXPECT_EQ(refused(0, 3), "gear1.helix_waves.waves");
+  EXPECT_EQ(refused(0, 4), "gear1.helix_waves.phase_deg");
+  EXPECT_EQ(refused(0, 6), "gear1.pitch.phase_deg");
+  EXPECT_EQ(refused(1, 2), "bearings.bore_a.y_mm");
+  EXPECT_EQ(refused(0, 5), "");
+  EXPECT_EQ(refused(2, 7), "");
 }
 
 TEST(Correlation, BlocksAreConnected) {
   const std::vector<ToleranceCorrelation> chain{{0, 3, 0.5}, {1, 2, 0.0}, {3, 4, 0.1}};
-  const auto blocks = correlated_blocks(6, chain);
-  ASSERT_EQ(blocks.size(), 1u);
-  EXPECT_EQ(blocks[0], (std::vector<std::size_t>{0, 3, 4}));
+  std::vector<ScatterTolerance> six(6, testing::distance(0.01));
+  EXPECT_EQ(correlated_blocks(six, chain), (std::vector<std::vector<std::size_t>>{{0, 3, 4}}));
+  // If input 0 is a bore with two coordinates, coordinate 3 belongs to input 2.
+  six[0] = bore(false);
+  EXPECT_EQ(correlated_blocks(six, chain), (std::vector<std::vector<std::size_t>>{{0, 2, 3}}));
 }
 
 }  // namespace

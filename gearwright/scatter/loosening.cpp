@@ -72,6 +72,10 @@ Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task) {
   Loosening found{loosener.percent(), loosener.percentile(0, 1.0).value(), {}, {}};
   double least = found.percentile - kSameError.rad();
   for (std::size_t i = 0; i < task.tolerances.size(); ++i) {
+    if (!task.tolerances[i].moves_flanks()) {
+      found.by_tolerance.push_back({{}, found.percentile});
+      continue;
+    }
     const double halved = loosener.percentile(i, 0.5).value();
     const auto factor = loosener.factor(
         i, std::max((1.0 + kLooser) * found.percentile, found.percentile + kSameError.rad()));

@@ -21,8 +21,12 @@ class RigidFamily final : public CorrectedFamily {
   RigidFamily(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
               int samples)
       : setup_(setup), task_(task), robust_(robust), places_(SamplePoints(task).first(0, samples)) {
-    for (const WorkshopCorrection& c : robust.corrections) {
-      if (const auto influence = influence_of(c)) influences_.push_back(*influence);
+    for (std::size_t i = 0; i < robust.corrections.size(); ++i) {
+      // continuous_peak_to_peak() has no derivatives for double-helical pairs.
+      const auto influence = influence_of(robust.corrections[i]);
+      if (!influence || task.member.stagger) continue;
+      exact_.push_back(i);
+      influences_.push_back(*influence);
     }
   }
 
@@ -42,20 +46,20 @@ class RigidFamily final : public CorrectedFamily {
   }
 
  private:
-  // Corrections that remove material from flanks have exact slopes. For tool settings and cutter
-  // leads, difference quotients are used.
+  // Corrections that remove material from flanks have exact slopes. For tool settings, cutter leads
+  // and double-helical pairs, difference quotients are used.
   void add_slopes(Values& values, const std::vector<double>& v,
                   const std::vector<MemberSpan>& spans) const {
     values.slope.assign(spans.size(), std::vector<double>(v.size()));
     std::size_t next = 0;
     for (std::size_t i = 0; i < v.size(); ++i) {
-      if (influence_of(robust_.corrections[i])) {
-        for (std::size_t k = 0; k < spans.size(); ++k)
-          values.slope[k][i] = spans[k].slope[next] * kMmPerUm;
-        ++next;
-      } else {
+      if (next == exact_.size() || exact_[next] != i) {
         add_difference(values, *this, v, i, robust_.bounds[i]);
+        continue;
       }
+      for (std::size_t k = 0; k < spans.size(); ++k)
+        values.slope[k][i] = spans[k].slope[next] * kMmPerUm;
+      ++next;
     }
   }
 
@@ -63,7 +67,8 @@ class RigidFamily final : public CorrectedFamily {
   const ScatterTask& task_;
   const RobustTask& robust_;
   std::vector<std::vector<double>> places_;
-  std::vector<Influence> influences_;
+  std::vector<std::size_t> exact_;     // corrections with exact slopes, in ascending order
+  std::vector<Influence> influences_;  // of these corrections
 };
 
 std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTask& task,

@@ -40,7 +40,7 @@ struct LoadedFamily {
 
 struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
-  /// Correlations of the scores of tolerances; check_correlations() accepts them.
+  /// Correlations of the scores of coordinates; check_correlations() accepts them.
   std::vector<ToleranceCorrelation> correlations{};
   /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
   /// for `indices` only.

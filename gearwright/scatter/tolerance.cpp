@@ -108,10 +108,29 @@ std::array<double, 2> ScatterTolerance::side(int coordinate) const {
   return {0.0, share ? 1.0 : 360.0};
 }
 
+bool ScatterTolerance::has_score(int coordinate) const {
+  if (const auto* w = std::get_if<VaryingWave>(&of))
+    return coordinate == 0 && w->waves[0] < w->waves[1];
+  return !(std::holds_alternative<VaryingPitch>(of) && coordinate == 1);
+}
+
 int coordinates_of(std::span<const ScatterTolerance> tolerances) {
   int sum = 0;
   for (const ScatterTolerance& t : tolerances) sum += t.coordinates();
   return sum;
+}
+
+std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances) {
+  std::vector<std::string> names;
+  for (const ScatterTolerance& t : tolerances) {
+    std::vector<const char*> endings{""};
+    if (t.bore()) endings = {".x_mm", ".y_mm"};
+    if (std::holds_alternative<VaryingPitch>(t.of))
+      endings = {".share", ".phase_deg", ".eccentric"};
+    if (std::holds_alternative<VaryingWave>(t.of)) endings = {".waves", ".phase_deg"};
+    for (const char* ending : endings) names.push_back(t.name + ending);
+  }
+  return names;
 }
 
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,

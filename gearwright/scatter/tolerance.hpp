@@ -83,12 +83,21 @@ struct ScatterTolerance {
   /// its own; otherwise empty.
   const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
+  /// True if the flanks change their place or their shape, and with them the peak to peak. Tooth
+  /// thickness and pitches do not change it.
+  bool moves_flanks() const {
+    return !std::holds_alternative<VaryingThickness>(of) &&
+           !std::holds_alternative<VaryingPitch>(of);
+  }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
   /// The coordinates of x, in the user's units, computed from the same number of values in (0, 1).
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
+  /// True if this coordinate has a normal score, by which it can be correlated. A phase has no
+  /// score, and neither has a number of waves that does not vary.
+  bool has_score(int coordinate) const;
 };
 
 /// A member of the family, described by its errors, modifications and deviations in mm and rad.
@@ -111,6 +120,9 @@ Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterToleran
 
 /// The number of coordinates of all tolerances.
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
+/// The names of the coordinates for the user. A single coordinate has the name of its tolerance,
+/// and others have an ending: "errors.crossing_deg", "bearings.bore_a.x_mm".
+std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances);
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///

@@ -178,27 +178,30 @@ double long_period_span(Transmission& transmission, const std::vector<PairTouch>
     return ratio * of(0) - of(1);
   };
   const long period = std::lcm(static_cast<long>(teeth[0]), static_cast<long>(teeth[1]));
-  std::vector<double> offset;
-  for (long p = 0; p < period; ++p) offset.push_back(ahead(p));
   // At position i of a pitch, the tooth pair k pitches earlier is at step m = i + k n of `curve`.
   const int lo = curve.least();
   const int hi = curve.greatest();
   const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));
   const int to = static_cast<int>(std::floor(static_cast<double>(hi) / n));
+  // The offset of the tooth pair k pitches before pitch p is element p − k + to.
+  std::vector<double> offset;
+  for (long p = -to; p < period - from; ++p)
+    offset.push_back(ahead((p % period + period) % period));
   double least = std::numeric_limits<double>::infinity();
   double greatest = kNone;
-  for (long p = 0; p < period; ++p) {
-    for (int i = 0; i < n; ++i) {
-      double te = kNone;
-      for (int k = from; k <= to; ++k) {
-        const int m = i + k * n;
-        if (m < lo || m > hi || curve.at(m) == kNone) continue;
-        const long tooth = ((p - k) % period + period) % period;
-        te = std::max(te, curve.at(m) + offset[static_cast<std::size_t>(tooth)]);
-      }
-      least = std::min(least, te);
-      greatest = std::max(greatest, te);
+  std::vector<double> te(static_cast<std::size_t>(period));  // at position i of each pitch
+  for (int i = 0; i < n; ++i) {
+    std::fill(te.begin(), te.end(), kNone);
+    for (int k = from; k <= to; ++k) {
+      const int m = i + k * n;
+      if (m < lo || m > hi || curve.at(m) == kNone) continue;
+      const double* const ahead_of = offset.data() + (to - k);
+      for (std::size_t p = 0; p < te.size(); ++p)
+        te[p] = std::max(te[p], curve.at(m) + ahead_of[p]);
     }
+    const auto [low, high] = std::minmax_element(te.begin(), te.end());
+    least = std::min(least, *low);
+    greatest = std::max(greatest, *high);
   }
   return greatest - least;
 }

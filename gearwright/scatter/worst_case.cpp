@@ -21,6 +21,10 @@ constexpr int kDirections = 8;       // positions of a bore on its circle that c
 constexpr double kFirstStep = 0.25;  // relative to the range of a coordinate
 constexpr double kLastStep = 1e-4;   // relative to the range of a coordinate
 constexpr int kStepLengths = 12;     // each length is half of the previous one
+// All searches use the steps down to kCoarseStep. Only the kFineSearches worst results are then
+// improved with smaller steps.
+constexpr double kCoarseStep = 1.0 / 32;
+constexpr std::size_t kFineSearches = 8;
 static_assert(kFirstStep / (1 << (kStepLengths - 1)) >= kLastStep &&
               kFirstStep / (1 << kStepLengths) < kLastStep);
 constexpr double kAtEnd = 1e-9;  // relative to a range; a nearer point counts as at the end
@@ -74,6 +78,21 @@ class Box {
       at += static_cast<std::size_t>(t.coordinates());
     }
     return x;
+  }
+
+  // True if the quantity has the same value at both points, because they differ only in numbers of
+  // waves that are rounded to the same number, or in tolerances without effect on the quantity.
+  bool same_member(const std::vector<double>& x, const std::vector<double>& y) const {
+    std::size_t at = 0;
+    for (const ScatterTolerance& t : task_.tolerances) {
+      const bool affects = quantity_ != ScatterQuantity::peak_to_peak || t.moves_flanks();
+      const bool wave = std::holds_alternative<VaryingWave>(t.of);
+      for (int k = 0; k < t.coordinates(); ++k, ++at) {
+        if (!affects || x[at] == y[at]) continue;
+        if (!wave || k > 0 || std::lround(x[at]) != std::lround(y[at])) return false;
+      }
+    }
+    return true;
   }
 
   bool is_corner(const std::vector<double>& x) const {
@@ -164,8 +183,9 @@ struct Place {
 };
 
 // The method of Hooke and Jeeves: steps along each coordinate, then along the sum of these steps.
-Place climb(const Box& box, Place place) {
-  for (double step = kFirstStep; step >= kLastStep;) {
+// The first steps have the length `first`, and the last at least the length `last`.
+Place climb(const Box& box, Place place, double first, double last) {
+  for (double step = first; step >= last;) {
     Place best = place;
     for (std::size_t i = 0; i < box.dimensions(); ++i) {
       if (!(box.width(i) > 0.0)) continue;
@@ -173,7 +193,7 @@ Place climb(const Box& box, Place place) {
         Place next{best.x};
         next.x[i] += way * step * box.width(i);
         next.x = box.inside(std::move(next.x));
-        if (next.x == best.x) continue;
+        if (box.same_member(next.x, best.x)) continue;
         next.badness = box.badness(next.x);
         if (!(next.badness > best.badness)) continue;
         best = std::move(next);
@@ -221,12 +241,19 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());
   // A search that starts at the worst place evaluates at most two values of each coordinate for
-  // each length of step. Other searches evaluate more, so this number of steps is an estimate.
+  // each length of step. Other searches evaluate more, but most of them end after a few lengths, so
+  // this number of steps is an estimate.
   begin_stage(task.progress, "searching for the worst case",
-              static_cast<std::int64_t>(starts.size() * 2 * box.dimensions()) * kStepLengths);
-  parallel_for(
-      starts.size(), [&](std::size_t i) { starts[i] = climb(box, std::move(starts[i])); },
-      task.threads);
+              static_cast<std::int64_t>(starts.size() * box.dimensions()) * kStepLengths);
+  const auto climb_all = [&](double first, double last) {
+    parallel_for(
+        starts.size(),
+        [&](std::size_t i) { starts[i] = climb(box, std::move(starts[i]), first, last); },
+        task.threads);
+  };
+  climb_all(kFirstStep, kCoarseStep);
+  keep_worst(starts, kFineSearches);
+  climb_all(kCoarseStep / 2, kLastStep);
   keep_worst(starts, 1);
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
   const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));

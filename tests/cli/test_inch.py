@@ -161,6 +161,11 @@ class Words(unittest.TestCase):
         self.assertIn("center_distance_in = -0.001969", run.out)
         self.assertNotRegex(" ".join(run.out.split()), LENGTH_IN_MM)
 
+    def test_bores_are_listed_in_inch(self):
+        run = Run("scatter", PAIR + "[scatter]\nsamples = 4\nreplicates = 2\n[scatter.bearings]\nspan_in = 4\n"
+                                    "radius_in = 0.001\n")
+        self.assertRegex(run.out, r"bearings\.bore_a  in +-0\.001 +0\.001 ")
+
     def test_a_tip_below_the_root_of_a_drive(self):
         run = Run("drive", 'units = "inch"\n[planetary]\nsun = 20\nplanet = 25\nring = 70\nplanets = 3\n'
                            "normal_module_mm = 2\ntip_diameter_in = {sun = 1}\n")

@@ -96,6 +96,37 @@ inline std::vector<ModifiedGear> modified_gears(double size) {
   return all;
 }
 
+/// A double-helical gear with all modifications. `half` is its half at z > 0.
+inline ModifiedGear modified_halves(std::string name, Gear half, double gap, double stagger = 0.0,
+                                    std::optional<Bore> bore = {}) {
+  BothFlanks flanks = everything(half, 3.0);
+  ModifiedGear g{std::move(name), std::move(half), std::move(flanks), {}};
+  g.body = gear_body(g.gear, "gear", bore).value();
+  g.body.face_width = 2 * g.gear.spec.face_width + gap;
+  const double root = g.body.outline.arcs.front().begin_point.norm();
+  g.body.two_helices = TwoHelices{gap, g.body.ring() ? root + 1.0 : root - 1.0, stagger};
+  GW_EXPECTS(!modify(g.body, g.gear, g.flanks));
+  GW_EXPECTS(g.body.modified && g.body.unmodified.empty());
+  return g;
+}
+
+inline std::vector<ModifiedGear> modified_double_helical_gears() {
+  return {modified_halves("without gap", external(21, 20.0, 12.0), 0.0),
+          modified_halves("with gap", external(17, -15.0, 12.0), 4.0, 0.0, Bore{18.0, 5.0, 2.3}),
+          modified_halves("staggered", external(21, 20.0, 12.0), 4.0, kPi / 21),
+          modified_halves("internal", internal(20.0), 3.0, 0.0, Bore{118.0})};
+}
+
+/// A point of a double-helical gear in the frame of its half at z > 0. A point at z < 0 is replaced
+/// by its mirror image.
+inline Vec3 in_half(const ModifiedGear& g, const Vec3& p) {
+  const auto& [gap, groove, stagger] = *g.body.two_helices;
+  const double middle = (gap + g.gear.spec.face_width) / 2;
+  const double turn = g.gear.twist() * middle + (p.z() < 0 ? stagger : 0.0);
+  const double c = std::cos(turn), s = std::sin(turn);
+  return {c * p.x() + s * p.y(), c * p.y() - s * p.x(), std::abs(p.z()) - middle};
+}
+
 /// c of the right or the left flank, computed from its definition.
 inline double defined_removal(const ModifiedGear& g, bool left, double L, double z) {
   const FlankModifications& m = g.flanks[left ? 1 : 0];
