@@ -118,6 +118,10 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
       return refused("rack.center_a", rack.center_a, {rack.arc_radius},
                      "leaves no tooth; the value must be less than the `arc_radius`, {}");
     }
+    if (!(rack.center_a > -kHalfPi)) {
+      return refused("rack.center_a", rack.center_a, {-kHalfPi},
+                     "leaves no tooth of the cutter; the value must be greater than {}");
+    }
     flank.end = Angle::radians(std::acos(meeting));
   } else {
     flank.end = meeting < 1.0 && meeting > 0.0 && std::acos(meeting) > kLastOfP.rad()
@@ -146,12 +150,12 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
-    const double greatest = full_radius(rack);
-    // The centre of the rounding moves outward on F and inward on P as the radius grows. A smaller
-    // radius therefore helps only if the full radius is less than the given radius.
-    const bool smaller_fits = greatest >= 0.0 && greatest < rho;
-    return smaller_fits
-               ? refused("rack.root_fillet_radius", rho, {greatest},
+    // The rounding with the full radius may touch the circle of the flank beyond its arc. Then every
+    // smaller radius also does, so only the depth can be reduced.
+    ArcRack full = rack;
+    full.root_fillet_radius = full_radius(rack);
+    return full.root_fillet_radius >= 0.0 && !check_joint(full)
+               ? refused("rack.root_fillet_radius", rho, {full.root_fillet_radius},
                          "does not fit into the tip of the cutter; the greatest possible radius "
                          "(full radius) is {}")
                : refused("rack.dedendum", rack.dedendum,

@@ -58,6 +58,23 @@ TEST(ArcRack, full_radius) {
   }
 }
 
+// The message names the full radius only if the cutter can have it. If not, it names the depth.
+TEST(ArcRack, names_a_radius_only_if_it_is_possible) {
+  ArcRack rack = rack_of(Cutter::F);
+  rack.center_a = 1.134;
+  rack.center_b = -0.329;
+  rack.arc_radius = 2.516;
+  rack.dedendum = -0.077;
+  rack.root_fillet_radius = 0.622;
+  EXPECT_EQ(key_of(rack), "rack.dedendum");
+  EXPECT_LT(full_radius(rack), rack.root_fillet_radius);
+  rack.root_fillet_radius = full_radius(rack);
+  EXPECT_EQ(key_of(rack), "rack.dedendum");
+  rack = rack_of(Cutter::F);
+  rack.center_a = -1.58;  // the arcs of both sides lie beyond the middle of the cutter's tip
+  EXPECT_EQ(key_of(rack), "rack.center_a");
+}
+
 // The message names the height at which both flank arcs meet, which is the greatest addendum.
 TEST(ArcRack, the_limits_named_are_the_limits) {
   ArcRack F = rack_of(Cutter::F);
