@@ -28,8 +28,9 @@ constexpr Margin kTip{WarningCode::tip_margin,
                       kMarginTip};
 
 // Example: "0.1500 mm". A length below 1 µm is written as "0.021 µm", because it would otherwise be
-// written as 0.0000 mm.
+// written as 0.0000 mm. A length below 0.001 µm is a rounding error.
 std::string millimetres(double mm) {
+  if (kUmPerMm * mm < 0.001) return "less than 0.001 µm";
   return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4f} mm", mm);
 }
 

@@ -199,15 +199,21 @@ TEST(Verdict, a_rounded_centre_distance_is_no_negative_backlash) {
   }
 }
 
-// A clearance of nanometres is not printed as 0.0000 mm.
+// A clearance of nanometres is not printed as 0.0000 mm, and a rounding error not as 1e-05 µm.
 TEST(Verdict, says_small_clearances_in_micrometres) {
-  ParallelPair pair = helical_pair();
-  pair.fillet_clearance[0] = 21e-6;
-  bool found = false;
-  for (const Finding& f : judged(pair).findings)
-    found = found || f.message.find("is 0.021 µm, which is less than 0.0001 modules (0.25 µm)") !=
-                         std::string::npos;
-  EXPECT_TRUE(found);
+  const auto finds_text = [](double clearance, const std::string& text) {
+    ParallelPair pair = helical_pair();
+    pair.fillet_clearance[0] = clearance;
+    const Verdict verdict = judged(pair);
+    return std::any_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding& f) {
+      return f.message.find(text + ", which is less than 0.0001 modules (0.25 µm)") !=
+             std::string::npos;
+    });
+  };
+  EXPECT_TRUE(finds_text(21e-6, "is 0.021 µm"));
+  EXPECT_TRUE(finds_text(1e-6, "is 0.001 µm"));
+  EXPECT_TRUE(finds_text(1e-8, "is less than 0.001 µm"));
+  EXPECT_TRUE(finds_text(0.0, "is less than 0.001 µm"));
 }
 
 TEST(Verdict, edges_and_places_under_errors) {
