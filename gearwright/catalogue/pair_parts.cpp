@@ -287,7 +287,7 @@ const Quantities<InternalMargins>& internal_quantities() {
         "there is no such limit",
         &M::involute);
     q.number("trochoid_margin_deg", "trochoid interference, play when the tips pass each other", "",
-             "[T2.28]; computed for sharp tips without backlash; negative if the tips collide; "
+             "[T2.27]; computed for sharp tips without backlash; negative if the tips collide; "
              "null if there is no such limit",
              &M::trochoid);
     q.number("trimming_margin_deg", "trimming interference, play in radial assembly", "",
