@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/arrange/judge.hpp"
@@ -145,24 +146,27 @@ DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
   const StageSafety& least = task_.required;
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
-    grows = false;
     if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
     const auto safeties = stage_safeties(candidate);
     if (!safeties) break;
     std::vector<double> modules = candidate.stage_modules;
+    std::set<std::size_t> raised;
     for (std::size_t k = 0; k < modules.size(); ++k) {
       if ((*safeties)[k].flank >= least.flank && (*safeties)[k].root >= least.root) continue;
-      std::size_t raised = k;
+      std::size_t stage = k;
       if (modules[k] == problem_.modules.back())
         for (std::size_t j = 0; j < modules.size(); ++j)
-          if (modules[j] * candidate.stages[j][0] < modules[raised] * candidate.stages[raised][0])
-            raised = j;
-      const auto greater =
-          std::upper_bound(problem_.modules.begin(), problem_.modules.end(), modules[raised]);
-      if (greater == problem_.modules.end()) return DriveFault::safety;
-      modules[raised] = *greater;
-      grows = true;
+          if (modules[j] * candidate.stages[j][0] < modules[stage] * candidate.stages[stage][0])
+            stage = j;
+      raised.insert(stage);
     }
+    for (const std::size_t k : raised) {
+      const auto greater =
+          std::upper_bound(problem_.modules.begin(), problem_.modules.end(), modules[k]);
+      if (greater == problem_.modules.end()) return DriveFault::safety;
+      modules[k] = *greater;
+    }
+    grows = !raised.empty();
     candidate = with_modules(problem_, std::move(candidate), modules);
     if (candidate.size > problem_.size_max) return DriveFault::safety;
   }

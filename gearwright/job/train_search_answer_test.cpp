@@ -135,6 +135,54 @@ TEST(TrainSearchAnswerTest, EveryStageHasItsLeastModule) {
   }
 }
 
+// A search for trains whose stages have their own modules, without profile shifts.
+struct StageSearch {
+  StageSearch(const std::string& keys, double power_kW)
+      : spec(read_spec("[search]\nkind = \"train\"\nprofile_shift = 0\n" + keys +
+                           "[rating]\nspeed_rpm = 1450\nlife_h = 20000\nquality = 7\n"
+                           "face_load_factor = 1.3\nmaterial = \"18CrNiMo7-6\"\npower_kW = " +
+                           std::to_string(power_kW) + "\n",
+                       SpecFormat::toml)) {
+    EXPECT_TRUE(spec) << spec.error().message();
+    task.problem = read_drive_search(spec->tree->tables["search"]);
+    task.problem.module_per_stage = true;
+    task.rate = [this](Drive& drive) { return rate_drive(*spec, drive); };
+  }
+
+  Result<JobSpec> spec;
+  DriveDesignTask task{{}, 0.5, {1.1, 1.2}};
+};
+
+// Law (3). The second stage has the greatest module and is too weak, because the small pinion of the
+// first stage, which is also too weak, limits the face width. One greater module is enough for both.
+TEST(TrainSearchAnswerTest, AStageThatIsWeakForTwoReasonsHasItsLeastModule) {
+  struct Case {
+    double power_kW, face_diameters;
+    std::array<int, 2> pinions;
+  };
+  const std::vector<double> modules{1, 1.5, 2, 2.5, 3};
+  for (const auto& [power_kW, face_diameters, z] :
+       {Case{24, 1.1, {29, 24}}, Case{48, 1.0, {25, 28}}, Case{40, 1.2, {20, 29}}}) {
+    StageSearch search(
+        "normal_module_mm = [1, 1.5, 2, 2.5, 3]\nratio = [5, 16]\n"
+        "face_width_mm = [5, 200]\n",
+        power_kW);
+    search.task.problem.face_diameters = face_diameters;
+    DriveCandidate train;
+    train.stages = {{z[0], 70}, {z[1], 70}};
+    train.stage_modules = {1, 3};
+    const DriveOutcome found = DriveDesigner(search.task)(train);
+    ASSERT_TRUE(std::holds_alternative<FoundDrive>(found)) << power_kW;
+    search.task.problem.module_per_stage = false;  // the modules of the candidate are not changed
+    const auto least = std::find_if(modules.begin(), modules.end(), [&](double m) {
+      return std::holds_alternative<FoundDrive>(
+          DriveDesigner(search.task)(with_modules(search.task.problem, train, {m, 3})));
+    });
+    EXPECT_EQ(std::get<FoundDrive>(found).candidate.stage_modules,
+              (std::vector<double>{*least, 3}));
+  }
+}
+
 // Three stages with the default numbers of teeth have more than a million trains.
 TEST(TrainSearchAnswerTest, TooManyTrainsAreRefused) {
   const auto answer = trains_of("2", "ratio = [-500, -5]\nstages = 3\n", 4);
