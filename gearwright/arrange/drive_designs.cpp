@@ -257,6 +257,21 @@ void sort_designs(const DriveSearchProblem& problem, std::vector<FoundDrive>& li
                    [&](const FoundDrive& a, const FoundDrive& b) { return cost(a) < cost(b); });
 }
 
+std::vector<std::size_t> front_of(const DriveSearchProblem& problem,
+                                  const std::vector<FoundDrive>& list) {
+  std::vector<DriveCandidate> exact;
+  for (const FoundDrive& f : list) exact.push_back(f.candidate);
+  return pareto_front(problem, exact);
+}
+
+// Keeps the `top` best designs of a sorted list and up to `top` more from its Pareto front.
+void keep_best(const DriveSearchProblem& problem, std::size_t top, std::vector<FoundDrive>& list) {
+  std::size_t kept = top;
+  for (const std::size_t i : front_of(problem, list))
+    if (i >= top && kept < 2 * top) std::swap(list[kept++], list[i]);
+  list.resize(kept);
+}
+
 }  // namespace
 
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
@@ -271,6 +286,7 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
     if (auto error = candidates.compute(which, designs)) return *error;
   }
   const bool is_short = designs.list.size() < top;
+  std::size_t more = top;  // greatest number of further designs from the Pareto front
   if (!is_short && top > 0) {
     constexpr std::size_t kBatch = 64;
     sort_designs(problem, designs.list);
@@ -280,9 +296,10 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
       if (auto error = candidates.compute(which, designs)) return *error;
       sort_designs(problem, designs.list);
     }
-    designs.list.resize(top);
+    keep_best(problem, top, designs.list);
+    more -= designs.list.size() - top;
   }
-  for (std::size_t more = top; more > 0;) {
+  while (more > 0) {
     const auto which = candidates.next_of_front(more);
     if (which.empty()) break;
     const std::size_t before = designs.list.size();
@@ -291,9 +308,7 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
   }
   if (is_short) designs.beyond_limit = candidates.open();
   sort_designs(problem, designs.list);
-  std::vector<DriveCandidate> exact;
-  for (const FoundDrive& f : designs.list) exact.push_back(f.candidate);
-  designs.pareto = pareto_front(problem, exact);
+  designs.pareto = front_of(problem, designs.list);
   return designs;
 }
 

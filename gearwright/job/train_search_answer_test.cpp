@@ -1,7 +1,8 @@
 // Searches for trains: (1) a list of modules finds a train that is not larger than those of its
 // modules alone; (2) the axial forces on an intermediate shaft have opposite directions; (3) each
 // stage has the least module with which it has the required safeties; (4) the spec of a design
-// describes the drive that the search computed.
+// describes the drive that the search computed; (5) with several objectives, a short list contains the
+// Pareto front of the complete list, if there is room.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -181,6 +182,28 @@ TEST(TrainSearchAnswerTest, AStageThatIsWeakForTwoReasonsHasItsLeastModule) {
     EXPECT_EQ(std::get<FoundDrive>(found).candidate.stage_modules,
               (std::vector<double>{*least, 3}));
   }
+}
+
+// Law (5). The trains are sorted by their estimated sizes, so more than two are computed for the list
+// of two. Some of these trains are on the front.
+TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
+  const StageSearch search(
+      "objective = [\"size\", \"ratio\"]\nnormal_module_mm = [1.5, 2, 2.5, 3, 4, 5]\n"
+      "ratio = [9, 14]\npinion_teeth = [20, 21]\nwheel_teeth = [70, 72]\nface_width_mm = 30\n",
+      30);
+  const auto result = search_drives(search.task.problem, 2);
+  ASSERT_TRUE(result);
+  const auto all = drive_designs(search.task, *result, 1000, 2);
+  const auto few = drive_designs(search.task, *result, 2, 2);
+  ASSERT_TRUE(all && few);
+  EXPECT_EQ(all->pareto.size(), 3u);
+  EXPECT_LE(few->list.size(), 4u);
+  const auto stages_of = [](const DriveDesigns& designs) {
+    std::vector<std::vector<std::array<int, 2>>> front;
+    for (const std::size_t i : designs.pareto) front.push_back(designs.list[i].candidate.stages);
+    return front;
+  };
+  EXPECT_EQ(stages_of(*few), stages_of(*all));
 }
 
 // Three stages with the default numbers of teeth have more than a million trains.
