@@ -17,8 +17,9 @@ struct Held {
   std::optional<ContactPair> pair;
 };
 
-// An error if the caller gives a deviation of the teeth of the rack; else empty.
-std::optional<Error> rack_error(const ContactErrors& errors) {
+}  // namespace
+
+std::optional<Error> check_rack_errors(const ContactErrors& errors) {
   const bool slope = errors.helix_twist[1] != 0.0;
   if (!slope && errors.cutter_lead[1] == Angle()) return std::nullopt;
   return Error{
@@ -26,8 +27,6 @@ std::optional<Error> rack_error(const ContactErrors& errors) {
       "must be 0, because errors of the teeth of a rack are not supported; give the error for the "
       "pinion, where it has the same effect"};
 }
-
-}  // namespace
 
 Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactErrors& errors,
@@ -39,7 +38,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
     return Error{gear_field(1), "",
                  "has no usable flank; for the reason, see the warnings of the verb gear",
                  FailureKind::no_flank};
-  if (auto error = rack_error(errors)) return *error;
+  if (auto error = check_rack_errors(errors)) return *error;
   if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;
 
   // Derivatives with respect to a modification need its field, even if nothing is removed.

@@ -27,12 +27,15 @@ struct RackContact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
+/// The error `errors.helix_twist[1]` or `errors.cutter_lead[1]` if it is not 0. The teeth of a rack
+/// are exact.
+std::optional<Error> check_rack_errors(const ContactErrors& errors);
+
 /// A pinion and a rack for contact analyses. The result owns the pinion.
 ///
 /// Units     mm, rad; `options.modifications[1]` must be empty (contract)
 /// Errors    `gear1` without a usable flank; `gear1.modifications.…` as make_removal_field;
-///           `errors.cutter_lead[0]` as check_cutter_lead; `errors.helix_twist[1]` and
-///           `errors.cutter_lead[1]` if they are not 0
+///           `errors.cutter_lead[0]` as check_cutter_lead; as check_rack_errors
 Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});

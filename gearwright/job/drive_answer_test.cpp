@@ -1,7 +1,7 @@
 // Interfaces of drives: (1) a spec and the graph to which it expands have the same numbers; (2) a
 // drive in the result of a search has the numbers that the verb drive computes for its spec; (3)
 // gears of stages and of the graph take the keys of a gear, and impossible values are rejected; (4)
-// the verb rate rates every mesh.
+// the verb rate rates every mesh; (5) an error of the teeth of a rack is rejected.
 #include "gearwright/job/drive_answer.hpp"
 
 #include <fmt/format.h>
@@ -328,6 +328,25 @@ TEST(DriveAnswerTest, RatedSearchesNameWhatTheirLoadLacks) {
   EXPECT_EQ(refused_drive_key("[search]\nkind = \"planetary\"\nratio = 4\n"
                               "face_width_mm = [20, 10]\n"),
             "search.face_width_mm");
+}
+
+// Law (5). The same error of the pinion is computed.
+TEST(DriveAnswerTest, ErrorsOfTheTeethOfARackAreRejected) {
+  const auto drive_with = [](const std::string& error) {
+    return answer_drive(drive_job(
+        "[errors]\n" + error +
+        "\n[drive]\ninput = \"shaft\"\noutput = \"bar\"\n"
+        "[[drive.body]]\nname = \"shaft\"\n[[drive.body]]\nname = \"bar\"\n"
+        "[[drive.gear]]\nname = \"pinion\"\nbody = \"shaft\"\nteeth = 20\nnormal_module_mm = 2\n"
+        "[[drive.gear]]\nname = \"rack\"\nbody = \"bar\"\nform = \"rack\"\n"
+        "[[drive.mesh]]\ngears = [\"pinion\", \"rack\"]\n"));
+  };
+  const auto of_rack = drive_with("helix_slope2_um = 10");
+  ASSERT_FALSE(of_rack);
+  EXPECT_EQ(of_rack.error().field, "errors.helix_twist[1]");
+  const auto of_pinion = drive_with("helix_slope1_um = 10");
+  ASSERT_TRUE(of_pinion) << of_pinion.error().message();
+  EXPECT_TRUE(of_pinion->record["drive"]["transmission_error"].is_object());
 }
 
 TEST(DriveAnswerTest, RateRatesEveryMesh) {

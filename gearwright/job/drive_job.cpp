@@ -10,6 +10,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/spec/json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -62,7 +63,7 @@ MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive) {
   return [&](std::size_t mesh) {
     const auto& pair = drive.geometry.pairs[mesh];
     if (const auto& rack = drive.geometry.racks[mesh])
-      return spec.errors.of({&rack->pinion, &rack->pinion});
+      return spec.errors.of({&rack->pinion, &rack->pinion});  // see check_rack_errors()
     return spec.errors.of({&pair->gear(1), &pair->gear(2)});
   };
 }
@@ -81,6 +82,9 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   if (auto error = find_halves(job.drive)) return of_drive_table(*error, spec.tree->tables);
   if (spec.errors.any()) {
     const MeshErrors errors = mesh_errors(spec, job.drive);
+    for (std::size_t m = 0; m < job.drive.geometry.racks.size(); ++m)
+      if (job.drive.geometry.racks[m])
+        if (auto error = check_rack_errors(errors(m))) return *error;
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
