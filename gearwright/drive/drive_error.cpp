@@ -23,7 +23,8 @@ constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }
 
-// e^{2πi turn/kErrorPositions}. `turn` is an integer, so a harmonic that vanishes is exactly 0.
+// e^{2πi turn/kErrorPositions}. The angle has no rounding error of its own, because `turn` is an
+// integer.
 Wave root_of_unity(int turn) {
   static const std::vector<Wave> all = [] {
     std::vector<Wave> list;
@@ -71,7 +72,6 @@ class DriveCurves {
       for (int k = 1; k <= harmonics; ++k)
         found.lines.push_back(
             {k * teeth.value_or(0.0), 2 * std::abs(waves[static_cast<std::size_t>(k)])});
-      if (std::all_of(waves.begin(), waves.end(), [](const Wave& w) { return w == 0.0; })) continue;
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {
         double value = 0.0;
