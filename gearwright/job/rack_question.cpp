@@ -50,14 +50,13 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text) {
 }
 
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question) {
-  if (!gear.involute())
-    return Error{"--as-rack", "", "only involute teeth can be described by a rack of another angle",
-                 FailureKind::option};
-  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
-  const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   const auto bad = [](const std::string& value, const std::string& why) {
     return Error{"--as-rack", value, why, FailureKind::option};
   };
+  if (!gear.involute())
+    return bad("", "only involute teeth can be described by a rack of another angle");
+  const BaseGear<double> base = base_gear(gear.spec.teeth, gear.reference());
+  const double m_cos = normal_base_pitch(base) / std::numbers::pi;
   double alpha = question.normal_pressure_angle.value_or(Angle()).rad();
   if (question.normal_module) {
     const double m = *question.normal_module;

@@ -124,7 +124,7 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
     }
     flank.end = Angle::radians(std::acos(meeting));
   } else {
-    flank.end = meeting < 1.0 && meeting > 0.0 && std::acos(meeting) > kLastOfP.rad()
+    flank.end = meeting > 0.0 && std::acos(meeting) > kLastOfP.rad()
                     ? Angle::radians(std::acos(meeting))
                     : kLastOfP;
   }
