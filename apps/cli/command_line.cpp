@@ -45,7 +45,7 @@ constexpr const char* kIntroduction =
 
 constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
 
-// The version, and the functions that a lean build (cmake/gw_lean.cmake) does not have.
+// The version and, for a lean build (cmake/gw_lean.cmake), the functions that this build lacks.
 std::string version_text() {
   return fmt::format(
       "gearwright {}{}", kVersion,
@@ -143,15 +143,16 @@ void CommandLine::add_answering() {
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
-      "Describe the same teeth by a rack of this MODULE,ANGLE; one of the two may be empty");
+      "Describe the same teeth by a rack with module and pressure angle MODULE,ANGLE; one of the "
+      "two may be empty");
   add_study_options(app_.get_subcommand("scatter"), study_);
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
       "--expand", [&o] { o.expand = true; },
-      "Print only the graph [drive] to which the spec expands");
+      "Print only the graph [drive] that is made from the spec");
   drive
       ->add_option("--harmonics", o.harmonics,
-                   "Harmonics of the phases and of the transmission error (default 3)")
+                   "Number of harmonics of the phases and of the transmission error (default 3)")
       ->check(CLI::Range(1, 31));
   CLI::App* measure = app_.get_subcommand("measure");
   CLI::Option* points =

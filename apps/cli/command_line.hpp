@@ -40,8 +40,9 @@ class CommandLine {
   int unknown_verb(const std::string& word) const;
   int unknown_option(const std::string& word) const;
   int answer(const Verb& row) const;
-  /// Ranks the designs of a search by their scatter if an option of a study is given, or if the
-  /// spec contains a search and no gear 1. Otherwise computes the scatter of the pair of the spec.
+  /// If an option of a study is given, or if the spec contains [search] but no gear 1, ranks
+  /// the designs of a search by their scatter. Otherwise computes the scatter of the pair in
+  /// the spec.
   int scatter(const Verb& row) const;
 
   Options options_;

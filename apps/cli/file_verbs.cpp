@@ -1,5 +1,6 @@
-// The verbs that write files: either all files that are possible for a spec, or only the requested
-// ones.
+// The verbs that write files, run and export, and the verb import, which prints a REXS file as
+// a spec. `run` writes all files that are possible for a spec, and `export` writes the
+// requested files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -88,7 +89,7 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-// Writes the files and prints their list, if all files could be made.
+// If all files could be made, writes them and prints their list. Otherwise reports the error.
 int end_export(const Options& o, const Door& door, UnitSystem units,
                const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
   std::vector<JobFile> files;

@@ -1,9 +1,13 @@
 // The program gearwright. It parses the command line, calls the functions of gearwright/job and
 // prints the results.
 //
-// The exit status is 0 for success; 1 if the input is wrong or the gears are impossible; 2 if the
-// command line is wrong; 3 if the system failed, for example because of a full disk; 4 if the
-// verdict is not green and --strict is given; and 5 for a defect of Gearwright itself.
+// Exit status:
+//   0   success
+//   1   the input is wrong, or the gears are impossible
+//   2   the command line is wrong
+//   3   the system failed, for example because of a full disk
+//   4   --strict is given, and the verdict is not green
+//   5   a defect of Gearwright itself
 #include <cstdio>
 #include <exception>
 #include <new>

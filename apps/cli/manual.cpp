@@ -9,8 +9,8 @@ namespace gearwright::apps {
 
 namespace {
 
-// Escapes a text for troff. Hyphens can then be copied as they were typed, and troff does not treat
-// a line of the text as a request.
+// Escapes a text for troff. With the escapes, hyphens can be copied as they were typed, and no
+// line of the text is treated as a request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

@@ -258,8 +258,10 @@ int batch_verb(const Options& o) {
   if (in.bad()) throw IoError("cannot read " + path + ": " + std::strerror(errno));
   print("");
   if (failed > 0)
-    std::fprintf(stderr, "gearwright: %lld of %lld specs have no answer, the first in line %lld\n",
-                 failed, lines, first_failed);
+    std::fprintf(
+        stderr,
+        "gearwright: %lld of %lld specs have no answer; the first of them is in line %lld\n",
+        failed, lines, first_failed);
   if (violations > 0)
     std::fprintf(stderr, "gearwright: a defect in Gearwright caused %lld of these failures\n",
                  violations);

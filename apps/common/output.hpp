@@ -29,19 +29,19 @@ void print_spec(const Json& spec, bool json, const std::vector<std::string>& not
 /// is printed, or an error is returned if the answer has no such spec.
 std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
                                   const std::optional<int>& take);
-/// The error of `--take` with a number that is greater than the number of specs. If there are no
+/// The error for a number after `--take` that exceeds the number of specs. If there are no
 /// specs, `why_none` is the reason.
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
 /// Returns the position in the spec to which the error refers. The position is absent if the error
 /// refers to an option, or if the table of the key is not in the text.
 std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
-/// Returns {"error": …} with the line, the column and the name of the spec, if they are known. The
-/// error must already refer to keys of the spec.
+/// Returns {"error": …} with the line, the column and the name of the spec, if they are known.
+/// The keys in the error must already be keys of the spec.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
 /// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
-/// requested, the report is also printed as JSON. The error must already refer to keys of the spec
-/// (catalogue/spelling.hpp). `text` is the spec that contains the error. The report then also
-/// contains the name of the spec and the line.
+/// `json` is true, also prints the error as JSON. The keys in the error must already be keys of
+/// the spec (catalogue/spelling.hpp). If `text`, the spec that contains the error, is given,
+/// the report also contains the name of the spec and the line.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// Reports a wrong command line and returns status 2.
 int usage(const std::string& message);
@@ -57,7 +57,8 @@ int guarded(const std::function<int()>& work, bool json);
 class StatusLine {
  public:
   ~StatusLine() { clear(); }
-  /// Shows the text if it is time for a new one. `text` takes the seconds since the start.
+  /// Calls `text` with the seconds since the start and shows the result, but only if the next
+  /// text is due.
   void show(const std::function<std::string(double seconds)>& text);
   void clear();
 

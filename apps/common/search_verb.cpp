@@ -70,7 +70,8 @@ std::string progress_text(const SearchProgress& p, double seconds) {
   switch (p.stage) {
     case SearchProgress::Stage::changes:
       return fmt::format(
-          "no design is feasible; {} trials done to find the smallest change that helps", p.done);
+          "no design is feasible; {} trials are done to find the smallest change that helps",
+          p.done);
     case SearchProgress::Stage::regions:
       return fmt::format("the regions of {} of {} designs are computed", p.done, p.of);
     case SearchProgress::Stage::trials: break;
@@ -151,8 +152,9 @@ int run_search_verb(const SearchCommand& c, const Together* together) {
   options.top = c.top;
   if (c.take)
     options.top = std::max<std::size_t>(c.top.value_or(0), static_cast<std::size_t>(*c.take));
-  // Regions of profile shifts are computed only for output that contains them. The spec of a design
-  // contains no region. A printed table contains the regions of its own rows.
+  // Regions of profile shifts are computed only for output that contains them. If only the spec
+  // of one design is printed, no region is needed. If a table is printed, the regions of its
+  // rows are needed.
   if (!c.out && c.take) options.regions = 0;
   if (!c.out && !c.take && !c.json) options.regions = kListedDesigns;
   options.chunk = c.chunk;

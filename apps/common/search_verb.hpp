@@ -13,8 +13,8 @@
 
 namespace gearwright::apps {
 
-// Command-line options for work that several processes can share in a folder: the verb search, and
-// scatter over the designs of a search.
+// Command-line options for work that several processes can divide among themselves by means of
+// a common folder: the verb search, and the verb scatter over the designs of a search.
 
 /// The options that both verbs have.
 struct CampaignCommand {
@@ -25,19 +25,21 @@ struct CampaignCommand {
   int threads = 0;
 };
 
-/// Describes the group of processes to which this process belongs. Not used by a single process.
+/// The group of processes to which this process belongs. A process that works alone has no
+/// group.
 struct Together {
   int rank = 0, ranks = 1;
   std::function<std::int64_t()> next_chunk;
-  /// Called after the folder has been opened or could not be opened. The first process opens the
-  /// folder while the others wait.
+  /// The first process calls this function after it has opened the folder or has failed to open
+  /// it. The other processes call it before they open the folder, and wait in it for the first
+  /// process. Returns true in every process if the first process has opened the folder.
   std::function<bool(bool opened)> folder_is_open;
   std::function<bool()> finish_together;
 };
 
-/// Fills `options` and returns an error of the command line, if there is one. If the process is
-/// neither a shard nor a rank, its name in the journal is `verb`. `noun` is the name of the work,
-/// "search" or "study".
+/// Fills `options`. Returns an error if the command line is wrong. `verb` is the name of the
+/// process in the journal, unless the process is a shard or a rank. `noun` names the work in
+/// messages: "search" or "study".
 std::optional<std::string> fill_campaign(const CampaignCommand& command, const Together* together,
                                          const std::string& verb, const std::string& noun,
                                          CampaignOptions& options);
@@ -45,7 +47,7 @@ std::optional<std::string> fill_campaign(const CampaignCommand& command, const T
 /// The number of threads of this process. A rank has one by default.
 int threads_of(const CampaignCommand& command, const Together* together);
 
-/// The list of written files for the end of a listing; empty if no file was written.
+/// The list of written files that is printed after a result; empty if no file was written.
 std::string written_files(const std::vector<std::filesystem::path>& files);
 
 struct SearchCommand : CampaignCommand {

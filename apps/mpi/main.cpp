@@ -1,11 +1,11 @@
-// The program gearwright-mpi runs the verb search, and scatter over the designs of a search, on
-// many ranks.
+// The program gearwright-mpi runs on many ranks. Its verbs are search, and scatter over the
+// designs of a search.
 //
 //   mpirun -n 8 gearwright-mpi search spec.toml --out found
 //   mpirun -n 8 gearwright-mpi scatter spec.toml --designs found --out ranked
 //
-// Every rank computes. The number of the next chunk is a counter in an MPI window of rank 0. All
-// ranks increment this counter by fetch-and-op, so no rank is reserved as a master. Finished chunks
+// Every rank computes. An MPI window of rank 0 contains the number of the next chunk. All ranks
+// increment this number by fetch-and-op, so no rank is reserved as a master. Finished chunks
 // are saved in the folder. Rank 0 combines them in order, so the result equals the result of a
 // single process byte for byte.
 #include <mpi.h>
@@ -79,8 +79,9 @@ int main(int argc, char** argv) {
     return status == 0 ? 0 : 2;
   }
   int status = 3;
-  // The queue must not be destroyed before the catch block, because freeing its window waits for
-  // all ranks, and after an error the other ranks may be waiting for this rank.
+  // The queue must outlive the try block. Its destructor frees the MPI window, which waits for
+  // all ranks. If an exception destroyed the queue before MPI_Abort is called, the program
+  // might never end, because the other ranks may be waiting for this rank.
   auto queue = std::make_unique<Queue>();
   try {
     gearwright::apps::Together together;

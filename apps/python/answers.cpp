@@ -29,7 +29,7 @@ namespace gearwright::python {
 
 namespace {
 
-// Runs find(job, progress) and makes a Self of its result. record(job, answer) returns the
+// Runs find(job, progress) and converts its result to a Self. record(job, answer) returns the
 // quantities of the result, and judged(job, answer) returns its verdict. Ctrl-C stops the
 // computation.
 template <class Self, class Find, class Record, class Judge>
@@ -130,8 +130,8 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
     });
 }
 
-// Returns the spec of a dict, a Pair, a Gear or another object that has a spec, and the folder of
-// the spec.
+// Returns the spec that a dict, a Pair, a Gear or another object contains, and the folder of
+// this spec.
 std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
   if (py::isinstance<PairValue>(spec)) {
     const auto& pair = spec.cast<const PairValue&>();
@@ -279,8 +279,8 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return contact_of(p, py::none(), py::none(), {});
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    // The transmission error occurs twice in the table: as an angle, and as the displacement of a
-    // rack. Both have the same name. The attribute with this name is the angle.
+    // The table contains the transmission error twice, as an angle and as the displacement of a
+    // rack, with the same name. The attribute with this name is the angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

@@ -24,9 +24,9 @@ inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Returns the real numbers of an array or of lists. Returns nothing if the content is not real
-/// numbers: complex numbers, times, texts, flags or masked arrays, all of which numpy would convert
-/// without a warning.
+/// Returns the real numbers of an array or of lists. Returns nothing for any other content,
+/// such as complex numbers, times, texts, flags or masked arrays, because numpy would convert
+/// these without a warning.
 std::optional<Numbers> real_numbers(py::handle value);
 
 /// Returns an array that refers to the numbers at `data` without a copy and keeps their owner

@@ -29,8 +29,9 @@ py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }
 
-// Divides the rows into parts and calls f(in, from, n) for each part, without the GIL. `in` points
-// to the n numbers of each column in this part.
+// Divides the rows into parts and calls f(in, from, n) for each part, without the GIL. A part
+// consists of n rows and begins at the row `from`. `in` has one pointer for each column, to the
+// n numbers of the column in this part.
 template <std::size_t N, class F>
 void in_parts(const Columns<N>& columns, std::size_t rows, const F& f) {
   std::array<const double*, N> all{};
@@ -98,7 +99,8 @@ std::size_t place_of(const std::string& name) {
   throw py::key_error(name);
 }
 
-// Returns the columns with these names, in normal modules. Angles are returned as their tangents.
+// Returns the columns of results with these names. Lengths are in normal modules, and angles
+// are returned as their tangents.
 py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t rows,
                      double tan_alpha, const std::array<double, 2>& addendum,
                      const std::array<double, 2>& dedendum, double edge_depth, bool tight,
@@ -118,8 +120,8 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     batch.resize(n);
     for (std::size_t c = 0; c < in.size(); ++c) std::copy_n(in[c], n, batch.in[c].begin());
     evaluate(constants, batch);
-    // All rows of a part are iterated together. A row whose residual is then too large has no
-    // working pressure angle, and its results become NaN.
+    // All rows of a part are iterated together. If the residual of a row is too large after the
+    // iteration, the row has no working pressure angle, and its results become NaN.
     const auto& residual = batch.out[CandidateBatch::residual];
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {

@@ -27,8 +27,8 @@ Json changes_of(const py::kwargs& kwargs) {
   return changes;
 }
 
-// Separates the keywords of [pair] from the other tables of a spec, because a call may contain
-// both.
+// Moves the keywords that belong to [pair] into this table. A call may contain both such
+// keywords and whole tables of the spec.
 Json pair_changes(const py::kwargs& kwargs) {
   Json spec = Json::object();
   const Json changes = changes_of(kwargs);

@@ -40,12 +40,13 @@ ModelPtr with_two_gears(ModelPtr model);
 /// Raises SpecError with the keys as the caller has given them.
 [[noreturn]] void raise(const Error& error, const Model& model);
 
-/// Converts names without a unit, whose values are in mm or rad, to keys: helix_angle = 0.26
-/// becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the reader of the spec rejects
-/// it.
+/// Converts names without a unit to keys. The value under such a name is in mm or rad, so
+/// helix_angle = 0.26 becomes helix_angle_deg = 14.9. An unknown name is unchanged, and the
+/// reader of the spec rejects it.
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path = "");
-/// Returns the name without a unit, whose value is in mm or rad, such as normal_module for the key
-/// normal_module_mm. If the key has no such name, returns the key itself.
+/// The name of the key without its unit, for example normal_module for the key
+/// normal_module_mm. The value under this name is in mm or rad. If there is no such name,
+/// returns the key itself.
 std::string house_key(const Key& key);
 /// The number of units of the key in one mm or one rad.
 double units_per_house(const Key& key);
@@ -92,8 +93,8 @@ struct PairValue {
   Verdict verdict() const { return judge(model->job); }
 };
 
-/// The result of a verb for a pair: the spec of the pair with the additional input, and every
-/// quantity of the result.
+/// The result of a verb for a pair. It consists of the spec, in which the additional input of
+/// the verb is included, and of every quantity of the result.
 struct AnswerValue {
   ModelPtr model;  ///< contains the warnings of the result
   std::shared_ptr<const ValueRecord> quantities;
@@ -106,8 +107,8 @@ struct ContactValue : AnswerValue {};
 struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
-/// Returns a model of the pair with other errors and modifications, and with `keys` in the table
-/// `name` of its spec. If errors or modifications are None, they are unchanged.
+/// Returns a model of the pair with other errors and modifications, and with `keys` in the
+/// table `name` of its spec. If `errors` or `modifications` is None, the pair keeps its own.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);

@@ -1,5 +1,6 @@
-// Computes a pair once for each row of given columns of numbers. These numbers replace some of the
-// pair's own numbers. The result has a row of quantities for each row of numbers.
+// Computes a pair for each row of a table of numbers. Each column of the table contains the
+// values of one key of the spec. The result has one row of quantities for each row of the
+// table.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -68,8 +68,8 @@ Json whole_of(py::handle value, const std::string& path) {
   return whole;
 }
 
-// True for a time or an array of times. numpy's tolist() would convert times in ns to whole
-// numbers.
+// True for a time or an array of times. Such values must not be passed to numpy's tolist(),
+// which would convert times in ns to whole numbers.
 bool is_time(py::handle value) {
   const py::object type = py::getattr(value, "dtype", py::none());
   const std::string kind = py::str(py::getattr(type, "kind", py::none()));

@@ -1,9 +1,9 @@
-// Runs a long computation on another thread. Meanwhile, the main thread of Python checks for Ctrl-C
-// and reports the progress.
+// Runs a long computation on another thread. Meanwhile, the main thread of Python checks for
+// Ctrl-C and reports the progress.
 //
-// Python handles a signal only between two of its own instructions. During a call that takes
-// several seconds, it could therefore not handle Ctrl-C. Here, the calling thread waits without the
-// GIL, and acquires it for a check every kLook.
+// Python handles a signal only between two of its own instructions, and therefore not during a
+// call that takes several seconds. Here, the calling thread waits without the GIL. Every kLook,
+// it acquires the GIL and checks for signals.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,8 +24,8 @@ namespace gearwright::python {
 
 constexpr std::chrono::milliseconds kLook{50};
 
-/// A computation that reports its progress or checks `stop`. After end() is called, the computation
-/// ends at its next step.
+/// A computation that reports its progress or checks `stop`. end() requests the end of the
+/// computation at its next step.
 struct Watched {
   std::atomic<bool> stop{false};
   Progress progress;
@@ -36,9 +36,9 @@ struct Watched {
   }
 };
 
-/// Runs the computation until it ends, and rethrows its exceptions. If the user presses Ctrl-C or
-/// `look` throws an exception, the function first ends the computation and then raises the
-/// exception.
+/// Runs the computation until it ends, and rethrows its exceptions. If the user presses Ctrl-C,
+/// or if `look` throws an exception, the function stops the computation, waits for its end, and
+/// then throws that exception (for Ctrl-C, KeyboardInterrupt).
 inline void watch(Watched& watched, const std::function<void()>& work,
                   const std::function<void()>& look = {}) {
   std::exception_ptr raised;

@@ -56,8 +56,8 @@ void collect_warnings(Arranged& arranged) {
   for (const Warning& w : arranged.pair->warnings()) arranged.warnings.push_back(w);
 }
 
-// Sets the profile shifts and face widths of the gears from the input. Returns true if the tip of
-// at least one gear is determined by its clearance to the root of the mating gear.
+// Sets the profile shifts and face widths of the gears from the input. Returns true if, for at
+// least one gear, a clearance to the root of the mating gear determines the tip.
 Result<bool> begin_gears(GivenPair& given) {
   bool clear_tips = false;
   for (const int which : {1, 2}) {

@@ -34,9 +34,10 @@ struct Arranged {
   }
 };
 
-/// Gears and pair at both ends of their tolerances. `lower` has the thinnest teeth and the centre
-/// distance with the most backlash. `upper` has the thickest teeth and the centre distance with the
-/// least backlash. The nominal result and the contact analysis use the mean of each allowance.
+/// Gears and pair at both ends of their tolerances, that is, with every toleranced number at a
+/// limit of its tolerance. `lower` has the thinnest teeth and the centre distance with the most
+/// backlash. `upper` has the thickest teeth and the centre distance with the least backlash.
+/// The nominal result and the contact analysis use the mean of each allowance.
 struct ArrangedEnds {
   Arranged lower, upper;
 };

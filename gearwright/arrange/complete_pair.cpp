@@ -77,8 +77,8 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// Rejects inputs that are possible only if both gears are cut by the same rack. Profile shifts of
-// different racks cannot be compared.
+// Rejects inputs that require profile shifts of the same rack on both gears, if the racks
+// differ.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "
@@ -92,8 +92,8 @@ std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   return std::nullopt;
 }
 
-// Attributes an invalid sum of two shifts to the given shift. If both shifts are given, it is the
-// larger one.
+// If the sum of two shifts is invalid, attributes the error to the given shift or, if both
+// shifts are given, to the larger one.
 Error of_given_shift(const Error& error, const GivenPair& given) {
   if (subject_of(error.field).member != GearMember::profile_shift) return error;
   const auto size = [&](std::size_t i) {
@@ -106,8 +106,9 @@ Error of_given_shift(const Error& error, const GivenPair& given) {
           format_number(*given.gears[i]->profile_shift), error.rule};
 }
 
-// If both gears have the same hand and helix angle β, their axes cross at 2 β. If no shaft angle is
-// given, a missing sign is more likely than crossed axes, so this is an error.
+// Gears with the same hand and the same helix angle β have axes that cross at 2 β. If no shaft
+// angle is given for such gears, a missing sign is more likely than crossed axes, so this is an
+// error.
 std::optional<Error> check_hands(const GivenPair& given) {
   if (given.pair.shaft_angle) return std::nullopt;
   const CylindricalSpec& c1 = given.gears[0]->cylindrical;
@@ -143,8 +144,8 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     if (auto error = needs_one_rack(given, shift_wanted)) return *error;
   }
   if (crossed && shift_wanted && !given.pair.shaft_angle) {
-    // If neither profile shifts nor a shaft angle is given, the given centre distance is taken as
-    // the minimum centre distance of the pair.
+    // If the shaft angle and at least one profile shift are absent, the given centre distance
+    // is taken as the minimum centre distance of the pair. This determines the shaft angle.
     const auto gears = nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical);
     const double a = *given.pair.center_distance;
     const auto alpha = transverse_angle_at_pitch_sum(gears, a);
@@ -156,8 +157,9 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
     given.pair.shaft_angle = crossed_place(gears, *alpha).shaft_angle;
     given.shaft_angle_found = true;
   }
-  // If both gears are cut by the same rack and have parallel axes, a closed form gives the centre
-  // distance exactly, to the last digit.
+  // If both gears are cut by the same rack, complete_shifts() computes the absent profile
+  // shifts or the centre distance. For parallel axes, its closed form gives the centre distance
+  // to the last digit.
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {

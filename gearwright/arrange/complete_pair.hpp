@@ -1,5 +1,5 @@
-// Computes those of the profile shifts, the centre distance and the shaft angle of a pair that are
-// not given. Internal to arrange/.
+// Computes the profile shifts, the centre distance and the shaft angle of a pair, as far as
+// they are not given. Internal to arrange/.
 #pragma once
 
 #include <optional>

@@ -66,9 +66,10 @@ std::optional<Error> check_agreement(const GearInput& gear, const Gear& made, in
   return std::nullopt;
 }
 
-// The default profile shift of a gear that has its own cutter. It applies if neither the profile
-// shift of the gear nor the sum e of the shifts of cutter and gear is given. With the default
-// shift, the gear meshes without backlash with its mating gear at the centre distance of the pair.
+// The default profile shift of a gear that has its own cutter. It applies if neither the
+// profile shift of the gear nor `profile_shift_pair` (e) is given. With this shift, the gear
+// meshes with its mating gear without backlash at the given centre distance. None if there is
+// no such shift.
 std::optional<double> shift_at_distance(const GivenPair& given, const Gear& cutter, int which) {
   const GearInput* const mate = given.find(3 - which);
   const auto& gear = given.gear(which);
@@ -110,8 +111,9 @@ Result<double> distance_of(const GivenPair& given, const Gear& cutter, int which
   return generating_distance(cutter, z, -x_0);
 }
 
-// Makes the gear at the generating distance that follows from its profile shift. A gear with its
-// own cutter and a thickness allowance is made at the distance that gives x_E.
+// Makes the gear at the generating distance that follows from its profile shift. If a gear with
+// its own cutter has a thickness allowance, the distance follows instead from the generating
+// profile shift x_E, which includes the allowance.
 Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec spec) {
   auto nominal = make_pinion_cut_gear(cutter, spec);
   const double wanted = gear.cylindrical.thickness_allowance;
@@ -135,8 +137,8 @@ Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec sp
                   wanted > 0.0 ? "most" : "least", wanted > 0.0 ? "thicker" : "thinner"));
 }
 
-// Adds a note if the root of a cutter that is not the mating gear determines the tip, because no
-// tip diameter is given.
+// Adds a note if no tip diameter is given and the root of the cutter cuts the tip. No note is
+// added if the mating gear is the cutter.
 void note_default_tip(Gear& made, const GearInput& gear) {
   const double usual =
       made.reference_diameter + made.side() * 2 * made.spec.normal_module *
@@ -145,8 +147,8 @@ void note_default_tip(Gear& made, const GearInput& gear) {
   if (gear.cut_by->gear != 0 || gear.cylindrical.tip_diameter || !(longer > kSameTip)) return;
   made.warnings.push_back(
       {WarningCode::tip_cut_by_rack,
-       fmt::format("`tip_diameter` is not given, so the tip diameter is {:.4f} mm, to which the "
-                   "root of the cutter cuts. Usual cutters do not cut the tip; the usual tip "
+       fmt::format("`tip_diameter` is not given, so the root of the cutter cuts the tip to a "
+                   "diameter of {:.4f} mm. Usual cutters do not cut the tip; the usual tip "
                    "diameter of this gear is {:.4f} mm.",
                    made.tip_diameter, usual)});
 }
@@ -217,7 +219,7 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
                  "is not available for a gear cut by its mating gear, which is mounted at the "
                  "generating distance; for another distance give `pair.center_distance`"};
   }
-  // If one gear cuts the other, the cutting gear is made first.
+  // If one gear cuts the other, the gear that cuts is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;
   const std::array<int, 2> order = second_first ? std::array{2, 1} : std::array{1, 2};
   for (const int which : order) {

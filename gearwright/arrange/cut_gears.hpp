@@ -1,5 +1,5 @@
-// Makes the gears that are cut by a pinion cutter. This is done before the pair is mounted. Also
-// computes tips that keep a given clearance to the root of the mating gear. Internal to arrange/.
+// Makes the gears that are cut by a pinion cutter, before the pair is mounted. Also computes
+// the tips that keep a given clearance to the root of the mating gear. Internal to arrange/.
 #pragma once
 
 #include <array>
@@ -14,35 +14,36 @@ using MadeGears = std::array<std::optional<Gear>, 2>;
 /// The default clearance between a tip fillet and the mating gear's root: 0.2 m_n + 0.05 mm. [T6.7]
 inline double default_tip_clearance(double normal_module) { return 0.2 * normal_module + 0.05; }
 
-/// Makes every gear that has `cut_by`, and the other gear of the pair if it is the cutter of this
-/// gear. The resulting module, angles and shift are written into the input. If one gear cuts the
-/// other and no centre distance is given, the pair gets the generating centre distance.
+/// Makes every gear that has `cut_by`. If one gear of the pair cuts the other, also makes the
+/// gear that cuts. The resulting module, angles and shift are written into the input. If one
+/// gear cuts the other and no centre distance is given, the generating centre distance is
+/// written into the pair.
 ///
-/// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or does
-///           not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear; the errors
-///           of make_pinion_cut_gear
+/// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or
+///           does not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear;
+///           the errors of make_pinion_cut_gear
 std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made);
 
-/// Converts the clearance of a tip fillet into the radius at which the tooth ends, at the given
+/// Computes the radius at which the tooth ends from the clearance of a tip fillet, at the given
 /// centre distance.
 ///
-/// Errors    `gearN.tip_fillet.clearance` if there is no mating gear
+/// Errors    `gearN.tip_fillet.clearance` if there is no mating gear on a parallel axis
 std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
                                       std::optional<double> center_distance);
 
-// Rewrites an error about a computed number so that the error names the given number from which
-// this number was computed.
+// Rewrites errors about computed numbers, so that they name the given numbers from which the
+// computed numbers follow.
 
 /// Converts the error of a gear to an error of gear 1 or 2. If the gear is given by its base
-/// cylinder, the input contains no rack data, so the message names the rack that describes the
-/// gear.
+/// cylinder, the input contains no rack data. The message then names the rack that describes
+/// the gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// Replaces rack data in the error of a pair by the data of the base cylinder, if the named gear is
-/// given by its base cylinder.
+/// If the error of a pair names rack data of a gear that is given by its base cylinder,
+/// replaces these data by the data of the base cylinder.
 Error of_basic(const Error& error, const GivenPair& given);
 
-/// Attributes an error in the radius at which the tooth ends to the given tip clearance.
+/// Attributes an error about the radius at which the tooth ends to the given tip clearance.
 Error of_clearance(const Error& error, const GivenPair& given, int which);
 
 /// Attributes the error of a computed profile shift to the given centre distance.

@@ -39,11 +39,10 @@ std::string note_of_tip(const Arranged& arranged) {
 
 TEST(CutGears, note_the_tip_that_the_root_of_the_cutter_determines) {
   const Arranged ring = alone(shaped(-60, 25));
-  EXPECT_EQ(
-      note_of_tip(ring),
-      "`tip_diameter` is not given, so the tip diameter is 115.0000 mm, to which the root of "
-      "the cutter cuts. Usual cutters do not cut the tip; the usual tip diameter of this gear "
-      "is 116.0000 mm.");
+  EXPECT_EQ(note_of_tip(ring),
+            "`tip_diameter` is not given, so the root of the cutter cuts the tip to a diameter of "
+            "115.0000 mm. Usual cutters do not cut the tip; the usual tip diameter of this gear is "
+            "116.0000 mm.");
   GearInput usual = shaped(-60, 25);
   usual.cylindrical.tip_diameter = 116.0;
   EXPECT_EQ(note_of_tip(alone(usual)), "");

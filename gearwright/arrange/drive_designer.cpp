@@ -113,8 +113,9 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
   return least;
 }
 
-// The profile shifts to be tried. If the search gives shifts, only these are tried. The list is
-// empty if the teeth of the candidate are impossible. The shifts do not depend on the face width.
+// The profile shifts to be tried. If the search gives shifts, only they are tried. The list is
+// empty if the teeth of the candidate are impossible. The shifts do not depend on the face
+// width.
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
@@ -188,8 +189,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
 DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   if (!problem_.face_width) return with_width(std::move(candidate));
   // The least sufficient width in whole steps is found by bisection, because the safeties grow
-  // with the width. A limit that is meant as a whole number of steps may differ from this
-  // multiple by rounding.
+  // with the width. Limits that are whole numbers of steps may have a rounding error, which
+  // kRounding compensates.
   constexpr double kRounding = 1e-9;
   const double step = task_.face_step;
   // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.

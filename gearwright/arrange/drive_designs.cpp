@@ -30,9 +30,9 @@ class Candidates {
         made_(all.size()),
         threads_(threads) {}
 
-  // Leaves out the trains that by an estimate cannot have the required safeties, and returns their
-  // number. The estimate for a module is made from trains of this module that are evenly
-  // distributed over the order of the candidates.
+  // Leaves out the trains that, according to an estimate, cannot have the required safeties,
+  // and returns their number. The estimate for a module is made from trains of this module that
+  // are evenly distributed over the order of the candidates.
   std::size_t leave_out_hopeless() {
     if (problem_.kind != DriveKind::train || !task_.rate) return 0;
     std::map<double, std::vector<std::size_t>> of_module;
@@ -83,8 +83,8 @@ class Candidates {
     return std::nullopt;
   }
 
-  // The next candidates that have not been computed, in the order of the first objective. Trains
-  // whose sliding exceeds the limit in one stage are left out.
+  // The next candidates that have not been computed, in the order of the first objective.
+  // Leaves out the trains in which the sliding of a stage exceeds the limit.
   std::vector<std::size_t> next(std::size_t count, DriveDesigns& designs) {
     std::vector<std::size_t> which;
     for (; first_ < all_->size() && which.size() < count; ++first_) {
@@ -149,10 +149,10 @@ class Candidates {
     return TrainStrength(rated);
   }
 
-  // Gives each stage the least module with which it may have the required safeties by the estimate,
-  // and sorts the candidates again, by the size that is probable without the margins of the
-  // estimate. A train is left out if a stage has no such module, or if the train is too large.
-  // Returns the number of trains that are left out.
+  // Gives each stage the least module with which, according to the estimate, it may have the
+  // required safeties. Leaves out a train if a stage has no such module or if the train is too
+  // large, and returns the number of these trains. Sorts the other trains by the first
+  // objective, with the sizes that the estimate gives without its margins.
   std::size_t choose_first_modules() {
     std::vector<std::size_t> which(all_->size());
     std::iota(which.begin(), which.end(), std::size_t{0});
@@ -193,7 +193,8 @@ class Candidates {
     return hopeless;
   }
 
-  // The train with the greatest face width that stage k permits if it has this module.
+  // The train with this module in all stages and with the greatest face width that stage k
+  // permits.
   DriveCandidate widest_stage(const DriveCandidate& train, std::size_t k, double module) const {
     DriveCandidate widest;
     widest.stages = {train.stages[k]};
@@ -203,8 +204,8 @@ class Candidates {
     return widest;
   }
 
-  // True if the sliding of one stage of a train exceeds the limit. It depends neither on the other
-  // stages nor on the load, so it is computed once for each stage.
+  // True if the sliding of one stage of a train exceeds the limit. The sliding of a stage
+  // depends neither on the other stages nor on the load, so it is computed once for each stage.
   bool slides_too_much(const DriveCandidate& train) {
     if (problem_.kind != DriveKind::train || problem_.sliding == kInfinity) return false;
     for (std::size_t k = 0; k < train.stages.size(); ++k) {
@@ -212,8 +213,9 @@ class Candidates {
       const auto [place, is_new] =
           sliding_.try_emplace({module, train.stages[k][0], train.stages[k][1]}, 0.0);
       if (is_new) {
-        // A stage may get a greater module later. The shifts without undercut depend slightly on
-        // the module, because the thickness allowances are not proportional to it.
+        // A stage may get a greater module later, and the shifts without undercut depend
+        // slightly on the module, because the thickness allowances are not proportional to it.
+        // The lesser sliding counts.
         DriveCandidate alone = train;
         alone.stages = {train.stages[k]};
         alone.stage_modules.clear();
@@ -228,7 +230,8 @@ class Candidates {
     return false;
   }
 
-  // Counts a candidate that will be computed. False if the limit of its module is reached.
+  // Returns false, without counting the candidate, if kMostComputedDrives candidates of the
+  // same module are already counted.
   bool take(std::size_t i) {
     std::size_t& computed = computed_[(*all_)[i].module];
     if (computed == kMostComputedDrives) return false;

@@ -85,8 +85,8 @@ class DriveDesigner {
   /// A train with its greatest face width and, for each stage, the greatest safeties over all trials
   /// of profile shifts. None if the train cannot be rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const;
-  /// The least specific sliding of a train over all trials of profile shifts. It is 0 if the teeth
-  /// cannot be made, because this is another reason to leave a train out.
+  /// The least specific sliding of a train over all trials of profile shifts. It is 0 if the
+  /// teeth cannot be made, because the train is then left out for another reason.
   double least_sliding(DriveCandidate candidate) const;
 
  private:

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPerCubicMillimetre = 1e-9;
 
-// The material of this name or kind, without the given numbers. None for a plastic, and if neither
-// name nor kind is known.
+// The material with this name or kind in the table of materials, without regard to the given
+// numbers. None for a plastic, or if the name is not in the table and no kind is given.
 std::optional<Material> usual_material(const MaterialInput& given) {
   if (given.kind == MaterialKind::plastic) return std::nullopt;
   const auto row = given.name ? material_named(*given.name) : std::nullopt;

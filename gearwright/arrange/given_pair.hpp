@@ -67,7 +67,8 @@ struct GearInput;
 /// The two ends of a range.
 using Ends = std::array<double, 2>;
 
-/// The pinion cutter of a gear, and the sum of profile shifts that determines how deep it cuts.
+/// The pinion cutter of a gear, and the sum of profile shifts that determines the depth of the
+/// cut.
 struct CutByInput {
   int gear = 0;                              ///< 1 or 2 if gear 1 or 2 of the spec is the cutter,
                                              ///< otherwise 0
@@ -85,8 +86,9 @@ struct MeasureInput {
   std::optional<double> chord_diameter{};  ///< d_y  mm, at which the jaws touch
 };
 
-/// The accuracy grade of the flanks, a series or a measurement that determines the thickness
-/// allowances, the deviations of the tip diameter, and the runout of the blank.
+/// The accuracy grade of the flanks, the tolerances of tooth thickness and tip diameter, and
+/// the runout of the blank. The tolerance of the tooth thickness is given by a series or a
+/// measurement.
 struct ToleranceInput {
   std::optional<int> quality;                           ///< A, the ISO 1328 grade
   FlankTolerances edition = FlankTolerances::iso_2013;  ///< edition of ISO 1328-1
@@ -129,8 +131,8 @@ struct GearInput {
   std::optional<Shaft> shaft;
   std::array<FlankModifications, 2> modifications;  ///< right flank, left flank
 
-  /// The input for a gear with a complete spec. If the caller resets `profile_shift` of the result,
-  /// arrange() computes the profile shift.
+  /// The input for a gear whose spec is complete. If the caller resets `profile_shift` in the
+  /// returned input, arrange() computes the profile shift.
   static GearInput of(const CylindricalSpec& spec) {
     GearInput gear;
     gear.cylindrical = spec;
@@ -194,8 +196,8 @@ struct GivenPair {
 
 // Checks whether the input is possible for gears with circular-arc teeth.
 
-/// True if the gear has circular-arc teeth: its own rack, or the rack of its cutter, consists of
-/// arcs.
+/// True if the gear has circular-arc teeth, because its own rack or the rack of its cutter
+/// consists of arcs.
 bool has_arcs(const GearInput& gear);
 
 /// True if at least one gear of the pair has circular-arc teeth.

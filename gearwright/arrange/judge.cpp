@@ -35,8 +35,8 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   return judged;
 }
 
-// The gears at one combination of the ends of their tolerances, rated with the load of the nominal
-// gears.
+// The gears at one combination of the ends of their tolerances, rated under the load of the
+// nominal gears.
 struct RatedAgain {
   RatedPair pair;
   Rating rating;
@@ -70,7 +70,8 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// Sets to its nominal value every toleranced number that does not affect the finding.
+// Returns `corner` without the toleranced numbers that do not affect the finding, which then
+// have their nominal values. At least one number keeps its end.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,
@@ -87,8 +88,8 @@ ToleranceCorner what_matters(const Arranged& arranged,
   return corner;
 }
 
-// Judges the nominal gears and then every combination of the ends of their tolerances, until
-// `visit` returns false.
+// Judges the nominal gears and then every combination of the ends of their tolerances, as long
+// as `visit` returns true.
 void visit_states(const Arranged& arranged, const JudgedWith& with,
                   const std::function<bool(const JudgedState&)>& visit) {
   if (!visit({findings_of(judged_of(arranged, with)), {}})) return;
@@ -145,9 +146,9 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// Sets the helix angle and returns true. If a transverse module or pressure angle is given, the
-// normal one would change with the helix angle. The function then changes nothing and returns
-// false.
+// Sets the helix angle and returns true. If the transverse module or the transverse pressure
+// angle is given, changes nothing and returns false, because a new helix angle would change the
+// normal module and the normal pressure angle.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);
@@ -155,8 +156,8 @@ bool set_helix(GearInput& gear, double degrees) {
   return true;
 }
 
-// Sets the face width to `value`, which includes the gap of a double-helical gear. The member
-// `face_width` is the face of one half.
+// Sets the face width to `value`, which includes the gap of a double-helical gear. For such a
+// gear, the member `face_width` receives the face width of one half.
 void set_face(GearInput& gear, double value) {
   gear.cylindrical.face_width =
       gear.double_helical ? (value - gear.double_helical->gap) / 2 : value;
@@ -194,8 +195,8 @@ bool change_gear(GivenPair& given, const SpecChange& change) {
   return false;
 }
 
-// Changes the input as a user would who follows a proposal of the verdict. Returns false if the
-// input gives the number in another form, or if another gear determines the number.
+// Makes the change that a user would make to follow a proposal of the verdict. Returns false if
+// the input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change) {
   if (change.what == Adjustable::center_distance) {
     given.pair.center_distance = change.value;

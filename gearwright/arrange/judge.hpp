@@ -1,9 +1,10 @@
 // Judges gears at their nominal values and at the ends of their tolerances.
 //
-// Every limit is checked for the nominal values and for every combination of the ends of the
-// tolerances. If a finding is worse at one of these combinations, the finding names it. The contact
-// analysis uses the nominal gears, at the mean of their tolerances. A remedy is a change of the
-// input. A remedy is proposed only after the changed input has been arranged and judged.
+// Each toleranced number has two ends, the least and the greatest permitted value. Every limit
+// is checked for the nominal values and for every combination of ends. If a finding is worse at
+// one of these combinations, the finding names the combination. The contact analysis uses the
+// nominal gears, at the mean of their tolerances. A remedy is a change of the input. A remedy
+// is proposed only after the changed input has been arranged and judged.
 #pragma once
 
 #include <functional>
@@ -40,17 +41,19 @@ struct JudgedState {
 };
 
 /// All findings for the nominal values, and all findings that are worse at a combination of the
-/// ends of the tolerances. The findings have no remedies.
+/// ends of the tolerances. None of them has a remedy.
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
 /// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.
 Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 
-// Converts a design that a search has found into the data of a drawing, and judges this drawing.
+// Converts a design that a search has found into the data of a drawing, and judges this
+// drawing.
 //
-// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
-// distance. The verdict covers the nominal pair and all ends of these tolerances.
+// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and
+// centre distance. The verdict covers the nominal pair and every combination of the ends of
+// these tolerances.
 
 /// The verdict on the drawing. If the search computes a rating, the verdict includes it. The
 /// finding that the rating of plastics ignores wear is omitted, because it applies to every design.
@@ -81,8 +84,8 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const WantedSafety& wanted = {1.0, 1.0});
 
 /// The level of the verdict of judge_drive(), without a search for remedies.
-/// `unequal_spacing_counts` is false if the caller has requested unequally spaced planets. Unequal
-/// spacing is then no finding.
+/// `unequal_spacing_counts` is false if the caller has requested unequally spaced planets. In
+/// this case, unequal spacing is not a finding.
 Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

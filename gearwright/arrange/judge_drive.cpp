@@ -219,8 +219,8 @@ std::string running(const Drive& drive) {
   if (!pair) return text + fmt::format(" There is no backlash in the mesh {}.", name);
   const CylindricalSpec& spec = pair->gears[0].spec;
   const double recommended = recommended_backlash(pair->center_distance, spec.normal_module);
-  // The same E_sn of both gears changes j_bn by −2 (E_sn − mean) cos α_n, where `mean` is the mean
-  // of their present allowances, and j_n = j_bn/cos α_wn.
+  // If both gears get the same allowance E_sn, j_bn changes by −2 (E_sn − mean) cos α_n, where
+  // `mean` is the mean of the present allowances. The normal backlash is j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->mesh.rack.angles.cos_alpha;
   const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
@@ -279,8 +279,8 @@ Verdict judge_drive(const Drive& drive, const DriveInput& input,
   });
   Verdict verdict;
   if (!parts.empty()) verdict.level = parts.front().finding.level;
-  // The changed drive of a remedy is neither rated nor analysed for contact. Remedies are therefore
-  // tried only for a drive without ratings and without contact results.
+  // When a remedy is tried, the changed drive is neither rated nor analysed for contact.
+  // Remedies are therefore tried only for a drive without ratings and without contact results.
   const auto worst = parts.empty() ? std::nullopt : parts.front().mesh;
   if (verdict.level != Level::green && worst && drive.geometry.pairs[*worst] &&
       drive.ratings.empty() && drive.contacts.empty())

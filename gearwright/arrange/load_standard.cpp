@@ -61,9 +61,9 @@ namespace {
 
 constexpr double kWorthANote = 0.25;  // least relative difference from c_γα that causes a note
 constexpr double kFactor = 0.03;      // a factor within this distance of 1 is not mentioned
-// The known effects explain a part of the ratio of the computed to the standard stiffness. If the
-// rest of this ratio differs from 1 by more than kMuchLeft, the effects of face width and bodies are
-// also computed.
+// The ratio of the computed stiffness to the stiffness of the standard is the product of the
+// factors of the known effects and a remaining factor. If the remaining factor differs from 1
+// by more than kMuchLeft, the effects of face width and bodies are also computed.
 constexpr double kMuchLeft = 0.1;
 constexpr double kOverlap = 2.0;  // least overlap ratio of a helical face that is not narrow
 constexpr double kWidest = 12.0;  // modules; a wider face takes long and changes nothing
@@ -107,9 +107,9 @@ double solid_body(const Gear& gear) {
                          : kShaft * gear.root_diameter;
 }
 
-// The stiffness of the pair without errors and modifications. The faces are wider by the factor
-// `wider`, and the line load is unchanged. If `solid`, the bodies are solid. The accuracy is low,
-// but sufficient for ratios. NaN if there is no such pair.
+// The stiffness of the pair without errors and modifications, with faces that are wider by the
+// factor `wider` under the same line load. If `solid` is true, the bodies are solid. The
+// accuracy is low, but sufficient for ratios. NaN if no such pair can be computed.
 double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   std::array<Gear, 2> gears{task.setup.gear(1), task.setup.gear(2)};
   LoadRequest request = task.request.undeflected();
@@ -129,8 +129,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new compliance tables: a narrow helical face, and bodies that are not
-// held at the diameter of a solid body.
+// Adds the effects that need new compliance tables: of a narrow helical face, and of bodies
+// that are held at another diameter than solid bodies.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};
@@ -206,13 +206,13 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
     warnings.push_back(
         {WarningCode::stiffness_differs,
          list.empty()
-             ? fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
-                           "as stiff as c_γα of ISO 6336-1. The difference is due to the teeth "
-                           "themselves{}, not to errors, modifications, face width or bodies.",
+             ? fmt::format("At {} N m, the mesh stiffness without the twist of the bodies is "
+                           "{:.2f} times c_γα of ISO 6336-1. The difference is not due to errors, "
+                           "modifications, face width or bodies, but to the teeth themselves{}.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, ring)
-             : fmt::format("At {} N m the mesh, without the twist of the bodies, is {:.2f} times "
-                           "as stiff as c_γα of ISO 6336-1. This ratio includes a factor of {}. "
-                           "The remaining factor of {:.2f} is due to the teeth themselves{}.",
+             : fmt::format("At {} N m, the mesh stiffness without the twist of the bodies is "
+                           "{:.2f} times c_γα of ISO 6336-1. This ratio contains these factors: "
+                           "{}. The remaining factor of {:.2f} is due to the teeth themselves{}.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, list,
                            left, ring),
          0});

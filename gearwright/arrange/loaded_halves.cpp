@@ -27,8 +27,9 @@ LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Ge
   LoadInput input = whole;
   input.probes.clear();
   for (double& torque : input.torques) torque /= 2;
-  // With x = z/b, the deflection over the whole face is slope · x + bow · (1 − 4x²). The code
-  // expands this polynomial about the middle of the half.
+  // With x = z/b, the deflection over the whole face is slope · x + bow · (1 − 4x²). The
+  // deflection over the half follows from an expansion of this polynomial about the middle of
+  // the half.
   const double share = narrower.half_face_width / narrower.face_width;
   const double x = (1 - share) / 2;
   const double slope = below ? -whole.deflection_slope : whole.deflection_slope;

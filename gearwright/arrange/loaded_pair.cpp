@@ -86,14 +86,14 @@ Error not_for_shaft(int which, bool of_half) {
   return {
       gear_field(which, "shaft"), "",
       of_half
-          ? "applies under load to single-helical gears only; leave it out, and give the slope and "
-            "the bow of the deflection in `load`"
+          ? "cannot be used for a double-helical gear under load; leave it out, and give the slope "
+            "and the bow of the deflection in `load`"
           : "applies under load only to teeth with line contact, but these teeth have point "
             "contact; leave it out, and give the displacement of the gears in `errors` instead"};
 }
 
-// Lists the rotations of gear 1 for which `is` returns true, at most kMostNamed of them. Returns an
-// empty text if there are none.
+// Lists the rotations of gear 1 at which `is` returns true. At most kMostNamed of them are
+// named, and the others are counted. Returns an empty text if there are none.
 template <class Is>
 std::string rotations_where(const LoadedTorque& t, Is is) {
   constexpr int kMostNamed = 8;
@@ -109,7 +109,8 @@ std::string rotations_where(const LoadedTorque& t, Is is) {
 void warn_about(const LoadedContact& contact, double share, std::vector<Warning>& warnings) {
   const auto untouched = [](const LoadedPosition& p) { return !p.solved() && !p.unfinished; };
   const auto is_lost = [](const Warning& w) { return w.code == WarningCode::contact_lost; };
-  // The first torque is sufficient here, because it does not affect whether teeth touch.
+  // The first torque is sufficient here, because the torque does not affect whether teeth
+  // touch.
   if (const std::string where = rotations_where(contact.torques.front(), untouched);
       !where.empty() && std::none_of(warnings.begin(), warnings.end(), is_lost))
     warnings.push_back(
@@ -162,7 +163,8 @@ Result<std::array<ElasticBody, 2>> bodies_of(const Arranged& arranged,
   return bodies;
 }
 
-// The member of the input that deflects the axes under load; empty if nothing deflects them.
+// The member of the input that causes a deflection of the axes under load; empty if there is
+// none.
 std::string deflecting_member(const LoadRequest& request) {
   for (const int which : {1, 2})
     if (request.shafts[static_cast<std::size_t>(which - 1)]) return gear_field(which, "shaft");

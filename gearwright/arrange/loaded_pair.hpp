@@ -34,15 +34,15 @@ struct LoadAnalysis {
   std::vector<LoadAnalysis> halves{};
 };
 
-/// One half of a double-helical pair. Each half is computed as a separate pair. The half at z < 0
-/// is computed as its mirror image.
+/// One half of a double-helical pair, which is computed as a separate pair. For the half at
+/// z < 0, this pair is its mirror image.
 struct HalfPlace {
   bool below = false;
   const PairCompliance* ready = nullptr;  ///< compliance of the other half if its teeth are equal;
                                           ///< null if it must be computed
 };
 
-/// Diameter at which a gear without a bore is held, as a fraction of its root diameter.
+/// The diameter at which a gear without a bore is held, as a fraction of the root diameter.
 inline constexpr double kShaft = 0.5;
 
 /// The results of the pair under each of the torques, and the results of the probes. Warnings about
@@ -83,8 +83,8 @@ struct LoadTask {
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
                            const LoadInput& input, std::vector<Warning>& warnings);
 
-/// The reason why a result cannot be used; none if it can be used. Warnings about the validity of
-/// the result are then added to `warnings`.
+/// Returns the reason why a result cannot be used. If it can be used, returns none and adds
+/// warnings about the validity of the result to `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 
@@ -104,8 +104,8 @@ std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnal
 // purpose, the pair is computed again: without errors, then also without modifications, and then
 // with a wider face and with solid bodies.
 
-/// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note gives the
-/// factor of each cause and the remaining factor.
+/// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note
+/// contains the factor of each cause and the remaining factor.
 ///
 /// Domain    a result of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
@@ -114,9 +114,9 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
 // Computes the halves of a double-helical pair under torque, and combines them into the results of
 // the whole gears.
 
-/// Computes each half under half of the torque, and combines the results. `arranged` is the half at
-/// z > 0. The deflections in `input` refer to the whole face including the gap. If the faces
-/// differ, this is the face of the narrower gear.
+/// Computes each half under half of the torque, and combines the results. `arranged` contains
+/// the half at z > 0. The deflections in `input` refer to the whole face including the gap. If
+/// the faces of the gears differ, they refer to the face of the narrower gear.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()
@@ -125,13 +125,13 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
 
-/// True if the load distributions of both halves are mirror images of each other. Only one of the
-/// halves is then computed.
+/// True if the load distributions of both halves are mirror images of each other. In this case,
+/// only one half is computed.
 bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
 
-/// Derives the input for one half from the input for the whole gears: half of the torque, and the
-/// deflections over this half. If `below`, the half is the half at z < 0, and the rotations and the
-/// direction of z are those of its mirror image. Probes are omitted.
+/// Derives the input for one half from the input for the whole gears: half of the torque, and
+/// the deflections over this half. If `below` is true, the input is for the half at z < 0, and
+/// its rotations and the direction of z are those of the mirror image. Probes are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

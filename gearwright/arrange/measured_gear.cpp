@@ -91,10 +91,10 @@ class Measuring {
       return std::nullopt;
     }
     const std::string instead =
-        usual ? fmt::format("; over {} teeth they do", usual->teeth) : std::string();
+        usual ? fmt::format("; over {} teeth they lie on it", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
       warn(WarningCode::span_off_flank,
-           fmt::format("In a span over {} teeth, the contacts on a diameter of {} mm do not lie on "
+           fmt::format("In a span over {} teeth, the contacts lie on a diameter of {} mm, outside "
                        "the usable flank{}.",
                        asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
@@ -109,8 +109,8 @@ class Measuring {
     return std::nullopt;
   }
 
-  // Adds a note if the anvils would rest on less of a helical flank than measuring practice
-  // requires.
+  // Adds a note if the face width is less than measuring practice requires for the span. In
+  // this case, the anvils rest on too little of the helical flank.
   void note_narrow_face(const GearMeasures& m) {
     const double b = gear_.spec.face_width;
     if (!m.span || m.span->min_face_width == 0.0 || practical_face_width(gear_, *m.span) <= b)
@@ -129,8 +129,8 @@ class Measuring {
                     : " Measure over balls."));
   }
 
-  // The seat of a ball of the given diameter. If no diameter is given, the ball has the standard
-  // size, or the ideal size if the standard size does not fit.
+  // The seat of a ball with the given diameter. If no diameter is given, the ball has the
+  // standard size, or the ideal size if a ball of the standard size does not fit.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -143,7 +143,7 @@ class Measuring {
     if (seat.usable()) return;
     warn(code,
          fmt::format(
-             "The contacts of {} of {} mm, on a diameter of {} mm, do not lie on the usable flank.",
+             "The contacts of {} of {} mm lie on a diameter of {} mm, outside the usable flank.",
              what, format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
   }
 
@@ -231,9 +231,9 @@ class Measuring {
     return std::nullopt;
   }
 
-  // Sets the tolerances of the axes of the pair. They are computed from the helix tolerance of the
-  // gear whose helix tolerance is coarser. A mating gear without a grade gets the grade of this
-  // gear.
+  // Sets the tolerances of the axes of the pair. They are computed from the greater of the
+  // helix tolerances of both gears. If the mating gear has no grade, they are computed from the
+  // helix tolerance of this gear.
   void set_axes(FlankToleranceValues& t) {
     if (!request_.bearing_span) return;
     const int mate = 3 - which_;

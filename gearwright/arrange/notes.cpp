@@ -38,9 +38,9 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format("and is not computed, because `pair.choose_profile_shifts` = false; at "
-                  "`pair.center_distance` = {} mm the default would be {}. Give the profile "
-                  "shifts, which determine the backlash",
+      fmt::format("and is not computed, because `pair.choose_profile_shifts` = false; the default "
+                  "for `pair.center_distance` = {} mm would be {}. Give the profile shifts, which "
+                  "determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 
@@ -53,8 +53,8 @@ std::optional<Warning> note_shifts(const GivenPair& given) {
     if (!gear->profile_shift)
       greatest = std::max(greatest, std::abs(gear->cylindrical.profile_shift));
   if (greatest < kRounding) return std::nullopt;
-  // If the sum is 0, gears without profile shift have the same centre distance. Old and
-  // exchangeable gears are cut without profile shift, so the user may have meant such gears.
+  // If the sum is 0, gears without profile shift have the same centre distance. The user may
+  // have meant such gears, because old and interchangeable gears are cut without profile shift.
   const double sum =
       given.gears[0]->cylindrical.profile_shift + given.gears[1]->cylindrical.profile_shift;
   const bool standard =

@@ -1,5 +1,5 @@
-// Notes on the input (profile shifts that follow from the centre distance, flanks that overlap, keys
-// that were ignored) and warnings about the contact.
+// Notes on the input (profile shifts that follow from the centre distance, flanks that overlap,
+// keys that were ignored) and warnings about the contact.
 #pragma once
 
 #include <optional>
@@ -30,12 +30,13 @@ std::optional<Warning> note_rack(const GearInput& gear, int which);
 /// these shifts and gives possible values.
 std::optional<Error> forbidden_shifts(const GivenPair& given);
 
-/// A note that the flanks of an internal pair on crossed axes overlap beside the line of action.
-/// None if the lead crowning in `given` prevents this in both directions of rotation.
+/// A note that, on crossed axes, the flanks of an internal pair overlap beside the line of
+/// action. None if the lead crowning in `given` prevents the overlap in both directions of
+/// rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
-/// Adds to `warnings` each warning of `found` that `warnings` does not contain yet. The text
-/// `before` is put in front of the message of each added warning.
+/// Appends to `warnings` the warnings of `found` that it does not contain yet. The message of
+/// each appended warning begins with the text `before`.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
@@ -56,8 +57,9 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
 // The warnings about the contact of a pair with errors of mounting. They state facts that the
 // numbers of the contact analysis do not show.
 
-/// Warns if the gears jam, see jams(). `touched` is the part of the message that names the surfaces
-/// in contact at the same time: "both flanks of a tooth space are".
+/// Warns if the gears jam, see jams(). `touched` is a part of the message. It names the
+/// surfaces that are in contact at the same time, for example "both flanks of a tooth space
+/// are".
 void warn_of_jam(Angle least_play, const Gear& moved, RackTravel rack, std::string_view touched,
                  std::vector<Warning>& warnings);
 

@@ -67,7 +67,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
   if (!found) return found.error();
   p.deflection = found->amount;
   p.unloaded = found->unloaded;
-  // Equal gears need equal reliefs, but the compliance tables of neighbouring teeth cause
+  // Equal gears need equal reliefs, but the compliance tables of the two gears cause
   // differences of half a percent.
   const double greater = std::max(p.deflection[0], p.deflection[1]);
   if (std::abs(p.deflection[0] - p.deflection[1]) < kSame * greater)
@@ -100,7 +100,8 @@ LeadProposal propose_lead(const FaceDeflection& deflection, double deviation, do
 
 namespace {
 
-// Calls f(gear, at_tip, relief, field) for each relief without a start, until f returns a value.
+// Calls f(gear, at_tip, relief, field) for each relief that has no start, until f returns a
+// value.
 template <class Given, class F>
 auto first_without_start(Given& given, const F& f) {
   using Answer = decltype(f(1, true, given.gear(1).modifications[0].tip_relief, std::string()));

@@ -17,15 +17,17 @@
 
 namespace gearwright {
 
-// Computes where short and long reliefs start. A relief that is given by its amount alone is short.
+// Computes where short and long reliefs start. If only the amount of a relief is given, the
+// relief is short.
 //
 //   ε_α   transverse contact ratio over the usable flanks       p_bt   transverse base pitch
 //   ρ     radius of curvature of a flank, which gives the position on the path of contact
 //
-// Short tip reliefs on both gears leave one base pitch of the path without relief, so an unrelieved
-// tooth is always in contact. Each relief covers half of the remaining path, (ε_α − 1) p_bt/2. A
-// long relief covers (ε_α − 1) p_bt. It ends where single pair contact begins. The root relief of a
-// gear has the same length as its tip relief and lies at the other end of the path.
+// Short tip reliefs on both gears leave one base pitch of the path without relief, so an
+// unrelieved tooth is always in contact. Each relief covers half of the remaining path,
+// (ε_α − 1) p_bt/2. A long relief covers (ε_α − 1) p_bt. It ends where single pair contact
+// begins. The root relief of a gear has the same length as its tip relief and lies at the
+// opposite end of the path.
 //                                       theory: docs/theory/12-loaded-contact.md
 
 enum class ReliefLength { short_relief, long_relief };
@@ -43,10 +45,11 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
 
 /// True if some tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);
-/// The error about the first relief without a start, if there is no mating gear.
+/// The error about the first relief without a start. It applies to a gear without a mating
+/// gear, from which the start could be computed.
 Error missing_relief_start(const GivenPair& given);
 
-/// Sets the start of each tip or root relief that has none, on both gears of a pair.
+/// Computes the start of each tip or root relief that has none, on both gears of a pair.
 ///
 /// Errors    `gearN.modifications.tip_relief.reach` if the pair allows no such start
 std::optional<Error> place_reliefs(GivenPair& given, const Pair& pair);
@@ -56,12 +59,12 @@ struct LeadProposal {
   bool any() const { return slope != 0.0 || crowning != 0.0; }
 };
 
-/// Reliefs at the tips of both gears. A tip relief and a root relief of gear 1 can replace them,
-/// because the root of gear 1 meets the tip of gear 2.
+/// Reliefs at the tips of both gears. Instead, gear 1 alone can have a tip relief and a root
+/// relief, because the root of gear 1 meets the tip of gear 2.
 struct ReliefProposal {
   ReliefLength length = ReliefLength::short_relief;
   std::array<double, 2> deflection{};  ///< C_i  mm, due to the load
-  /// False if the tip of a gear still carries load with the greatest relief.
+  /// False if the tip of the gear carries load even with the greatest relief.
   std::array<bool, 2> unloaded{true, true};
   std::array<double, 2> tip_start{};  ///< mm, diameters, rounded to 1 µm
   double root_start = 0.0;            ///< mm, diameter on gear 1
@@ -86,7 +89,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
                                                      ReliefLength length,
                                                      const LeadProposal* lead = nullptr);
 
-/// The sum of the deflection that the shafts have under a torque on gear 1, N mm, and the given
+/// The deflection that the shafts have under a torque on gear 1, N mm, plus the given
 /// deflection. The load is assumed to be uniform over the face, because the helix slope that
 /// compensates the deflection makes it uniform.
 ///

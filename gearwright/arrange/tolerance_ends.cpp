@@ -26,15 +26,16 @@ double allowance_of(const Gear& gear, double base_thickness) {
                                              std::cos(gear.spec.helix_angle.rad());
 }
 
-// The error if a measured dimension is so far from the nominal dimension that another number of
-// teeth would be nearer to the nominal gear. The allowance is then more than half a pitch.
+// Returns an error if a measured dimension requires a thickness allowance of more than half a
+// pitch. The dimension then probably belongs to another number of spanned teeth or to another
+// gear.
 std::optional<Error> other_teeth(const Gear& gear, const char* field, double read, double allowance,
                                  const std::string& remedy) {
   const double most = std::numbers::pi / 2 * gear.spec.normal_module;
   if (std::abs(allowance) <= most) return std::nullopt;
   return refused(field, read,
-                 fmt::format("does not match this gear, because it would need a thickness "
-                             "allowance of {:.4f} mm, which is more than half a pitch, {:.4f} mm; ",
+                 fmt::format("does not match this gear; it would need a thickness allowance of "
+                             "{:.4f} mm, which is more than half a pitch ({:.4f} mm); ",
                              allowance, most) +
                      remedy);
 }
@@ -58,9 +59,10 @@ Result<Ends> of_span(const Gear& gear, const GearInput& input) {
     const double pitches = (read[i] - span->length) / gear.reference().base_pitch_normal;
     if (auto error = other_teeth(
             gear, "tolerance.span", read[i], ends[i],
-            fmt::format("the nominal span over {} teeth is {:.4f} mm, and this value is nearest to "
-                        "the span over {:.0f} teeth; check this value and `measure.span_teeth`",
-                        teeth, span->length, std::max(1.0, teeth + std::round(pitches)))))
+            fmt::format(
+                "the nominal span over {} teeth is {:.4f} mm, but the given span is nearest to the "
+                "span over {:.0f} teeth; check the given span and `measure.span_teeth`",
+                teeth, span->length, std::max(1.0, teeth + std::round(pitches)))))
       return *error;
   }
   // On an internal gear, the greater span belongs to the thinner tooth, so the allowances are in
@@ -126,8 +128,8 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
   return std::optional<Ends>({-*half, *half});
 }
 
-// The tip diameter at one end. End 0 has the shorter tooth, and end 1 the longer tooth. The longer
-// tooth of an internal gear has the smaller tip diameter.
+// The tip diameter at one end of its tolerance. At end 0 the tooth is shorter, and at end 1 it
+// is longer. The longer tooth of an internal gear has the smaller tip diameter.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
   return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
 }
@@ -143,8 +145,9 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// Lets the cutter end the teeth again if it does so on the nominal gear, because its distance
-// depends on the thickness allowance.
+// If the gear has a cutter and its tip diameter is not given, removes the tip diameter of the
+// nominal gear, so that it is computed again. It depends on the distance of the cutter and
+// therefore on the thickness allowance.
 void follow_cutter(const Arranged& nominal, std::size_t i, GearInput& gear) {
   if (gear.cut_by && !nominal.given->gears[i]->cylindrical.tip_diameter)
     gear.cylindrical.tip_diameter.reset();
@@ -168,7 +171,8 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // A given backlash applies to the nominal gears, and their tooth thickness is unchanged here.
+    // A given backlash is that of the nominal gears. Here, the tooth thickness of the nominal
+    // gears is kept, and the backlash follows from it.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();
@@ -305,7 +309,8 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
     if (nominal.completed.gears[i]->tolerance.tip_deviations)
       add(TolerancedNumber::Of::tip, which, lower.gears[i].tip_diameter,
           upper.gears[i].tip_diameter);
-    // A given base cylinder determines the tooth thickness, which then has no tolerance.
+    // If the base cylinder is given, it determines the tooth thickness, which then has no
+    // tolerance.
     if (nominal.completed.gears[i]->basic) continue;
     add(TolerancedNumber::Of::thickness, which, lower.gears[i].spec.thickness_allowance,
         upper.gears[i].spec.thickness_allowance);

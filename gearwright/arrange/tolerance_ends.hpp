@@ -1,11 +1,13 @@
-// Converts tolerances to numbers. Computes the gears at both ends of their tolerances and at every
-// combination of the ends.
+// Converts tolerances to numbers. Computes the gears at both ends of their tolerances and at
+// every combination of the ends. Internal to arrange/.
 //
-// Within the small range of a tolerance, backlash, contact ratio, clearances, tip thickness and
-// safeties are monotonic in each toleranced number. The least and the greatest value of each
-// quantity therefore occur at a combination of ends. Such a combination is called a corner. The tip
-// of a thin tooth with a great tip diameter, for example, is thinner than at both ends.
-// Internal to arrange/.
+// The two ends of a tolerance are its least and its greatest permitted value. Within the small
+// range of a tolerance, backlash, contact ratio, clearances, tip thickness and safeties are
+// monotonic in each toleranced number. The least and the greatest value of each quantity
+// therefore occur at a combination of ends, which is called a corner. For example, the tip is
+// thinnest on a thin tooth with a great tip diameter. This is neither of the two ends of the
+// gear, because its thinnest tooth is combined with the shortest tip, and its thickest tooth
+// with the longest tip.
 #pragma once
 
 #include <memory>
@@ -33,9 +35,10 @@ std::optional<Error> apply_tip_fits(Arranged& nominal);
 /// Gears and pair at both ends. `nominal.given` is the unchanged input. None if there are no
 /// tolerances.
 ///
-/// Errors    as arrange() for the gears at one end; `pair.backlash` if the tolerance of the centre
-///           distance alone changes the backlash by more than the given range of the backlash;
-///           `pair.distance_tolerance` if ISO 286 has no such tolerance
+/// Errors    as arrange() for the gears at one end; `gearN.tolerance.tip_…` if the tip has a
+///           fillet; `pair.backlash` if the tolerance of the centre distance alone changes the
+///           backlash by more than the given range of the backlash; `pair.distance_tolerance`
+///           if ISO 286 has no such tolerance
 Result<std::shared_ptr<const ArrangedEnds>> arrange_ends(const Arranged& nominal, Scope scope);
 
 struct TolerancedNumber {
@@ -57,8 +60,8 @@ std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tol
 Result<Arranged> at_corner(const Arranged& nominal, const std::vector<TolerancedNumber>& tolerances,
                            const ToleranceCorner& corner);
 
-/// The gears and the pair at the corners that can be arranged; empty for a single tolerance, whose
-/// corners are its ends.
+/// The gears and the pair at those corners that can be arranged. Empty if only one number has a
+/// tolerance, because its corners are then the two ends.
 std::vector<Arranged> arranged_corners(const Arranged& nominal);
 
 /// A corner in words, for example "At a centre distance of 59.985 mm and a thickness allowance of
@@ -66,10 +69,11 @@ std::vector<Arranged> arranged_corners(const Arranged& nominal);
 std::string corner_words(const std::vector<TolerancedNumber>& tolerances,
                          const ToleranceCorner& corner);
 
-// Computes the gears and the pair at the mean of their tolerances, or as given without tolerances.
+// Computes the gears and the pair at the mean of their tolerances. Without tolerances, computes
+// them as given.
 
-/// Computes the result of arrange() without `ends` and `given`. If allowances are given by a series
-/// or a measurement, the caller must have converted them to numbers with with_allowances().
+/// Returns the result of arrange() without `ends` and `given`. If allowances are given by a
+/// series or a measurement, the caller must first convert them to numbers by with_allowances().
 Result<Arranged> arrange_nominal(const GivenPair& given, Scope scope);
 
 }  // namespace gearwright

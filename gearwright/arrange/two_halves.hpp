@@ -23,8 +23,8 @@ struct Halves {
   double half_face_width = 0.0;           ///< b_B  mm
   std::optional<double> groove_diameter;  ///< mm, as given or d_f ∓ m_n/2; none without a gap
   std::optional<double> hob_run_out;      ///< mm, least gap for the run-out of the hob
-  /// Δz/e: axial shift of the floating gear per index error e between its halves. The shift divides
-  /// the error equally between the halves.
+  /// Δz/e: axial shift of the floating gear per index error e between its halves. With this
+  /// shift, both halves have the same share of the error.
   double axial_shift_per_index_error;
 };
 

@@ -14,9 +14,9 @@ class Angle {
   static constexpr Angle degrees(double value) { return Angle(value * kRadPerDeg); }
   static constexpr Angle arcseconds(double value) { return Angle(value * kRadPerArcsec); }
   constexpr double rad() const { return rad_; }
-  /// The angle in degrees. A value given with at most ten decimals is returned as given: 60°, not
-  /// 59.99999999999999°. Angles of 1e5° and more are not rounded. For smaller angles, the number of
-  /// units of 1e-10° is at most 1e15, which a double holds exactly.
+  /// The angle in degrees. A value given with at most ten decimals is returned as given: 60°,
+  /// not 59.99999999999999°. This is possible below 1e5°, where the number of units of 1e-10°
+  /// is at most 1e15 and a double holds it exactly. Angles of 1e5° and more are not rounded.
   constexpr double deg() const {
     constexpr double kDecimals = 1e10;
     const double x = rad_ * kDegPerRad;

@@ -20,8 +20,8 @@ constexpr double kSame = 1e-12;  // a decimal within this relative difference of
 
 enum class Side { down, up };
 
-// Formats the limit. It is rounded towards the allowed side unless the nearest decimal equals the
-// limit.
+// Formats the limit with this number of digits. If the nearest decimal is outside the limit by
+// more than a rounding error, the next decimal on the allowed side is used.
 std::string limit_text(double limit, int digits, Side side) {
   const std::string nearest = with_digits(limit, digits);
   const double read = std::strtod(nearest.c_str(), nullptr);
@@ -82,7 +82,7 @@ Error following_from(std::string field, std::string value, std::string_view how,
 
 namespace {
 
-// The rule without its beginning "is missing", which absent_input() adds.
+// The rule without the words "is missing", with which absent_input() begins it.
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
   rule.remove_prefix(std::string_view("is missing").size());

@@ -51,10 +51,10 @@ Error absent_input(std::string field, std::string_view rest = {});
 Error refused(std::string field, double value, std::string rule);
 Error refused(std::string field, int value, std::string rule);
 
-/// The error of a value outside its limits. `rule` contains {} for each limit. The value and the
-/// limits are written with six digits, or with more if six do not distinguish them. A limit is
-/// rounded towards the allowed side, so that the printed limit is itself allowed. If there are two
-/// limits, they are the least and the greatest allowed value.
+/// The error of a value outside its limits. `rule` contains one {} for each limit. The value
+/// and the limits are written with six digits, or with more if six do not distinguish them. A
+/// limit is rounded towards the allowed side, so that the printed limit is itself allowed. If
+/// there are two limits, the first is the least and the second the greatest allowed value.
 Error refused(std::string field, double value, std::initializer_list<double> limits,
               std::string_view rule);
 
@@ -70,9 +70,9 @@ Error following_from(std::string field, std::string value, std::string_view how,
 // Combines all missing inputs in one error, so that a user with an almost empty input sees all of
 // them at once.
 
-/// The first error, with the others appended to its rule: "…; also missing: rating.quality (the
-/// accuracy grades …), …". Each field and each explanation occurs once. If there are errors of
-/// another kind than `missing`, only the first of these is returned.
+/// The first error, with the other missing inputs appended to its rule: "…; also missing:
+/// rating.quality (the accuracy grades …), …". Each field and each explanation occurs once. If
+/// there are errors of other kinds than `missing`, returns only the first of these.
 ///
 /// Domain    at least one error (contract)
 Error all_missing(const std::vector<Error>& errors);

@@ -19,8 +19,8 @@ inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a
 /// 0.100000.
 std::string with_digits(double x, int digits);
 
-/// The least number of significant digits, but at least six, that distinguishes x from `other`. It
-/// is six if x and `other` are equal.
+/// The number of significant digits, at least six, that is needed to distinguish x from
+/// `other`. Six if x and `other` are equal.
 int digits_between(double x, double other);
 
 /// A number with six significant digits, as it is written in a sentence.

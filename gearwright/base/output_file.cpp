@@ -33,7 +33,8 @@ void rename_into_place(const fs::path& from, const fs::path& to) {
   }
 }
 
-// The file that is finally written. A link is followed to its target, so the link is kept.
+// The file that is finally written. If the given path is a link, this is the target of the
+// link, so that the link is kept.
 struct Target {
   fs::path path;
   bool straight;  // true if the path is written directly, because renaming cannot replace a device

@@ -20,9 +20,9 @@ class IoError : public std::runtime_error {
 /// Throws    IoError naming the path and the system's reason; the temporary file is then removed
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// For writers that need a path (Parquet): calls `write` with a temporary path in the same folder,
-/// then renames the file. If `write` throws, the temporary file is removed and the exception passes
-/// through.
+/// For writers that need a path (Parquet). Calls `write` with a temporary path in the same
+/// folder, then renames the file. If `write` throws an exception, the temporary file is removed
+/// and the caller receives the exception.
 void write_file_by(const std::filesystem::path& path,
                    const std::function<void(const std::filesystem::path&)>& write);
 

@@ -24,8 +24,8 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
     tbb::parallel_for(std::size_t{0}, n, f);
     return;
   }
-  // The arena limits the threads of this call. The control permits more threads than the machine
-  // has cores.
+  // The arena limits the threads of this call. The global control permits this number of
+  // threads even if the machine has fewer cores.
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);

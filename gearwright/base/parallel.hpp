@@ -21,9 +21,11 @@ void parallel_for(std::size_t n, const std::function<void(std::size_t)>& f, int 
 /// Processes many items at once and delivers the results in the order of the items. Only a few
 /// items per thread are in memory at a time.
 ///
-///   next   writes the next item and returns false if there is none
+///   next   writes the next item into its argument and returns true, or returns false if there
+///          are no more items
 ///   work   computes the result of an item and returns the function that delivers it; `work` is
-///          called from many threads at once, and the functions that it returns are called in order
+///          called from many threads at once, and the functions that it returns are called in
+///          order
 void in_order(const std::function<bool(std::string&)>& next,
               const std::function<std::function<void()>(const std::string&)>& work,
               int threads = 0);

@@ -12,9 +12,9 @@ namespace gearwright {
 constexpr std::size_t kLongText =
     400;  ///< longest part of a title or a file name that is shown, in bytes
 
-/// Escapes control characters (including the control characters of ISO 6429 above 0x7F) and invalid
-/// UTF-8, so that a terminal shows them instead of executing them. Text longer than `most` bytes is
-/// cut after the character that reaches this length.
+/// Escapes control characters (including the control characters of ISO 6429 above 0x7F) and
+/// invalid UTF-8, so that a terminal shows them instead of executing them. The result is cut
+/// after the character with which it reaches `most` bytes, and "..." is appended.
 std::string printable(const std::string& text, std::size_t most = kLongText);
 
 // Reads UTF-8 one code point at a time, for writers of files with other encodings.

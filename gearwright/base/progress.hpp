@@ -1,8 +1,9 @@
-// The progress of a long computation: the computation counts, and any thread may read the count.
+// The progress of a long computation. The computation counts its steps, and any thread may read
+// the count.
 //
-// A computation with progress takes a `Progress*`, which may be null. Counting changes no result
-// and needs no lock. If a caller stops the computation, the next step throws `WorkStopped`, which
-// passes through the computation to the caller.
+// A computation with progress takes a `Progress*`, which may be null. Counting changes no
+// result and needs no lock. If a caller stops the computation, the next step throws
+// `WorkStopped`, which ends the computation and reaches the caller.
 #pragma once
 
 #include <atomic>

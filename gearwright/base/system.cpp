@@ -19,8 +19,9 @@ int open_file(const std::filesystem::path& path, int flags) {
   return ::open(path.c_str(), flags | O_CLOEXEC, 0666);
 }
 
-// Makes the allocator keep freed memory. By default glibc returns large blocks to the system at
-// once, and fetching their pages again took a third of the time of loaded contact.
+// Makes the allocator keep freed memory. By default, glibc returns large blocks to the system
+// at once. The system must then provide their pages again, which took a third of the time of
+// loaded contact.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;

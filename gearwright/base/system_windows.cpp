@@ -153,7 +153,8 @@ std::vector<std::string> start_program(int argc, char** argv) {
 #endif
   for (std::FILE* stream : {stdin, stdout}) ::_setmode(::_fileno(stream), _O_BINARY);
   ::SetConsoleOutputCP(CP_UTF8);
-  // The progress line is cleared by an escape sequence, which the console must be set to process.
+  // The progress line is cleared by an escape sequence. The console processes such sequences
+  // only in this mode.
   const HANDLE console = ::GetStdHandle(STD_ERROR_HANDLE);
   DWORD mode = 0;
   if (::GetConsoleMode(console, &mode) != 0)

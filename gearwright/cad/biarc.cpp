@@ -14,8 +14,9 @@ constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is w
 // If the angles between the chord and the two end tangents differ by less than this, rad, one arc
 // replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// Length of the shortest biarc as a fraction of the arc, and error of a biarc's length as a
-// fraction of this length. Lengths are differences of the arc's parameter.
+// The length of the shortest biarc as a fraction of the arc, and the permitted error of the
+// length of a biarc as a fraction of this length. Lengths are differences of the parameter of
+// the arc.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
@@ -139,14 +140,16 @@ class Fitter {
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
-  // If the error along a biarc has one or two maxima, 24 samples give the greatest value to 1 %,
-  // unless the speed of the parametrization varies strongly. The verification with kVouching
-  // samples detects such an arc, and the fit is then repeated with more samples.
+  // If the error along a biarc has one or two maxima and the speed of the parametrization
+  // varies little, 24 samples give the greatest error to 1 %. In other cases, the verification
+  // with kVouching samples may find a greater error. The fit is then repeated with more
+  // samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);
-    // More samples cannot correct an error above twice the tolerance. In that case, the curve needs
-    // more than 4096 steps, or rounding errors are too large.
+    // More samples cannot correct an error above twice the tolerance. The reason for such an
+    // error is that the curve needs more than 4096 steps, or that rounding errors are too
+    // large.
     if (chain.deviation_mm <= tolerance_mm || chain.deviation_mm > 2.0 * tolerance_mm) break;
   }
   return chain;

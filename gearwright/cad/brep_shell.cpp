@@ -137,9 +137,9 @@ Id ShellWriter::vector(const Vec3& d) {
   return id;
 }
 
-// A coordinate system on the gear's axis. At most one argument of a call writes instances. C++ does
-// not define the order in which arguments are evaluated, so the numbers of the instances would
-// otherwise depend on the compiler.
+// A coordinate system on the gear's axis. At most one argument of a call may write instances.
+// If two arguments wrote instances, their numbers would depend on the compiler, because C++
+// does not define the order in which arguments are evaluated.
 Id ShellWriter::frame(double z, const Vec3& x) {
   const Id origin = centre(z);
   const Id up = direction(Vec3::UnitZ());

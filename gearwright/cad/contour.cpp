@@ -107,8 +107,8 @@ Result<Contour> closed_contour(const Outline& outline) {
     root_sweep = 2.0 * (std::numbers::pi / z - std::atan2(p.y(), p.x()));
   }
 
-  // Without a land, two halves meet on the centre line of the tooth or space. The upper half gives
-  // the coordinates of this joint for both.
+  // Without a land, two halves meet at a joint on the centre line of the tooth or space. Both
+  // halves use the coordinates that the upper half gives for this joint.
   const Vec2 tip = links.back().end;
   const Vec2 root = links.front().begin;
   for (int k = 0; k < z; ++k) {

@@ -49,12 +49,13 @@ struct Contour {
   std::optional<RackBlock> rack{};
 };
 
-/// Connects the teeth to a closed contour. An arc shorter than 1e-6 mm gives no piece. The next
-/// piece then begins at the start of this arc.
+/// Connects the outlines of all teeth into one closed contour. An arc shorter than 1e-6 mm
+/// gives no piece. The next piece then begins at the start of this arc.
 ///
-/// Errors    if the outline crosses the centre line of the tooth or of the space (severed tooth)
-/// Domain    teeth ≠ 0; at least one arc; arcs joined without any gap; the first point on the ray
-///           π/|z| and the last one on the x axis within 1e-6 mm (contract)
+/// Errors    if the outline crosses the centre line of the tooth or of the space (severed
+///           tooth)
+/// Domain    teeth ≠ 0; at least one arc; arcs joined without any gap; the first point on the
+///           ray π/|z| and the last one on the x axis within 1e-6 mm (contract)
 Result<Contour> closed_contour(const Outline& outline);
 
 /// The contour of a rack with its teeth, ends and back, counter-clockwise. Lands, ends and back are
@@ -63,11 +64,11 @@ Result<Contour> closed_contour(const Outline& outline);
 /// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_pair.hpp hold (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
-/// Moves points on an arc of the half outline, given from root to tip, to the position and
-/// direction of the piece. The points are mirrored or reversed, and turned. The first and the last
-/// point are replaced by the ends of the piece.
-/// Domain    the piece is not a land, there are at least two points, and the moved end points lie
-///           within 3e-6 mm of the ends of the piece (contract)
+/// Moves points on an arc of the half outline to the position and direction of a piece. The
+/// points are given from root to tip. They are either mirrored or reversed, and then turned.
+/// The first and the last point are replaced by the ends of the piece.
+/// Domain    the piece is not a land, there are at least two points, and the moved end points
+///           lie within 3e-6 mm of the ends of the piece (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,
                          const std::vector<Vec2>& root_to_tip);
 

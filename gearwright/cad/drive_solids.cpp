@@ -19,7 +19,7 @@ constexpr double kNeckDepth = 0.25;
 // Least wall of a neck around the bore, and least distance between a neck and another gear, in
 // modules.
 constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
-// Least length of a neck, mm. The surfaces of a shorter one would be slivers.
+// Least length of a neck, mm. The surfaces of a shorter neck would be slivers.
 constexpr double kNeckLength_mm = 1e-3;
 
 // The solid of a gear or a rack in its own frame.
@@ -76,8 +76,8 @@ class Workpieces {
   }
 
  private:
-  // Gears of one solid from bottom to top, radii of the necks between them, and the reason why the
-  // lowest gear is not joined to the gear below it.
+  // The gears of one solid from bottom to top, and the radii of the necks between them.
+  // `separate` is the reason why the lowest gear is not joined to the gear below it.
   struct Chain {
     std::vector<std::size_t> gears;
     std::vector<double> necks;
@@ -168,8 +168,8 @@ class Workpieces {
     return away.norm() - tip;
   }
 
-  // True if the copies of a planet are clocked. The angle between the gears of one copy then
-  // differs from the angle between the gears of another copy.
+  // True if the copies of a planet are clocked. The angle between the gears of a copy then
+  // differs from copy to copy.
   bool clocked(std::size_t body) const {
     return std::any_of(drive_.sets.begin(), drive_.sets.end(), [&](const PlanetSet& set) {
       const auto& riders = set.group.riders;

@@ -1,8 +1,8 @@
-// The solids of whole gears and of drives, in their places and laid out for printing.
+// The solids of whole gears and of drives, at their positions or laid out for printing.
 //
-// External gears of one body with the same bore are one solid, in which a plain cylinder joins each
-// gear to the next one. Examples of such bodies are stepped planets and the intermediate shafts of
-// trains. Gears with different bores are separate workpieces, and so are rings.
+// External gears of one body with the same bore are one solid, in which a plain cylinder joins
+// each gear to the next one. Examples of such bodies are stepped planets and the intermediate
+// shafts of trains. Gears with different bores are separate workpieces, and so are rings.
 #pragma once
 
 #include <array>
@@ -16,10 +16,11 @@
 
 namespace gearwright {
 
-/// The body of a gear in its own frame. It includes the bore (for an internal gear, the rim), both
-/// halves of a double-helical gear, and the flank modifications. `which` is 1 or 2. The stagger
-/// turns the halves of mating external gears in opposite directions, and the halves of an external
-/// and an internal gear in the same direction, so that the halves mesh.
+/// The body of a gear in its own frame. It includes the bore (for an internal gear, the rim),
+/// both halves of a double-helical gear, and the flank modifications. `which` is 1 or 2. The
+/// halves must mesh with the halves of the mating gear. The stagger therefore turns them in
+/// opposite directions on two external gears, and in the same direction on an external and an
+/// internal gear.
 ///
 /// Domain    a gear for which gear_body() returns no error (contract)
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap; the errors of
@@ -28,9 +29,9 @@ Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
                                  const std::array<FlankModifications, 2>& modifications);
 
-/// Returns every copy of every solid, each in its place in the common frame of one file. A copy
-/// refers to the first solid with the same shape. Solids of one body have the same colour. If a
-/// gear is not joined to a gear of its body, `separate` gives the reason.
+/// Returns every copy of every solid, each at its position in the common frame of one file. A
+/// copy refers to the first solid with the same shape. Solids of one body have the same colour.
+/// If a gear is not joined to a gear of its body, `separate` gives the reason.
 ///
 /// Errors    a gear without an outline; the errors of body_as_made()
 Result<std::vector<ToothedBody>> drive_solids(const Drive& drive, const DriveLayout& layout);

@@ -50,11 +50,11 @@ struct StepLimits {
                     ///< this
 };
 
-/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search has
-/// the length `guess`.
+/// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search
+/// has the length `guess`.
 ///
-/// Accuracy  the step is too short by at most limits.known times its length; if no step fits, its
-///           length is at most limits.shortest
+/// Accuracy  the step from `from` to x is too short by at most limits.known times its length;
+///           if no step fits, its length is at most limits.shortest
 /// Domain    from < to, guess > 0
 template <class Fits>
 double longest_step(double from, double to, double guess, StepLimits limits, const Fits& fits) {

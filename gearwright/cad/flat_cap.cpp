@@ -16,8 +16,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Quality of a triangle: twice the area divided by the product of the longest and the second
-// longest side. It grows with the smallest angle.
+// Quality of a triangle: the sine of its smallest angle. This is twice the area divided by the
+// product of the two longest sides.
 double width(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<double, 3> side{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::sort(side.begin(), side.end());
@@ -114,8 +114,9 @@ std::vector<Triangle> zip_ring(const std::vector<Vec2>& inner, const std::vector
   const std::size_t m = outer.size();
   GW_EXPECTS(n >= 3 && m >= 3);
 
-  // The first triangle begins at the outer corner that has the polar angle of the first inner point
-  // or, if there is none, the next smaller polar angle. All angles are measured from this corner.
+  // The first triangle begins at the outer corner that has the polar angle of the first inner
+  // point. If there is no such corner, it begins at the next corner with a smaller polar angle.
+  // All angles are measured from this corner.
   const double start = polar(inner[0]);
   std::size_t first = 0;
   for (std::size_t j = 1; j < m; ++j) {

@@ -20,14 +20,17 @@ namespace gearwright {
 namespace {
 
 constexpr auto kOutline = SheetLayer::outline;
-// Lengths in mm on paper. kAxis: projection of centre lines beyond the part. kFirst, kNext: from
-// the view to the first dimension line, and between dimension lines. kGap, kInner: between the
-// views, and from the views to the frame. kShelf: projection of the leader beyond the gear.
+// Lengths in mm on paper.
+//   kAxis           projection of centre lines beyond the part
+//   kFirst, kNext   from the view to the first dimension line, and between dimension lines
+//   kGap, kInner    between the views, and from the views to the frame
+//   kShelf          projection of the leader beyond the gear
 constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 12;
 // For a gear without a bore: distance of the datum symbol from the left face, and length of the
-// axis beyond this face, mm. The end of the axis is then 2 mm from the axis of the transverse view.
+// axis beyond this face, mm. With this length, the axis ends 2 mm from the axis of the
+// transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 constexpr const char* kWhere = "Section in the middle of the face width";
 
@@ -277,7 +280,8 @@ class Views {
   const std::optional<BoreContour>& bore_;
   double k_;                              // mm on paper per mm on the gear
   double tip_ = 0, root_ = 0, body_ = 0;  // radii of tip, root and outermost circle, mm
-  // mm on paper: room to the left of the origin; left end, width and right margin of the axial view
+  // mm on paper: room to the left of the origin, and left end, width and right margin of the
+  // axial view
   double left_ = 0, axial_ = 0, width_ = 0, right_ = 0;
   std::optional<Callouts> callouts_;
   Sheet* sheet_ = nullptr;

@@ -19,16 +19,16 @@ namespace gearwright {
 
 namespace {
 
-// The turn Δ of a level satisfies ρΔ² = 2ε, with the chord tolerance ε and the largest radius ρ. On
-// the tip land, d = a²/(8ρ). A chord a = ρΔ then makes the three terms of (M1), multiplied by 8,
-// equal to 2ε, 4ε and 2ε, which gives the fewest triangles.
+// The turn Δ of a level satisfies ρΔ² = 2ε, with the chord tolerance ε and the largest radius
+// ρ. On the tip land, d = a²/(8ρ). With a chord a = ρΔ, the three terms of (M1), multiplied by
+// 8, are 2ε, 4ε and 2ε. This choice gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // Smallest thickness between the root and the bore or rim, mm.
 constexpr double kWallMin_mm = 1e-3;
 
-// In a thin wall, the chords of the two sides must not meet. The tolerance is therefore at most
-// this fraction of the wall thickness.
+// In a thin wall, the chords of the two sides must not meet. The tolerance therefore does not
+// exceed this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
 
 // A mesh beyond these limits is rejected. The limit of vertices corresponds to a file of 200 MB,
@@ -37,8 +37,8 @@ constexpr double kWallShare = 0.25;
 constexpr double kVerticesMax = 2e6;
 constexpr std::size_t kHalfPointsMax = 20000;
 
-// The columns of one pitch, counter-clockwise from the middle of a tooth space to the last column
-// before the next one.
+// The columns of one pitch, counter-clockwise from the middle of a tooth space. The column in
+// the middle of the next tooth space is not included.
 std::vector<Column> pitch_columns(const std::vector<SectionPoint>& half, int copies) {
   const std::size_t n = half.size() - 1;
   const SinCos back = sincos_turn(-1, copies);
@@ -85,8 +85,8 @@ std::vector<Column> neck_columns(double radius, double chord, double facet_turn)
 // One gear of a solid.
 class GearMesh {
  public:
-  /// `below` and `above` are the radii of the inner walls that end on the lower and the upper end
-  /// face: the reach of the bore, the radius of a neck, or 0.
+  /// `below` and `above` are the radii of the inner walls that end on the lower and the upper
+  /// end face: the greatest radius of the bore with its keyway, the radius of a neck, or 0.
   ///
   /// Errors    as tessellate()
   static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
@@ -283,9 +283,9 @@ class GearMesh {
   }
 
   // The band of a circular wall of an internal gear: the rim or the groove. At both ends, the
-  // columns of this wall must have the rotation of the teeth. The wall therefore has the screw
-  // motion of the teeth. For a double-helical gear, the wall turns evenly from one end rotation to
-  // the other.
+  // columns of this wall must be turned by the same angle as the teeth, so the wall has the
+  // screw motion of the teeth. On a double-helical gear, whose halves have different screw
+  // motions, the wall turns evenly from the angle at one end to the angle at the other end.
   Band around(double width) const {
     if (!body().two_helices) return bands_.front();
     const double stagger = body().two_helices->stagger;

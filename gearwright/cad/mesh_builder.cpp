@@ -15,9 +15,10 @@ constexpr double kCrease = 1e-3;
 bool is_crease(const Column& column) { return (column.before - column.after).norm() > kCrease; }
 
 // Decides between the two diagonals of the quad between two columns. Returns true if the rising
-// diagonal is at least as near to the surface as the falling one. The rising diagonal leads from
-// the bottom of `one` to the top of `two`. The section deviates from its chord by chord·(n_2 −
-// n_1)/8 along its normal.
+// diagonal is at least as near to the surface as the falling one. The rising diagonal leads
+// from the bottom of `one` to the top of `two`. In the middle, the section deviates from its
+// chord by chord·(n_2 − n_1)/8 along its normal, where n_1 and n_2 are the normals at the two
+// columns.
 bool rising_diagonal(const Column& one, const Column& two, const Levels& levels) {
   const double turn = levels.band.twist * levels.band.width / levels.steps;
   const double bulge = (two.before - one.after).dot(two.point - one.point) / 8.0;

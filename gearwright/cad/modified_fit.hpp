@@ -36,8 +36,8 @@ struct ModifiedFit {
 };
 
 /// The levels from bottom to top: the planes that cut the teeth into slices, and the heights at
-/// which end reliefs begin. `slices` is the number of slices that the teeth as cut need. A few more
-/// are used if a plane between slices would be too near to the start of a relief.
+/// which end reliefs begin. `slices` is the number of slices that the teeth as cut need. If a
+/// plane between slices would be too near to the start of a relief, a few more slices are used.
 std::vector<ToothLevel> tooth_levels(const ModifiedTeeth& teeth, int slices, double face_width);
 
 /// Fits the teeth between these levels.

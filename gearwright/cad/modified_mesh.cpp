@@ -15,8 +15,8 @@ namespace {
 constexpr double kVisibleShare = 0.1;
 // Steps of the finite differences that give the normals: in u, and in z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// Greatest number of halvings of a segment, and of doublings of the number of levels between two
-// starts of reliefs.
+// The greatest number of times that a segment is halved, and that the number of levels between
+// two starts of reliefs is doubled.
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 

@@ -141,8 +141,8 @@ class RackShell {
     return {at, point, out_.add(fmt::format("VERTEX_POINT('',#{})", point))};
   }
 
-  // The height at a line of constant s is taken from the strip that ends at this line or, at the
-  // first line, from the first strip.
+  // The height at a line of constant s follows from the strip that ends at this line. At the
+  // first line, it follows from the first strip.
   Station station(double s) {
     const auto& strips = plan_.strips();
     const auto strip = std::find_if(strips.begin(), strips.end() - 1,
@@ -231,7 +231,7 @@ class RackShell {
         out_.add(fmt::format("ADVANCED_FACE('',(#{}),#{},{})", bound, surface, sense)));
   }
 
-  // The lower end of an upright edge of the bar, and this edge.
+  // The foot of an upright edge of the bar: the lower end of the edge, and the edge itself.
   struct Foot {
     RackNode at;
     RackUse down;  // runs from the teeth down to the back
@@ -240,8 +240,8 @@ class RackShell {
     const RackNode at = node({-body_.rack->height, top.at.y(), top.at.z()});
     return {at, straight(top, at)};
   }
-  // Adds the wall below `top`, a part of the border that begins above `a`, ends above `b` and has
-  // the metal on its left. Returns the lower edge of the wall.
+  // Adds the wall below `top`, which is a part of the border. `top` begins above `a`, ends
+  // above `b` and has the metal on its left. Returns the lower edge of the wall.
   RackUse add_wall(const RackLoop& top, const Foot& a, const Foot& b, const Vec3& normal) {
     const RackUse floor = straight(a.at, b.at);
     RackLoop loop = reversed(top);
@@ -264,8 +264,8 @@ class RackShell {
               add_wall({first.reversed()}, d, a, {0, -1, 0})});
   }
 
-  // Adds the walls below the border of the teeth, and the back. Seen from the teeth, the border is
-  // counter-clockwise. The border runs along the low chain and returns along the high chain.
+  // Adds the walls below the border of the teeth, and the back. Seen from above the teeth, the
+  // border is counter-clockwise. It runs along the low chain and returns along the high chain.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMostVertices = 2e6;  // vertices of a mesh, as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
-// A station is a line of constant s. It stores the two ends of this line on the border and the
-// height of the teeth.
+// A line of constant s: the height of the teeth at s, and the numbers of the vertices at both
+// ends of the line, on the teeth and on the back.
 struct Station {
   double s, x;
   std::uint32_t low, high, back_low, back_high;  // vertex numbers
@@ -89,8 +89,8 @@ class RackMesher {
     return a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y());
   }
 
-  // Height on the circle of the fillet at the distance y from the centre line of its tooth, and the
-  // slope dx/dy.
+  // Returns the height on the circle of the fillet at the distance y from the centre line of
+  // its tooth, and the slope dx/dy there.
   std::pair<double, double> circle(const RackStrip& strip, double y) const {
     const double rho = body_.rack->fillet_radius;
     const double n = std::clamp((y - strip.arc->begin_point.y()) * cosine_, -rho, rho);

@@ -37,15 +37,16 @@ class RackPlan {
   double slope() const { return slope_; }    ///< q
   double first() const { return corners_[0]; }
   double last() const { return corners_[3]; }
-  /// The values of s at the corners that the low end and the high end pass. For a spur rack, both
-  /// equal first().
+  /// The values of s at the corners that the low and the high end point of the line pass. For a
+  /// spur rack, both equal first().
   double low_corner() const { return low_corner_; }
   double high_corner() const { return high_corner_; }
 
   /// Returns s, or the value of s at a corner if that corner is within 1e-6 mm.
   double snapped(double s) const;
 
-  /// Returns the end of a line of constant s as (y, z) in mm, exactly on the border.
+  /// Return the low and the high end point of a line of constant s as (y, z) in mm, exactly on
+  /// the border.
   Vec2 low(double s) const;
   Vec2 high(double s) const;
 

@@ -14,7 +14,8 @@ namespace {
 constexpr int kDegree = 5;
 constexpr int kChecksPerSpan = 24;
 constexpr double kShortestSpan = 1e-9;
-// Slowest permitted speed of the curve's own parameter, relative to the mean speed.
+// The slowest permitted speed along the curve with respect to its own parameter, relative to
+// the mean speed.
 constexpr double kSlowest = 0.01;
 
 using ParameterAt = std::function<double(double)>;  // maps u in [0, 1] to the curve's parameter
@@ -80,8 +81,8 @@ Candidate fit(BSplineBasis basis, const Curve& curve, const ParameterAt& t_at, C
   return {std::move(basis), std::move(poles), std::move(spans), worst};
 }
 
-// Splines with few poles are tried first: uniform knots up to 40 poles, then refinement of 16
-// uniform spans by halving.
+// First tries uniform knots, from the fewest poles to 40. If the target is not reached,
+// continues with 16 uniform spans and repeatedly halves the spans that miss the target.
 Candidate fit_to(const Curve& curve, const ParameterAt& t_at, Complex begin, Complex end,
                  double target) {
   std::optional<Candidate> best;

@@ -67,7 +67,7 @@ inline constexpr int kMaxPoles = 240;
 /// The points (k + ½)/n of each span between two knots, k = 0 … n − 1.
 std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 
-/// The greatest error at the points of places_between_knots(), per span.
+/// For each span, the greatest error at the points of places_between_knots().
 std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
                                   const std::function<double(double)>& error);
 

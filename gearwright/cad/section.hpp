@@ -40,9 +40,9 @@ double bore_area(const Bore& bore);
 /// Domain    an internal gear has a bore, which is its rim (contract)
 double metal_area(const ToothedBody& body);
 
-/// Volume of the body with its teeth as cut: the area of the metal times the face width, minus the
-/// groove of a double-helical gear. The volume of a solid with several gears includes all its gears
-/// and the cylinders between them.
+/// Volume of the body with its teeth as cut: the area of the metal times the face width, minus
+/// the volume of the groove of a double-helical gear. If the solid contains several gears, the
+/// volume includes all of them and the cylinders between them.
 ///
 /// Units     mm³
 /// Domain    as for metal_area

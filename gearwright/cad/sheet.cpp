@@ -128,7 +128,8 @@ constexpr std::array<char32_t, 32> kWindows{
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
 
-// The codes of Α … Ω and α … ω in the font Symbol; 0 if Unicode has no letter at this place.
+// The codes of Α … Ω and α … ω in the font Symbol; 0 for a code point to which Unicode assigns
+// no letter.
 constexpr char32_t kAlpha = 0x0391, kLastGreek = 0x03C9;
 constexpr std::string_view kGreek{
     "ABGDEZHQIKLMNXOPR\0STUFCYW\0\0\0\0\0\0\0abgdezhqiklmnxoprVstufcyw", 57};
@@ -138,7 +139,8 @@ struct Sign {
   char32_t code;
   unsigned char symbol;
 };
-// Unicode and code in the font Symbol of minus, minute, second, ≤, ≥, ≈, ≠, ∞, √, →.
+// The Unicode code point and the code in the font Symbol of each sign: minus, minute, second,
+// ≤, ≥, ≈, ≠, ∞, √, →.
 constexpr std::array<Sign, 10> kSigns{{{0x2212, 0x2D},
                                        {0x2032, 0xA2},
                                        {0x2033, 0xB2},
@@ -150,8 +152,8 @@ constexpr std::array<Sign, 10> kSigns{{{0x2212, 0x2D},
                                        {0x221A, 0xD6},
                                        {0x2192, 0xAE}}};
 
-// Widths of the letters from A to z in Symbol, by their codes, followed by the signs above in the
-// same order.
+// Widths of the letters of the font Symbol, by their codes from A to z. kSignWidths contains the
+// widths of kSigns, in the same order.
 constexpr std::array<short, 58> kSymbolLetters{
     722, 667, 722, 612, 611, 763, 603, 722, 333, 631, 722, 686, 889, 722, 722,  //
     768, 741, 556, 592, 611, 690, 439, 768, 645, 795, 611, 333, 863, 333, 658,  //

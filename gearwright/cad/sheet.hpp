@@ -94,7 +94,8 @@ struct Sheet {
   void arrow(SheetLayer layer, const Vec2& tip, const Vec2& direction);
   void text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
             Along along = Along::start);
-  /// Adds a text to be read from the right. `along` refers to the upward direction.
+  /// Adds a text that runs upwards, so that it is read from the right. `along` is its alignment
+  /// in this direction.
   void upright_text(SheetLayer layer, const Vec2& at, std::string_view words, double height,
                     Along along = Along::start);
   /// Adds a symbol with a subscript, such as "α_n".
@@ -107,12 +108,12 @@ double symbol_width(std::string_view symbol, double height);
 /// Returns the box around a text, including capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
-// The letters of a sheet: Helvetica, and Symbol for Greek letters and a few signs. Both belong to
-// the 14 fonts that every PDF reader provides (PDF 1.4, 5.5.1). Their widths are published (Adobe,
-// Core 14 AFM files).
+// The letters of a sheet: Helvetica, and Symbol for Greek letters and a few signs. Both belong
+// to the 14 fonts that every PDF reader provides (PDF 1.4, 5.5.1). Their widths are published
+// (Adobe, Core 14 AFM files).
 //
-// In a PDF, a letter that neither font contains is replaced by a question mark. SVG and DXF files
-// contain the text itself, so the widths are used for the layout only.
+// If neither font contains a letter, a PDF shows a question mark instead. SVG and DXF files
+// contain the text itself, so they use the widths for the layout only.
 
 enum class SheetFont { helvetica, symbol };
 

@@ -28,13 +28,15 @@ constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower
 
 double texture_width(const std::string& words) { return texture_left() + texture_right(words); }
 
-// The box of a symbol of surface texture that stands at the height `shelf` and ends at kEnd.
+// The box of a symbol of surface texture, with its lower edge at the height `shelf` and its
+// right edge at kEnd.
 SheetBox texture_box(const std::string& words, double shelf) {
   return {{kEnd - texture_width(words), shelf}, {kEnd, shelf + kTextureHeight}};
 }
 
-// The greatest horizontal distance of a circle from its centre between two heights. If the
-// horizontal centre line lies between these heights, its projection is included.
+// The greatest horizontal distance from the centre of a circle to a point of the circle between
+// two heights. If the horizontal centre line lies between these heights, the distance includes
+// its projection.
 double half_chord(double radius, double lo, double hi) {
   if (lo <= 1 && hi >= -1) return radius + kCentreLine;
   const double y = std::min(std::abs(lo), std::abs(hi));
@@ -49,8 +51,8 @@ Callouts::Callouts(AxialSection section, SurfaceRequirements required)
   place_above();
 }
 
-// The callout of the faces is at the lower left. Its leader passes below all dimensions. If a
-// dimension reaches lower, the callout is at the upper right.
+// The callout of the faces is at the lower left, where its leader passes below all dimensions.
+// If a dimension reaches below this leader, the callout is at the upper right.
 void Callouts::place_faces() {
   const double number = text_width(kBoth, kUsual) + 1;
   double width = runout_width(required_.face_runout), height = kFrameHeight + kUsual + 1;

@@ -357,7 +357,7 @@ std::string sheets_dxf(const std::vector<Sheet>& sheets) {
     const auto hundredths = static_cast<int>(std::lround(100 * style.line_width));
     layers.push_back({style.name, style.dxf_color, hundredths, style.chain});
   }
-  // A layer of a figure has the default line width of the reader.
+  // A layer of a figure has the default line width of the program that reads the file.
   const auto define = [&](const SheetInk* ink) {
     const auto same = [&](const DxfLayer& layer) { return layer.name == ink->name; };
     if (!ink || std::any_of(layers.begin(), layers.end(), same)) return;

@@ -56,9 +56,10 @@ struct Reach {
 };
 Reach reach_of(const Dimension& dimension);
 
-/// Draws a dimension. Its text is above the dimension line if the space between the edges is
-/// sufficient. Otherwise the text follows the end of a horizontal line, or is below a vertical
-/// line. The datum is below the dimension, or above the dimension if the text is below.
+/// Draws a dimension. Its text is above the dimension line if there is room between the edges.
+/// Otherwise the text is beyond the right end of a horizontal dimension line, or beyond the
+/// lower end of a vertical one. The datum is at the lower end, or at the upper end if the text
+/// is below.
 void draw_dimension(Sheet& sheet, const Dimension& dimension);
 
 /// Draws text within a box, starting at the top. The letters are as large as possible, and several

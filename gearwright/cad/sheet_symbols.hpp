@@ -3,9 +3,9 @@
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
 //
-// Shapes and proportions follow ISO 1302, annex A (ISO 21920-1), ISO 7083 for tolerance frames of
-// ISO 1101 and datums of ISO 5459, and ISO 13715 for edges. If a text is empty, its symbol is drawn
-// with an empty space.
+// The shape and the proportions of each symbol are those of a standard. Surface texture follows
+// ISO 1302, annex A (now ISO 21920-1). Tolerance frames (ISO 1101) and datums (ISO 5459) follow
+// ISO 7083. Edges follow ISO 13715. If a text is empty, its symbol is drawn with an empty space.
 #pragma once
 
 #include <string>

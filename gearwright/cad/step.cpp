@@ -61,8 +61,8 @@ Error too_many(std::size_t faces, int slices) {
               faces, kMaxStepFaces, slices > 1 ? ", a narrower face or a longer lead" : "")};
 }
 
-// Adds the arcs of half a tooth with modifications. For each arc, the report contains the greatest
-// degree, number of poles and deviation of the faces of this arc.
+// Adds the arcs of half a tooth with modifications to the report. The report of an arc contains
+// the greatest degree, number of poles and deviation of all faces that belong to it.
 void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
                        const ModifiedFit& fit, std::size_t body) {
   const auto& arcs = teeth.outline().arcs;

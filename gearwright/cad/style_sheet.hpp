@@ -42,8 +42,8 @@ const StyleSheet& figure_styles();
 /// Sets the properties "name:value;…". Values with color-mix() are ignored.
 void apply_declarations(std::string_view declarations, Style& style);
 
-/// The value of a property; empty if the property is absent. If the value is a variable, the value
-/// of the variable.
+/// Returns the value of a property, or "" if the property is absent. If the value is a
+/// reference var(…), the value of that variable is returned.
 std::string text_in(const Style& style, std::string_view name);
 double number_in(const Style& style, std::string_view name, double absent);
 /// The colour 0xRRGGBB; nothing for "none". If the property is absent, the result is `absent`.

@@ -103,11 +103,11 @@ struct ToothedBody {
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
-  /// The other gears of the solid, from bottom to top. The pose of each is a height and a rotation
-  /// about z in the frame of this body.
+  /// The other gears of the solid, from bottom to top. The pose of each is a height and a
+  /// rotation about z in the frame of this body.
   ///
-  /// Domain    external gears with the same bore, without gears above them, and with a distance
-  ///           between the end faces
+  /// Domain    external gears with the same bore, whose own `above` is empty, and with a
+  ///           distance between the end faces
   std::vector<ToothedBody> above{};
   double neck = 0.0;       ///< radius of the cylinder below a gear in `above`, mm
   std::string separate{};  ///< the reason why the gear is not joined to another gear of its body

@@ -17,7 +17,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Variation of the radius up to which a land counts as a circle about the axis.
+// The greatest variation of the radius of a land that counts as a circle about the axis.
 constexpr double kRound_mm = 1e-8;
 constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
 constexpr int kWallLooks = 64;    // number of points of an arc at which radius and side are

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kMarking = 0.00635;  // mm, thickness of the marking compound for the ellipse
 
-// Semi-axis of the area in which a gap with the curvature k is smaller than the thickness of the
-// marking compound. It has no value if k ≤ 0.
+// Semi-axis of the area in which the gap is smaller than the thickness of the marking compound,
+// if the curvature of the gap is k. It has no value if k ≤ 0.
 Value semi_axis(double k) { return k > 0.0 ? Value(std::sqrt(2 * kMarking / k)) : Value(); }
 
 Value tensor(const Mat2& k) {
@@ -58,7 +58,8 @@ const Quantities<ArcContact>& ellipse_quantities() {
              "null if the flanks interfere in this direction",
              [](const A& a) { return semi_axis(a.gap[1]); });
     q.number("angle_deg", "direction of the ellipse's major axis", "",
-             "angle about the flank normal, from the projection of axis 1 to the major axis",
+             "angle about the flank normal; 0 along the projection of axis 1 onto the tangent "
+             "plane",
              &A::angle);
   });
 }

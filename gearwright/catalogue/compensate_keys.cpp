@@ -87,16 +87,16 @@ const KeyTable& compensate_keys() {
                          "the total improvement is less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
-                 "ranges [least, greatest] of up to five errors; the corrections must hold "
-                 "everywhere within these ranges")}};
+                 "ranges [least, greatest] of up to five errors; the corrections are chosen for "
+                 "the worst errors found within these ranges")}};
   return table;
 }
 
 const KeyTable& compensate_range_keys() {
   static const KeyTable table = [] {
     KeyTable t{"compensate_range",
-               "Ranges of errors, each [least, greatest]; the corrections must work at every "
-               "corner of the ranges",
+               "Ranges of errors, each [least, greatest]; the corrections are chosen for the worst "
+               "errors found within the ranges",
                {},
                check_ranges};
     for (std::size_t i = 0; i < kErrorCount; ++i) {

@@ -115,7 +115,8 @@ void add_all(Quantities<V>& q) {
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "no correction needed",
-         "true if no correction improves the result by 0.001 arcsec, so that every correction is 0",
+         "true if no correction gains 0.001 arcsec, or 0.1 MPa for `pressure`, so that every "
+         "correction is 0",
          &V::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
@@ -196,8 +197,7 @@ const Quantities<ContactScore>& score_quantities() {
         .unit(Unit::percent)
         .digits(1);
     q.number("edge_share", "positions with an edge in contact", "",
-             "share of the positions at which an edge touches, over one pitch, 0 to 1",
-             &S::edge_share)
+             "share of the positions of one pitch at which an edge touches, 0 to 1", &S::edge_share)
         .or_null()
         .unit(Unit::percent)
         .digits(1);

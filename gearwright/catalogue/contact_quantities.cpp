@@ -49,7 +49,8 @@ const Quantities<ContactEllipse>& ellipse_quantities() {
     q.number("semi_major_mm", "semi-major axis", "", "null for line contact", &E::semi_major);
     q.number("semi_minor_mm", "semi-minor axis", "", "√(2δ/k2)", &E::semi_minor);
     q.number("angle_deg", "direction of the major axis", "",
-             "angle about the flank normal, from the projection of axis 1 to the major axis",
+             "angle about the flank normal; 0 along the projection of axis 1 onto the tangent "
+             "plane",
              &E::angle);
   });
 }
@@ -68,7 +69,7 @@ const Quantities<ContactRidge>& ridge_quantities() {
              })
         .list({2});
     q.term("gap_curvature_per_mm",
-           "curvatures of the gap on both sides of the ridge, in the same order",
+           "curvatures of the gap on both sides of the ridge, in the order of `slope`",
            [](const R& r) {
              return ValueList{Value(r.side[0].curvature), Value(r.side[1].curvature)};
            })
@@ -117,7 +118,7 @@ void add_position(Quantities<P>& q) {
            at_place([](const P& p) { return p.diameter[1]; }))
       .when(is_rack);
   q.number("height_mm", "height of contact", "z",
-           "per gear, from the middle of the face, or for double-helical gears from the middle of "
+           "per gear, from the middle of its face; for double-helical gears, from the middle of "
            "the face of the half",
            at_place(&P::height))
       .per_gear();
@@ -229,7 +230,7 @@ const Quantities<RasterView>& raster_quantities() {
              })
         .list({0, 0});
     q.number("marked", "marked share of the flank", "",
-             "share of the flank on which the marking compound would appear, 0 to 1",
+             "share of the flank on which the marking compound would show contact, 0 to 1",
              [](const R& r) {
                const auto& gap = r.raster->gap;
                const auto n =
@@ -328,15 +329,17 @@ void add_all(Quantities<V>& q) {
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
        &V::other)
       .always();
-  q.number("least_play_deg", "minimum angular backlash of gear 2", "",
-           "least play between the working and the non-working flanks over the positions; negative "
-           "if the gears jam; null if one of the flanks never touches",
-           &V::min_play)
+  q.number(
+       "least_play_deg", "minimum angular backlash of gear 2", "",
+       "least play, over all positions, from contact of the working flanks to contact of the "
+       "non-working flanks; negative if the gears jam; null if one of these flanks never touches",
+       &V::min_play)
       .when(of_gear)
       .digits(6);
   q.number("least_play_mm", "minimum backlash along the rack", "",
-           "least play between the working and the non-working flanks over the positions; negative "
-           "if pinion and rack jam; null if one of the flanks never touches",
+           "least play, over all positions, from contact of the working flanks to contact of the "
+           "non-working flanks; negative if pinion and rack jam; null if one of these flanks never "
+           "touches",
            [](const V& v) { return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value(); })
       .when(of_rack);
   q.add(Type::map, "sensitivity", "sensitivities", "",
@@ -365,8 +368,8 @@ void add_all(Quantities<V>& q) {
       .when([](const V& v) { return !v.float_axial.empty(); });
   q.record<contact_quantities>(
        "halves",
-       "contact of each half of a double-helical pair, first at z > 0, then at z < 0; all other "
-       "numbers describe the whole gears, and `positions` then contains no point of contact",
+       "contact of the two halves of a double-helical pair, in the order z > 0, z < 0; all other "
+       "numbers describe the whole gears, whose `positions` contain no point of contact",
        &V::halves)
       .list({2})
       .when([](const V& v) { return !v.halves.empty(); })

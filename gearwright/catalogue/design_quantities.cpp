@@ -44,8 +44,8 @@ Value objective(const V& v) {
 const Quantities<V>& region_quantities() {
   return define("search.designs region", [](Quantities<V>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
-          "counter-clockwise, each {constraint, points}; a straight edge has two points (x1, x2), "
-          "a curve has 25 or more",
+          "edges in counter-clockwise order, each {constraint, points}; a straight edge has two "
+          "points (x1, x2), and a curved edge has 25 or more",
           [](const V& v) { return v.edges(); })
         .list({0})
         .when([](const V& v) { return static_cast<bool>(v.edges); });
@@ -168,9 +168,7 @@ void add_limits(Quantities<V>& q) {
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
-  q.term("tip_clearance_mm",
-         "from the tip of gear 1 to the root of gear 2, then from the tip of gear 2 to the root of "
-         "gear 1",
+  q.term("tip_clearance_mm", "per gear, from its tip to the root of the mating gear",
          [](const V& v) { return v.row->tip_clearance; })
       .per_gear()
       .column("tip_clearance#_mm")
@@ -241,8 +239,8 @@ void add_strength(Quantities<V>& q) {
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
            "mass of solid cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
-           "mass of the ring from the mean diameter to 2.5 m_n outside its root; only for a rated "
-           "search or with `objective` = `mass` or `cost`",
+           "mass of the ring between the mean diameter and the diameter d_f + 5 m_n; only for a "
+           "rated search or with `objective` = `mass` or `cost`",
            [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
@@ -276,9 +274,9 @@ void add_ranks(Quantities<V>& q) {
       .when([](const V& v) { return v.problem->ranks_by(Objective::cost); })
       .digits(kFewDigits);
   q.number("noise_um", "estimated transmission error under load, peak to peak", "δ_pp",
-           "variation of the deflection of perfect teeth under the torque of `[rating]`, if every "
-           "mm of contact line has the same stiffness [T9.16]; 0 if a contact ratio ε_α or ε_β is "
-           "a whole number; only with `objective` = `noise`",
+           "variation of the deflection of perfect teeth under the torque of `[rating]`; every mm "
+           "of contact line is assumed to have the same stiffness [T9.16]; 0 if a contact ratio "
+           "ε_α or ε_β is a whole number; only with `objective` = `noise`",
            [](const V& v) { return v.row->noise; })
       .column("noise_um")
       .when([](const V& v) { return v.problem->ranks_by(Objective::noise); })

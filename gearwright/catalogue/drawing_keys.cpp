@@ -13,7 +13,8 @@ namespace {
 // 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
-// A common size in mm, for which the table has every fit.
+// The size in mm at which the names of fits are checked. The table of deviations contains every
+// fit at this size.
 constexpr double kAnySize = 20.0;
 
 std::optional<KeyFault> check_texts(DrawingInput& d, const KeyGiven&) {

@@ -64,7 +64,7 @@ Key series_key() {
 Key backlash_key(std::string_view form) {
   return formed("backlash_mm", "j_n", form, "backlash of the thickness allowances",
                 "backlash in the normal section, j_bn/cos α_wn, for which the teeth are thinned; "
-                "of a band, the mean is used",
+                "for a band, the mean is used",
                 KeyRange::not_negative())
       .with_excludes({"thickness_allowance_mm", "thickness_series"});
 }
@@ -94,12 +94,15 @@ const KeyTable& planetary_keys() {
       "A planetary set, given by its members",
       {member(SetMember::sun, "number of teeth of the sun"),
        member(SetMember::sun2,
-              "number of teeth of a second sun, which meshes with `planet2` or `planet`"),
+              "number of teeth of a second sun, which meshes with `planet2` or, without it, with "
+              "`planet`"),
        member(SetMember::planet, "number of teeth of the planet"),
        member(SetMember::planet2, "number of teeth of the second gear of a stepped planet"),
        member(SetMember::ring, "number of teeth of the ring, with either sign", true),
        member(SetMember::ring2,
-              "number of teeth of a second ring, which meshes with `planet2` or `planet`", true),
+              "number of teeth of a second ring, which meshes with `planet2` or, without it, with "
+              "`planet`",
+              true),
        member(SetMember::idler, "number of teeth of an idler between sun and planet"),
        Key::number("planets", "N", KeyRange::between(1, 1000), &P::planets, "1",
                    "number of planets"),
@@ -119,7 +122,7 @@ const KeyTable& planetary_keys() {
               "plus a gap",
               KeyRange::positive()),
        formed("tip_diameter_mm", "d_a", kMembers,
-              "tip diameter of the basic rack, reduced if the tip clearance is too small; for a "
+              "determined by the basic rack and reduced if the tip clearance is too small; for a "
               "ring, a diameter at which its tips touch only the flanks of the planets",
               "tip diameter", KeyRange::positive()),
        formed("bore_mm", "", kMembers, "no bore",
@@ -152,8 +155,8 @@ const KeyTable& planetary_keys() {
 const KeyTable& stage_keys() {
   static const KeyTable table{
       "stage",
-      "A stage of a train, which is a pair of gears or a planetary set; the stages are listed from "
-      "the input to the output",
+      "A stage of a train: a pair of gears or a planetary set; the stages are listed from the "
+      "input to the output",
       {formed("teeth", "z", "two numbers, the second negative for a ring", "",
               "numbers of teeth of a pair"),
        formed("gears", "", "two tables with the keys of [gear1]", "",
@@ -176,8 +179,8 @@ const KeyTable& stage_keys() {
        backlash_key("a number, or a band [least, greatest]; in a set, as in [planetary]"),
        formed("bore_mm", "", "a number, or a list of two numbers; in a set, as in [planetary]",
               "no bore",
-              "diameters of the bores in the CAD files; a single number applies to both gears "
-              "except a ring; if the second gear is a ring, the second number is the outside "
+              "diameters of the bores in the CAD files; a single number applies to both gears, but "
+              "not to a ring; if the second gear is a ring, the second number is the outside "
               "diameter of its rim",
               KeyRange::positive())
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
@@ -270,11 +273,10 @@ const KeyTable& drive_mesh_keys() {
                  "name of the mesh"),
        Key::positive("center_distance_mm", "a", &DriveMesh::center_distance,
                      "backlash-free distance", "centre distance"),
-       Key::number(
-           "backlash_mm", "j_n", KeyRange::not_negative(), &DriveMesh::backlash,
-           "backlash of the thickness allowances",
-           "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both gears "
-           "are thinned, in place of their thickness allowances"),
+       Key::number("backlash_mm", "j_n", KeyRange::not_negative(), &DriveMesh::backlash,
+                   "backlash of the thickness allowances",
+                   "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both "
+                   "gears are thinned; it replaces their thickness allowances"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
                    "computed from `friction_coefficient` and the teeth",
                    "efficiency of the mesh when its frame is at rest"),

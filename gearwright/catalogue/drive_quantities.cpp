@@ -165,8 +165,8 @@ void add_all(Quantities<Drive>& q) {
       .doors(kJson);
   q.record<drive_backlash_quantities>(
       "backlash",
-      "backlash of input and output; null with several inputs, with redundant meshes, or if a "
-      "mesh between them has no geometry",
+      "backlash of input and output; null with several inputs, with redundant meshes, or if a mesh "
+      "between input and output has no geometry",
       &Drive::backlash);
   q.record<drive_error_quantities>(
       "transmission_error",
@@ -224,7 +224,8 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
         .fraction()
         .doors(kJson);
     q.number("relative_speed_ratio", "speed ratio relative to the frame", "",
-             "speed of the body minus the speed of the carrier in whose frame the body meshes",
+             "speed ratio of the body minus the speed ratio of the carrier in whose frame the body "
+             "meshes",
              [](const V& v) { return v.drive->relative_speed_ratio(v.body); });
     const auto turns = [](const V& v) { return !v.drive->graph.moves(v.body); };
     q.term("speed_rpm", "absolute speed; null for a rack", [turns](const V& v) -> Value {
@@ -268,7 +269,7 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
                            std::size_t (*held)(const DriveGraph&)) {
       q.number(deg, words, "",
                "rotation of the body between the two contacts of the teeth [T13.20]; null for a "
-               "rack and if `backlash` of the drive is null",
+               "rack, or if the `backlash` of the drive is null",
                [held](const V& v) -> std::optional<Angle> {
                  const auto motion = v.drive->play(v.body, held(v.drive->graph));
                  return motion ? rotation(*motion, v.drive->lever(v.body)) : std::nullopt;
@@ -304,8 +305,8 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
     q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
              [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
     q.number("phases", "phases of the planets", "γ",
-             "phase by which the mesh of each planet follows that of the first planet, in periods; "
-             "null for other meshes than those of planets with a central gear [T13.16]",
+             "phase, in periods, by which the mesh of each planet follows the mesh of the first "
+             "planet; null for meshes other than those of planets with a central gear [T13.16]",
              [](const V& v) { return phase_list(v.drive->phases(v.mesh)); })
         .list({0});
     q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {

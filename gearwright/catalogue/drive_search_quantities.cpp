@@ -65,10 +65,10 @@ void add_found(Quantities<F>& q) {
            "0 if the output cannot drive the input",
            [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
-           "variation of the elastic rotation of the output under load, peak to peak, divided by "
-           "this rotation [T13.33], for perfect teeth with a constant stiffness per length of the "
-           "contact line. Without geometry, no profile shift and a face width of 10 m_n are "
-           "assumed; only with `objective` = `noise`",
+           "relative variation, peak to peak, of the elastic rotation of the output under load "
+           "[T13.33], for perfect teeth with a constant stiffness per length of the contact line. "
+           "Without geometry, no profile shift and a face width of 10 m_n are assumed; only with "
+           "`objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
            "greatest of the diameters over the planets, over the suns and over the root circles of "
@@ -92,7 +92,7 @@ void add_found(Quantities<F>& q) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
   q.number("normal_module_mm", "normal module", "m_n",
-           "normal module of all meshes; null without geometry, and if the stages of a train have "
+           "normal module of all meshes; null without geometry, or if the stages of a train have "
            "different modules",
            [](const F& f) {
              const auto& gear = f.drive.geometry.gears.front();

@@ -13,7 +13,8 @@ using Gears = std::array<const Gear*, 2>;
 constexpr double kMaxTilt = 10;     // degrees; a larger angle is not a misalignment
 constexpr double kMaxSlope = 5000;  // µm over the face width
 
-// Sets the twist κ for a slope f_Hβ over the face width, on the reference cylinder.
+// Sets the additional twist κ of the teeth so that the slope over the face width on the
+// reference cylinder is f_Hβ.
 void set_helix_slope(ContactErrors& e, const Gears& gears, std::size_t i, double slope_um) {
   const Gear& gear = *gears[i];
   e.helix_twist[i] = slope_um * kMmPerUm / (gear.reference_diameter / 2 * gear.spec.face_width);
@@ -29,12 +30,12 @@ const std::array<ErrorEntry, kErrorCount>& error_entries() {
        "error of the centre distance; axis 2 is at a + ΔC"},
       {"crossing_deg", "Δγ", "out-of-plane shaft deviation", ErrorKind::crossing, 0,
        [](E& e, const Gears&, double v) { e.crossing = Angle::degrees(v); },
-       "angle of the deviation f_Σβ, by which axis 1 turns about the centre line and the shaft "
-       "angle increases; > 0 towards +y"},
+       "angle of the deviation f_Σβ; axis 1 turns about the centre line by this angle, and the "
+       "shaft angle increases by it; > 0 towards +y"},
       {"intersecting_deg", "Δδ", "in-plane shaft deviation", ErrorKind::intersecting, 0,
        [](E& e, const Gears&, double v) { e.intersecting = Angle::degrees(v); },
        "angle of the deviation f_Σδ, by which axis 1 tilts in the plane of the axes; > 0 towards "
-       "+x, which is towards gear 2"},
+       "+x, the side of gear 2"},
       {"axial_mm", "Δz", "axial position of gear 1", ErrorKind::axial, 0,
        [](E& e, const Gears&, double v) { e.axial = v; }, "displacement of gear 1 along +z"},
       {"helix_slope1_um", "f_Hβ1", "helix slope of gear 1", ErrorKind::helix_slope1, 1,

@@ -50,7 +50,8 @@ struct ErrorsInput {
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }
-  /// All errors for these gears. If gear 2 is a rack, its pinion may replace it.
+  /// All errors for these gears. If gear 2 is a rack, the caller passes the pinion in its
+  /// place.
   ContactErrors of(const std::array<const Gear*, 2>& gears) const;
 };
 

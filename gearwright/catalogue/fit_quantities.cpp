@@ -54,7 +54,7 @@ const Quantities<FitView>& fit_quantities() {
     q.under("Nearest");
     q.record<nearest_quantities>(
         "nearest",
-        "near values for which a solution exists; null if there are solutions or no near values",
+        "nearest values for which a solution exists; null if there are solutions or no such values",
         [](const V& v) {
           const bool near = v.fit.nearest_distance || v.fit.nearest_shaft_angle;
           return v.branches.empty() && near ? &v.fit : nullptr;

@@ -1,6 +1,7 @@
-// The quantities of gears that a verb computes, because the spec does not give them completely.
+// The quantities of gears that the spec does not describe completely, so that a verb computes
+// the missing values.
 //
-// Inverse design: a result contains its quantities under `fit`.
+// Inverse design. A result contains its quantities under `fit`.
 #pragma once
 
 #include <optional>

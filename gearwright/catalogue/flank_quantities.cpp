@@ -10,7 +10,8 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// Adds the quantities of one end of the contact with the mating gear, at the root or at the tip.
+// Adds the quantities of one end of the active flank: the point at the root or at the tip at
+// which contact with the mating gear ends.
 void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const char* diameter,
                 const char* length, RollPlace ActiveFlank::*at) {
   using R = EvaluationRanges;
@@ -72,7 +73,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
        "without `bearing_span_mm`",
        &T::axis_deviation);
     um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-       "null under the same conditions as the crossing", &T::axis_inclination);
+       "null under the same conditions as the crossing of the axes", &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {
@@ -96,7 +97,7 @@ const Quantities<EvaluationRanges>& range_quantities() {
              &R::profile)
         .ends();
     q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",
-             "from the middle of the face, without 5 % of the face or one module at each end, "
+             "from the middle of the face; at each end, 5 % of the face or one module is excluded, "
              "whichever is less [T10.23]",
              &R::helix)
         .ends();

@@ -23,14 +23,14 @@ void add_halves(Quantities<Halves>& q) {
   q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as in the spec",
            [](const H& h) { return h.given.stagger_pitches; });
   q.number("groove_diameter_mm", "groove diameter", "",
-           "diameter of the gear within the gap, as given, or the root diameter minus m_n/2 (plus "
-           "m_n/2 for an internal gear); null without a gap",
+           "diameter of the gear within the gap: as given, otherwise the root diameter minus m_n/2 "
+           "(plus m_n/2 for an internal gear); null without a gap",
            &H::groove_diameter);
   q.number("hob_run_out_mm", "least gap for the run-out of the hob", "",
            "[T2.43]; null without a hob", &H::hob_run_out);
   q.number("axial_shift_per_index_error", "axial shift per index error", "Δz/e",
-           "1/(2 tan |β|); by this axial shift a floating gear distributes an index error between "
-           "the halves [T2.44]",
+           "1/(2 tan |β|); a floating gear shifts by this multiple of an index error and "
+           "distributes the error between the halves [T2.44]",
            &H::axial_shift_per_index_error);
 }
 
@@ -199,7 +199,7 @@ void add_sizes(Quantities<G>& q) {
       .expected(has_involutes);
   q.under(kDiameters);
   q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
-           "diameter at which the two flanks would meet, for an internal gear inside the tip "
+           "diameter at which the two flanks would meet (for an internal gear, inside the tip) "
            "[T2.13]; null if they do not meet",
            &G::pointed_diameter)
       .expected(has_involutes);
@@ -238,7 +238,7 @@ void add_flank_limits(Quantities<G>& q) {
               })
       .expected();
   q.flag("pointed", "pointed",
-         "true if the flanks meet before the tip, for an internal gear outside the tip diameter",
+         "true if the flanks meet before the tip (for an internal gear, outside the tip diameter)",
          &G::pointed)
       .doors(kJson);
   q.flag("severed", "cut through by undercut",
@@ -250,7 +250,7 @@ void add_flank_limits(Quantities<G>& q) {
          [](const G& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
   q.flag("tip_cut_by_rack", "tip cut by the rack",
-         "true if the bottom land of the cutter, not the blank, limits the tooth",
+         "true if the bottom land of the cutter limits the tooth instead of the blank",
          [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
 }
@@ -299,8 +299,8 @@ void add_fillets_and_body(Quantities<G>& q) {
   q.under(kTooth);
   of_bulge
       .number("tip_bulge_mm", "tip beyond the involute", "",
-              "projection of the tip beyond the involute along the flank normal, if the flank of "
-              "the cutter did not reach the tip",
+              "distance along the flank normal by which the tip projects beyond the involute, if "
+              "the flank of the cutter did not reach the tip",
               &TipBulge::amount)
       .when();
   of_bulge
@@ -309,7 +309,8 @@ void add_fillets_and_body(Quantities<G>& q) {
               &TipBulge::from_diameter)
       .when();
   q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
-           "chord where the root fillets are closest below the tip; 0 or negative if `severed`",
+           "chord at the narrowest place between the root fillets, below the tip; 0 or negative if "
+           "`severed`",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);

@@ -38,9 +38,9 @@ const Quantities<G>& drawing_quantities() {
            [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
         .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
     q.term("profile_shift",
-           "x in x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if this gives a usual allowance and "
-           "agrees with the tip; otherwise the profile shift by the tip, or x_E if the tip does "
-           "not determine x",
+           "x in x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if x = 0 gives a usual allowance and "
+           "agrees with the tip; otherwise the profile shift computed from the tip, or x_E if the "
+           "tip does not determine x",
            &G::profile_shift);
     q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
              "allowance of the normal tooth thickness, including wear of the flanks",
@@ -160,8 +160,8 @@ const Quantities<Alternative>& alternative_quantities() {
   return define("identify.alternative", [](Quantities<A>& q) {
     q.word("mistake", "mistake",
            "`teeth` if the number of teeth is wrong; `span_teeth` if the number of teeth in each "
-           "span is wrong; otherwise the readings in the wrong unit, mm instead of inch or inch "
-           "instead of mm",
+           "span is wrong; otherwise the readings that are in the wrong unit (mm instead of inch, "
+           "or inch instead of mm)",
            [](const A& a) { return word_of(a.mistake); })
         .one_of({"teeth", "all", "span", "over_balls", "tip_diameter", "root_diameter",
                  "center_distance", "span_teeth"});

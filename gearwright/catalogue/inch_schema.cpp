@@ -77,7 +77,8 @@ void add_needs(Json& schema, const Json& needs) {
   }
 }
 
-// The schema of a tree in which no key of any table matches `other`, unless the key matches `both`.
+// The schema of a tree of tables in which a key may match `other` only if it also matches
+// `both`.
 Json without_names(const char* other, const char* both, const char* self) {
   const Json again{{"$ref", self}};
   const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};

@@ -56,7 +56,7 @@ struct KeyRange {
   std::string sentence(double value) const;
 };
 
-/// The order of the numbers in a list. Without a sentence, any order is allowed.
+/// The order of the numbers in a list. If `sentence` is empty, any order is allowed.
 struct ListOrder {
   bool strict = false;          ///< true if no number may be repeated
   std::string_view sentence{};  ///< message for a list in another order; its {} are the first and
@@ -172,7 +172,8 @@ struct Key {
     return std::move(*this);
   }
 
-  /// Returns `fields`, or the member with the name of the key.
+  /// Returns `fields` if it is not empty. Otherwise returns the name of the key without its
+  /// unit; for an alias, this is the name of the key for which it stands.
   std::vector<std::string> members() const;
 };
 
@@ -183,8 +184,8 @@ struct KeyTable {
   std::vector<Key> keys;
   KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
                    ///< key
-  /// The key whose text may replace the table: material = "16MnCr5". It is empty if there is no
-  /// such key.
+  /// The key that a text sets if it replaces the table: material = "16MnCr5".
+  /// It is empty if there is no such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;

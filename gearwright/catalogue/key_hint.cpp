@@ -97,7 +97,7 @@ struct Place {
   std::string path;
 };
 
-// The tables at and below `top`, in the order of their depth.
+// `top` and the tables below it, ordered by depth.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -141,8 +141,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   // If this table belongs to gear 2, the tables of gear 2 are searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
-  // The short forms of drives and then [search] repeat the words of the gears and the pair, so they
-  // are searched last.
+  // The short forms of drives and the table [search] repeat the words of the gears and the
+  // pair, so they are searched after all other tables, with [search] as the last one.
   for (const std::string_view repeats : {"planetary", "stage", "search"})
     std::stable_partition(all.begin(), all.end(),
                           [&](const Place& p) { return !p.path.starts_with(repeats); });
@@ -157,8 +157,8 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
   return std::nullopt;
 }
 
-// The key whose name contains the word, or is contained in the word. The key with the fewest other
-// letters is returned.
+// Returns the key whose name contains the word or is contained in it. If there are several such
+// keys, the one with the fewest additional letters is returned.
 const Key* with_part(const KeyTable& table, const Word& word) {
   return cheapest(table, kLongest, [&](const Key& key) {
     const std::string name = folded(without_unit(key.key));
@@ -169,7 +169,8 @@ const Key* with_part(const KeyTable& table, const Word& word) {
   });
 }
 
-// A key that differs in only one word out of four or more, for a name such as tip_relief_begin_mm.
+// Returns the key that has the greatest share of words in common with the name, if this share
+// exceeds kLikeWords. An example is tip_relief_start_mm for the name tip_relief_begin_mm.
 const Key* of_like_words(const KeyTable& table, std::string_view name) {
   const auto words = split(name, '_');
   return cheapest(table, -kLikeWords, [&](const Key& key) {

@@ -1,11 +1,11 @@
 // Finds the key that a user probably meant when the given key is unknown.
 //
-// The given key is compared with the keys of its own table and of other tables, in this order: (1)
-// the names without units, the other names (Key::also) and the symbols ("mn" is m_n, "beta" is β)
-// of keys in its own table; (2) names in its own table that differ by a typing error; (3) names and
-// other names in the tables below and then in all other tables; (4) names in its own table that
-// differ in one word, that share a part, or that differ in few letters. If no key is similar, the
-// message lists the keys of the table.
+// The given key is compared with the keys of its own table and of other tables, in this order:
+// (1) the names without units, the other names (Key::also) and the symbols ("mn" is m_n, "beta"
+// is β) of keys in its own table; (2) names in its own table that differ by a typing error; (3)
+// names and other names in the tables below and then in all other tables; (4) names in its own
+// table that have most words in common with it, that share a part with it, or that differ from
+// it in few letters. If no key is similar, the message lists the keys of the table.
 #pragma once
 
 #include <string>

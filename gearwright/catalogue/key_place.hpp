@@ -97,8 +97,9 @@ class KeyPlace {
   bool is_member() const { return same_ != nullptr; }
   /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
-  /// The struct of a sub-table, or a new element of a list of sub-tables. It is default-constructed
-  /// unless it is a plain member. If it has a member `given`, this becomes true.
+  /// Returns the struct of a sub-table, or appends an element to a list of sub-tables and
+  /// returns it. The struct is default-constructed, unless the member itself is the struct. If
+  /// the struct has a member `given`, this member is set to true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// True if the member has the same value in both structs.
   ///

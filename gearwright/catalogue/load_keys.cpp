@@ -78,7 +78,7 @@ const KeyTable& load_probe_keys() {
   using Range = KeyRange;
   static const KeyTable table{
       "load_probe",
-      "Compliance of tooth 0 under a unit line force, normal to its flank at y > 0",
+      "Compliance of tooth 0 under a unit line force normal to its flank at y > 0",
       {Key::number("gear", "", Range::between(1, 2), &LoadProbeInput::gear, "1",
                    "number of the gear"),
        Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired,

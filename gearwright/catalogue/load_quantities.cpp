@@ -56,20 +56,20 @@ void add_position(Quantities<P>& q) {
          [](const P& p) { return p.position->rotation1; });
   of_position
       .term("transmission_error_arcsec",
-            "transmission error as in `contact` minus the deflection of gear 2. This and all other "
-            "numbers of a position are null if no teeth touch or the forces do not converge",
+            "transmission error as in `contact` minus the deflection of gear 2. This value and all "
+            "other results of a position are null if no teeth touch or the forces do not converge",
             &LoadedPosition::te)
       .words("loaded transmission error");
   q.number("approach_um", "approach under load", "Θ r_b2",
-           "approach of the flanks from the first contact without load, along the line of action "
-           "in the transverse section or, for point contact, along the normals; it includes "
+           "approach of the flanks relative to first contact without load, along the line of "
+           "action in the transverse section or, for point contact, along the normals; it includes "
            "deflection of the flanks and twist of the bodies, but no displacement of the axes by "
            "deflection of the shafts",
            [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
   q.number("share", "load shares", "",
-           "share of each loaded tooth pair, with the pair nearest to its exit last; for point "
-           "contact, share of each point",
+           "share of each loaded tooth pair, the pair nearest to the end of its contact last; for "
+           "point contact, share of each point",
            [](const P& p) { return shares(*p.position); });
   of_position.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
                    &LoadedPosition::max_pressure);
@@ -161,8 +161,8 @@ void add_mesh_stiffness(Quantities<T>& q) {
            [](const T& t) { return has_standard(t) ? Value(t.standard->stiffness) : Value(); })
       .unit(Unit::newton_per_mm_um)
       .when(has_standard);
-  q.number("stiffness_over_c_gamma_alpha", "mean stiffness without twist, divided by ISO 6336-1",
-           "",
+  q.number("stiffness_over_c_gamma_alpha",
+           "mean stiffness without twist, divided by c_γα of ISO 6336-1", "",
            "mean mesh stiffness without twist, divided by `c_gamma_alpha`; the "
            "standard does not include the twist of the bodies",
            [](const T& t) {
@@ -351,9 +351,9 @@ const Quantities<LoadAnalysis>& load_quantities() {
         .when([](const LoadAnalysis& v) { return v.contact && quietest(*v.contact); });
     q.record<load_quantities>(
          "halves",
-         "results of each half of a double-helical pair under half of the torque, first at z > 0, "
-         "then at z < 0; all other numbers describe the whole gears, which have no shares and no "
-         "values along the face",
+         "results of the two halves of a double-helical pair, each under half of the torque, in "
+         "the order z > 0, z < 0; all other numbers describe the whole gears, which have no shares "
+         "and no values along the face",
          &LoadAnalysis::halves)
         .list({2})
         .when([](const LoadAnalysis& v) { return !v.halves.empty(); })

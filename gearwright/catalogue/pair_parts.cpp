@@ -279,19 +279,20 @@ const Quantities<InternalMargins>& internal_quantities() {
   using M = InternalMargins;
   return define("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
-    q.number(
-        "involute_margin_mm",
-        "involute interference, start of the path of contact above the form point of the pinion",
-        "",
-        "[T2.27]; negative if the tip of the internal gear reaches below the form point; null if "
-        "there is no such limit",
-        &M::involute);
+    q.number("involute_margin_mm",
+             "involute interference, distance from the form point of the pinion to the start of "
+             "the path of contact",
+             "",
+             "[T2.27]; negative if the tip of the internal gear reaches below the form point; null "
+             "if the pinion has no form point",
+             &M::involute);
     q.number("trochoid_margin_deg", "trochoid interference, play when the tips pass each other", "",
              "[T2.27]; computed for sharp tips without backlash; negative if the tips collide; "
-             "null if there is no such limit",
+             "null if the tip circles do not intersect",
              &M::trochoid);
     q.number("trimming_margin_deg", "trimming interference, play in radial assembly", "",
-             "[T2.28]; negative if only axial assembly is possible; null if there is no such limit",
+             "[T2.28]; negative if only axial assembly is possible; null if there is no limit to "
+             "radial assembly",
              &M::trimming);
   });
 }

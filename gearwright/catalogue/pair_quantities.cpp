@@ -89,7 +89,7 @@ void add_mounting(Quantities<V>& q) {
             &InvolutePair::backlash_free_center_distance)
       .expected();
   of_involutes.number("extended_center_distance_mm", "extended centre distance", "",
-                      "reference centre distance plus both profile shifts [T2.18]",
+                      "a_d + m_n (x1 + x2), for internal pairs a_d − m_n (x1 + x2) [T2.18]",
                       &InvolutePair::extended_center_distance);
   q.term(
        "working_normal_pressure_angle_deg",
@@ -152,7 +152,7 @@ void add_crossed(Quantities<V>& all) {
       .shown(flanks_meet);
   q.record<two_gears_mm>(
        "face_interval_mm",
-       "[at A, at E], axial position at which the leading flanks touch, from the "
+       "axial positions [at A, at E] of the contact of the leading flanks, measured from the "
        "middle of the face [T4.20]",
        [](const CrossedPair& p) {
          return two_gears_mm().of({p.face_widths.interval[0], p.face_widths.interval[1]});
@@ -249,8 +249,8 @@ void add_contact(Quantities<V>& q) {
   of_involutes
       .number(
           "base_tangent_distance_mm", "distance of the base tangent points", "N",
-          "distance in the transverse section [T2.14], or for crossed axes L along the common "
-          "normal [T4.19]",
+          "in the transverse section [T2.14]; on crossed axes, distance L along the common normal "
+          "[T4.19]",
           [](const InvolutePair& p) { return p.mesh.base_tangent_distance / p.mesh.line_cosine; })
       .doors(kJson)
       .when();
@@ -259,8 +259,8 @@ void add_contact(Quantities<V>& q) {
        "overlap",
        "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]. On "
        "crossed axes, these are overlaps of tips and roots [T4.33] and, with an internal gear, "
-       "also of tip corners and flanks. It is null if not computed (circular arcs of unequal lead, "
-       "internal gear without a given cutter)",
+       "also of tip corners and flanks. The list is null if it was not computed (circular arcs of "
+       "unequal lead, internal gear without a given cutter)",
        [](const V& v) -> const auto& { return v.mounted().overlap; })
       .list({0})
       .doors(kJson);
@@ -277,9 +277,7 @@ void add_contact(Quantities<V>& q) {
 
 void add_clearances(Quantities<V>& q) {
   q.under(kClearances);
-  q.term("tip_clearance_mm",
-         "from the tip of gear 1 to the root of gear 2, then from the tip of gear 2 to the root of "
-         "gear 1",
+  q.term("tip_clearance_mm", "per gear, from its tip to the root of the mating gear",
          [](const V& v) { return v.mounted().tip_clearance; })
       .per_gear();
   auto of_involutes = q.part(as<InvolutePair>);
@@ -318,10 +316,10 @@ void add_clearances(Quantities<V>& q) {
 void add_sliding(Quantities<V>& q) {
   q.under(kContact);
   add_sliding(q,
-              "[at A, at E], sliding distance per mm that the contact travels on the flank. On "
-              "parallel axes [T2.22], it is negative where the mating gear drags the flank and "
-              "null at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio "
-              "of the magnitudes of the velocities",
+              "sliding distance [at A, at E] per mm that the contact travels on the flank. On "
+              "parallel axes [T2.22], the value is negative where the mating gear drags the flank "
+              "and null at and beyond a base tangent point. On crossed axes [T4.25], it is the "
+              "ratio of the magnitudes of the velocities",
               [](const V& v) -> std::optional<SlidingAtEnds> {
                 const InvolutePair* p = v.involute();
                 if (!p) return std::nullopt;

@@ -75,8 +75,8 @@ const Quantities<Proposal>& proposal_quantities() {
                                       &P::worst);
     q.record<loaded_score_quantities>(
         "at_helix_limits",
-        "worst values over the torques and both signs of `helix_deviation_um`, which is added to "
-        "the deflection slope, at 16 positions; null without tolerances",
+        "worst values at 16 positions over the torques and both signs of `helix_deviation_um`; "
+        "this deviation is added to the deflection slope; null without tolerances",
         &P::at_limits);
     q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
         .always();
@@ -121,7 +121,7 @@ const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
   return define("propose", [](Quantities<V>& q) {
     q.under("Origin of the amounts");
-    q.term("torque_Nm", "greatest of the torques; the amounts are computed for it",
+    q.term("torque_Nm", "greatest of the given torques; the amounts are computed for it",
            [](const V& v) { return newton_metres(v.torque); });
     q.number("tip_deflection_um", "deflection at the tip", "C_i",
              "least short tip relief that keeps the tip free of load, for the helix modifications "
@@ -138,7 +138,7 @@ const Quantities<ProposeView>& propose_quantities() {
         .digits(2);
     q.number("helix_deviation_um", "combined helix slope deviation of both gears", "F",
              "square root of the sum of the squares of f_HβT of both grades, each converted from "
-             "the evaluated range L_β to the face [T14.23], normal to the flank over the common "
+             "the evaluated range L_β to the face [T14.23]; normal to the flank, over the common "
              "face [T12.32]; null without grades",
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);

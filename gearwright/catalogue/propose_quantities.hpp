@@ -12,9 +12,9 @@
 
 namespace gearwright {
 
-/// The profile modifications of a proposal. They are either the modifications of the spec or
-/// reliefs. Reliefs are short or long. They are at the tips of both gears, or at the tip and the
-/// root of gear 1.
+/// The profile modifications of a proposal: the modifications of the spec, or reliefs that are
+/// short or long. The reliefs are either at the tips of both gears or at the tip and the root
+/// of gear 1.
 enum class ProposedProfile { as_given, short_tips, long_tips, short_gear1, long_gear1 };
 
 /// The amounts of a gear in mm. An amount is empty if the proposal keeps the value of the spec.

@@ -36,7 +36,7 @@ enum Doors : unsigned {
   kAllDoors = kJson | kPeople
 };
 
-/// The meaning of two values of a list.
+/// The meaning of a list of two values.
 enum class Two {
   values,   ///< values without a special meaning
   gears,    ///< gear 1 and gear 2, each with a column
@@ -71,7 +71,7 @@ struct QuantityInfo {
   bool greater_first = false;              ///< true if greater values are better
   bool only_inch = false;                  ///< true if it is shown only for inch specs
   bool optional_key = false;               ///< if the quantity does not exist: true if the key is
-                                           ///< then absent, false if its value is null
+                                           ///< absent, false if its value is null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -94,10 +94,11 @@ struct Quantity {
   std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
                                            ///< that part
 
-  // The functions below refine an entry. They are listed in their usual order.
-  // The value is never null, although its getter returns a Value.
+  // The functions below refine an entry. They are listed in their usual order. always() states
+  // that the value is never null, although its getter returns a Value.
   Quantity& always() { return info.always = true, *this; }
-  // The number may be missing, as NaN or infinity, although its getter returns a plain number.
+  // States that the number may be missing (NaN or infinity), although its getter returns a
+  // plain number.
   Quantity& or_null() { return info.always = false, *this; }
   Quantity& in_inch() { return info.only_inch = true, *this; }
   Quantity& digits(int n) { return info.digits = n, *this; }
@@ -117,7 +118,7 @@ struct Quantity {
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
-  // The value exists only if the subject has the part to which the entry belongs.
+  // States that the value exists only if the subject has the part to which the entry belongs.
   Quantity& when() { return when(there); }
   Quantity& expected() { return expected(there); }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
@@ -164,7 +165,8 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// Returns a type that has the Shape of the result of record_value() if a getter returns R.
+/// The type that this function returns has the Shape of the values that record_value() returns
+/// if the getter returns R.
 template <class T, class R>
 auto record_shape() {
   if constexpr (std::is_same_v<R, T>) {
@@ -221,9 +223,10 @@ class QuantityForms {
     const Term& t = term_of(key);
     return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
   }
-  /// A record of the quantities `of`, or a list of such records. `get` returns a subject, an
-  /// optional or a pointer that may be empty, a range of subjects, or a finished value. By default,
-  /// it returns the subject itself.
+  /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject,
+  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. The
+  /// optional may be empty, and the pointer null. By default, `get` returns the subject S
+  /// itself.
   template <const auto& (*of)(), class G = std::identity>
   auto& record(const char* key, const char* meaning, G get = {}) {
     using T = typename std::remove_cvref_t<decltype(of())>::Subject;
@@ -382,8 +385,8 @@ UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 
-/// A row for users. It has one quantity and a text for each column, or a single text for a value
-/// that both gears share.
+/// A row for users: a quantity with one text per column, or with a single text if both gears
+/// share the value.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -396,10 +399,10 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// The table for users. It shows either records side by side (two gears) or one record with values
-/// for each gear (a pair). It contains the quantities of the interface `door` that at least one
-/// record shows, under their headings, in these units. The quantities of inner records are also
-/// rows. `table` is the table of the records.
+/// The table for users. It shows either several records side by side (two gears) or one record
+/// with values for each gear (a pair). It contains the quantities of the interface `door` that
+/// at least one record shows. They are under their headings and in these units. The quantities
+/// of inner records are also rows. `table` is the table of the records.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");

@@ -21,11 +21,11 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
 }
 
-// Sets all defaults for this cutter. The keys that follow replace single values.
+// Sets all defaults for this cutter. The keys that are read after it replace single values.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
-// If the default tip rounding is the full radius, rounding errors must not make it exceed the full
-// radius.
+// The default of the tip rounding may be the full radius. Floating-point errors must not make
+// it greater than the full radius.
 std::optional<KeyFault> complete_arc_rack(ArcRack& rack, const KeyGiven& given) {
   constexpr double kInside = 1.0 - 1e-12;
   const double greatest = full_radius(rack);

@@ -75,8 +75,8 @@ void add_contact(Quantities<V>& q) {
   q.term("recess_contact_ratio", "contact ratio after the pitch point, with the pinion driving",
          [](const V& v) { return v.recess / v.base_pitch; });
   add_sliding(q,
-              "[at A, at E], sliding distance per mm that the contact travels on the flank "
-              "[T2.41]; null for the pinion at and beyond the base tangent point",
+              "sliding distance [at A, at E] per mm that the contact travels on the flank [T2.41]; "
+              "null for the pinion at and beyond the base tangent point",
               [](const V& v) {
                 const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
                 return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
@@ -94,7 +94,7 @@ void add_all(Quantities<V>& q) {
       "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]");
   q.under(kClearances);
   q.term("tip_clearance_mm",
-         "from the tip of the pinion to the root of the rack, then from the tip of the rack to the "
+         "for the pinion from its tip to the root of the rack, for the rack from its tip to the "
          "root of the pinion [T2.40]",
          &V::tip_clearance)
       .per_gear();

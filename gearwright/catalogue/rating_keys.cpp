@@ -298,9 +298,10 @@ const KeyTable& rating_mounting_keys() {
            "distance from the middle of the bearings to the middle of the pinion face"),
        Key::positive("shaft_diameter_mm", "d_sh", &P::shaft_diameter, kRequired,
                      "outside diameter of the pinion shaft"),
-       Key::word("arrangement", {"a", "b", "c", "d", "e"}, &P::arrangement, "\"a\"",
-                 "arrangement in the figure of the standard for K'; a and b for torque from the "
-                 "near or the far side, c for an overhung pinion, d and e for a second pinion"),
+       Key::word(
+           "arrangement", {"a", "b", "c", "d", "e"}, &P::arrangement, "\"a\"",
+           "arrangement in the figure of the standard for K'; a for torque from the near side, b "
+           "for torque from the far side, c for an overhung pinion, d and e for a second pinion"),
        Key::flag("stiffening", &P::stiffening, "true",
                  "true if the pinion is integral with the shaft or shrunk onto the shaft"),
        Key::not_negative("misalignment_um", "f_ma", &P::manufacture, "√(f_Hβ1² + f_Hβ2²)",

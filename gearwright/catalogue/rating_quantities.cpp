@@ -371,8 +371,8 @@ void add_all(Quantities<V>& q) {
   add_spectrum(q);
   add_contact(q);
   q.add(Type::map, "formulas", "formulas", "",
-        "for each factor the clause of the standard and the branch of the formula, {key: {formula, "
-        "branch}}",
+        "for each factor, the clause of the standard and the branch of the formula, as {key: "
+        "{formula, branch}}",
         [](const V& v) {
           ValueMap all;
           for (const FactorSource& s : factor_sources(v.rating)) {

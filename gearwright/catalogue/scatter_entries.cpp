@@ -30,7 +30,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "mean position of the contact along the profile [T8.24]; null for involute pairs"},
        Q::along_profile},
       {{"edge_share", "positions with an edge in contact", Unit::none, 4,
-        "share of the positions at which an edge touches, over one pitch, 0 to 1"},
+        "share of the positions of one pitch at which an edge touches, 0 to 1"},
        Q::edge_share},
       {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
         "least play of gear 2 from contact on one flank to contact on the other flank; < 0 if the "
@@ -42,19 +42,19 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
        Q::long_period},
       {{"tip_clearance1_mm", "tip clearance of gear 1", Unit::mm, 4,
         "clearance between the tip of gear 1 and the root of gear 2, as in `pair`; null on crossed "
-        "axes, for circular-arc teeth, and if the tooth thickness varies and no closed form exists "
+        "axes, for circular-arc teeth, or if the tooth thickness varies and no closed form exists "
         "[T14.31]"},
        Q::tip_clearance1},
       {{"tip_clearance2_mm", "tip clearance of gear 2", Unit::mm, 4,
         "clearance between the tip of gear 2 and the root of gear 1, as in `pair` [T14.31]"},
        Q::tip_clearance2},
       {{"form_clearance1_mm", "form clearance of gear 1", Unit::mm, 4,
-        "radial distance from the start of the usable flank of gear 1 to the contact, as in `pair` "
-        "[T14.31]; < 0 if the tip of gear 2 reaches below the usable flank"},
+        "radial distance from the start of the usable flank of gear 1 to the start of contact, as "
+        "in `pair` [T14.31]; < 0 if the tip of gear 2 reaches below the usable flank"},
        Q::form_clearance1},
       {{"form_clearance2_mm", "form clearance of gear 2", Unit::mm, 4,
-        "radial distance from the start of the usable flank of gear 2 to the contact, as in `pair` "
-        "[T14.31]"},
+        "radial distance from the start of the usable flank of gear 2 to the start of contact, as "
+        "in `pair` [T14.31]"},
        Q::form_clearance2},
   }};
   return entries;

@@ -92,8 +92,8 @@ const KeyTable& scatter_keys() {
            "default 16 positions); pitch deviations have no effect on these quantities [T14.24]"),
        Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
                    &S::loaded_samples, "256",
-                   "greatest number of samples under load, for all replicates together. Each "
-                   "replicate has the greatest power of two of samples that this limit and "
+                   "greatest number of samples under load, for all replicates together. The number "
+                   "of samples of each replicate is the greatest power of two that this limit and "
                    "`samples` allow, but at least one"),
        Key::number(
            "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
@@ -144,11 +144,10 @@ const KeyTable& scatter_bearing_keys() {
       "The bores of axis 1 relative to the bores of axis 2; each bore can lie anywhere in a circle "
       "[T14.12]",
       {Key::positive("span_mm", "L", &B::span, kRequired, "distance of the bearings of a shaft"),
-       Key::not_negative(
-           "radius_mm", "R", &B::radius, kRequired,
-           "radius of the circle in which a bore of axis 1 can lie relative to the bore of axis "
-           "2 in the same wall. Two independent bores that can each lie in a circle of "
-           "radius r have the variance of R = √2 r"),
+       Key::not_negative("radius_mm", "R", &B::radius, kRequired,
+                         "radius of the circle in which a bore of axis 1 can lie relative to the "
+                         "bore of axis 2 in the same wall. If both bores lie independently in "
+                         "circles of radius r, R = √2 r gives the same variance"),
        Key::number("offset_mm", "c", {}, &B::offset, "0",
                    "position of the gears on the shaft, from the middle of the span towards +z")}};
   return table;

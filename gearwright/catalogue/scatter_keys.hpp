@@ -72,7 +72,7 @@ struct ScatterInput {
   };
   std::vector<Group> groups;
   /// [[scatter.correlations]]: two inputs, as the user wrote them, and the correlation of their
-  /// scores.
+  /// normal scores (docs/spec.md).
   struct Correlation {
     std::array<std::string, 2> between;
     double value = 0.0;

@@ -35,8 +35,8 @@ const Quantities<LoadedSpreadView>& loaded_spread_quantities() {
         [](const V& v) -> const auto& { return v.loaded->edge_carries; });
     q.record<probability_quantities>(
         "unsolved",
-        "samples in which no teeth touch at some position or the forces do not converge there; "
-        "these samples are not in the distributions",
+        "samples with a position at which no teeth touch or the forces do not converge; these "
+        "samples are not in the distributions",
         [](const V& v) -> const auto& { return v.loaded->unsolved; });
   });
 }

@@ -57,8 +57,8 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
     q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
-             "share of the variance that the derivatives at the pair as drawn explain [T14.28]; "
-             "null if the quantity has no derivative there",
+             "share of the variance that is explained by the derivatives at the pair as drawn "
+             "[T14.28]; null if the quantity has no derivative there",
              &I::linear_share);
   });
 }
@@ -129,7 +129,7 @@ const Quantities<JudgedView>& judged_quantities() {
         "load",
         [](const J& j) -> const auto& { return j.family->edge; });
     q.record<loaded_spread_quantities>(
-         "loaded", "results under each torque; only with `aim` under load", &J::loaded)
+         "loaded", "results under each torque; only if `aim` is a quantity under load", &J::loaded)
         .when([](const J& j) { return !j.loaded.empty(); });
   });
 }
@@ -162,11 +162,11 @@ const Quantities<LooseningView>& change_quantities() {
   using L = LooseningView;
   return define("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return *l.input; });
-    q.number("factor",
-             "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
-             "null if the percentile grows by less than 5 % at every factor up to 8 at which the "
-             "teeth can exist",
-             [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.number(
+        "factor", "factor by which the tolerance can grow until the percentile has grown by 5 %",
+        "",
+        "null if no factor up to 8 at which the teeth can exist makes the percentile grow by 5 %",
+        [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "", [](const L& l) {
        return Angle::radians(l.change->halved).arcsec();
      }).or_null();
@@ -187,8 +187,8 @@ const Quantities<V>& loosening_quantities() {
       return list;
     });
     q.text("tighten_first",
-           "input whose halved tolerance lowers the percentile most; null if no halved tolerance "
-           "lowers the percentile",
+           "input whose tolerance lowers the percentile most when halved; null if no tolerance "
+           "lowers it when halved",
            [](const V& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();

@@ -44,8 +44,8 @@ const std::array<LoadedEntry, 3>& loaded_entries();
 struct SpreadView {
   const SpreadEntry* entry;
   const Spread* spread;
-  /// For each percentile, the nearest sample. It has the errors in the form of a spec, followed by
-  /// the other inputs of the sample.
+  /// For each percentile, the sample whose value is nearest to it. Each sample contains the
+  /// errors in the form of a spec, followed by its other inputs.
   ValueList samples;
 };
 
@@ -61,8 +61,8 @@ struct LoadedSpreadView {
   std::array<std::optional<SpreadView>, 3> spread;  ///< in the order of loaded_entries()
 };
 
-/// Statistics of the family without corrections or of the family with corrections, from the samples
-/// by which the two are compared.
+/// The statistics of a family of pairs, either without or with corrections. Both families are
+/// computed from the same samples, so that they can be compared.
 struct JudgedView {
   const JudgedFamily* family;
   SpreadView peak_to_peak;
@@ -90,7 +90,8 @@ struct ScatterView {
 
 const Quantities<ScatterView>& scatter_quantities();
 
-/// The quantities of a distribution, of the probabilities of a family and of one probability.
+/// The quantities of a distribution, of all probabilities of a family, of one probability, and
+/// of a family under one torque.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();

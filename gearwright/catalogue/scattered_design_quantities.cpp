@@ -15,7 +15,7 @@ bool computed(const D& d) { return d.scatter != nullptr; }
 
 void add_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
-        "its rank in the search; `search --take` with this number prints its spec",
+        "rank of the design in the search; `search --take` with this number prints its spec",
         [](const D& d) { return static_cast<long long>(d.number); });
   q.number("module_mm", "normal module", "m_n", "",
            [](const D& d) { return d.design.row->trial.module; });

@@ -19,7 +19,8 @@ struct ScatteredDesign {
 };
 const Quantities<ScatteredDesign>& scattered_design_quantities();
 
-/// Designs ranked by a percentile. The rows are read one by one (scattered_design_quantities).
+/// Data of a ranking of designs by a percentile. The designs themselves are not included. They
+/// are read one by one with scattered_design_quantities().
 struct ScatterStudyView {
   double percent;  ///< percentile of the ranking
   int samples, replicates;

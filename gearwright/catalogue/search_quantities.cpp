@@ -24,8 +24,8 @@ const Quantities<NearestChange>& change_quantities() {
     q.text("from", "value as given", [](const C& c) { return spelled_change(c).from; });
     q.text("to", "value for which a design is feasible",
            [](const C& c) { return spelled_change(c).to; });
-    q.number("effort", "effort", "", "effort of the change, by which the changes are ordered",
-             &C::effort);
+    q.number("effort", "effort", "",
+             "effort of the change; the changes are in ascending order of this value", &C::effort);
   });
 }
 const Quantities<SearchProblem>& margin_quantities() {

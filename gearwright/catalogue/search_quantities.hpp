@@ -21,8 +21,8 @@ struct DesignView {
 
 const Quantities<DesignView>& design_quantities();
 
-/// A finished search. Its designs are not included. They are read one by one with
-/// design_quantities, because there may be many.
+/// A finished search without its designs. There may be many designs, so they are read one by
+/// one with design_quantities().
 struct SearchView {
   const SearchProblem* problem = nullptr;
   SearchAnswer answer;
@@ -43,8 +43,8 @@ struct SpelledChange {
 };
 SpelledChange spelled_change(const NearestChange& change, UnitSystem units = UnitSystem::mm);
 
-/// An angle in degrees as it was given: −12, without the rounding error of a conversion to radians
-/// and back.
+/// An angle in degrees without the rounding error of a conversion to radians and back: exactly
+/// −12 if −12 was given.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

@@ -18,7 +18,8 @@ std::optional<KeyFault> check_shaft(Shaft& shaft, const KeyGiven&) {
   return KeyFault{
       "steps_mm",
       diameters == 1
-          ? std::string("needs several diameters in diameter_mm, one diameter more than steps")
+          ? std::string("needs a list of diameters in diameter_mm, one diameter more than the "
+                        "number of steps")
           : fmt::format("must have one entry fewer than diameter_mm ({} entries for {} diameters), "
                         "because its entries are the places at which the diameter changes",
                         diameters - 1, diameters)};

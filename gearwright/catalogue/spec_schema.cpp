@@ -139,7 +139,7 @@ Json gears_or_search() {
   const Json whole{{"$ref", "#/$defs/whole_gear"}};
   Json rack = required({"form"});
   rack["properties"] = {{"form", {{"const", "rack"}}}};
-  // Gear 2 needs only its teeth, because it takes the other values from gear 1.
+  // Gear 2 needs only its number of teeth, because it takes all other values from gear 1.
   const Json second{{"anyOf", {required({"teeth"}), rack}}};
   const Json either{{"anyOf", {whole, reference(blank_keys())}}};
   const Json either_second{{"anyOf", {second, reference(blank_keys())}}};

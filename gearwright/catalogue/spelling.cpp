@@ -64,8 +64,8 @@ std::optional<Spelling> spelling_of(std::string_view member, const GivenKeys& gi
   return chosen(found, given);
 }
 
-// If the spec gives a key whose number is converted, such as a diametral pitch, the result is the
-// key whose number is the member itself, such as the module.
+// If the spec gives a key whose value is converted, such as a diametral pitch, returns the key
+// that sets the member without conversion, such as the module.
 std::optional<Spelling> own_spelling(std::string_view member, const Spelling& s) {
   const auto plain = spelling_of(member, {});
   if (!plain || !plain->key->in_documents || !s.key->in_documents || plain->path == s.path)

@@ -18,8 +18,8 @@
 
 namespace gearwright {
 
-/// Paths of the keys that a spec gives, "gear1.left_tip_relief_um". If several keys set one member,
-/// the error names the key that is given.
+/// The paths of the keys that a spec gives, "gear1.left_tip_relief_um". If several keys can set
+/// one member, an error names the key that the spec gives.
 struct GivenKeys : std::set<std::string, std::less<>> {
   using set::set;
   UnitSystem units = UnitSystem::mm;  ///< units of the spec; paths belong to the catalogue

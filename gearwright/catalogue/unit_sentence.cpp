@@ -50,9 +50,9 @@ std::optional<NumberText> number_at(std::string_view text) {
                     std::strtod(std::string(text.substr(0, end)).c_str(), nullptr)};
 }
 
-// The number in the inch unit. If the text has four or more digits and three of them are decimals,
-// it is usually rounded. The result then has one digit less, so that all its digits are correct.
-// Otherwise the result has at least four digits.
+// The number in the inch unit. A number with at least four significant digits and at least
+// three decimals is usually rounded, so its result has one significant digit less, and all
+// digits of the result are correct. Every other result has at least four significant digits.
 std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";

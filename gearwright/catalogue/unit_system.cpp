@@ -140,8 +140,8 @@ double KeyUnit::to_metric(double inch_value) const {
   const auto there = [&](double y) { return static_cast<double>(inverse ? y / size : y * size); };
   const double exact = there(inch_value);
   const double shorter = rounded(exact, kSafeDigits);
-  // The inch value may be a short number in mm that was divided by 25.4 in double. If so, the
-  // quotient has one rounding error, and the result is the short number.
+  // The inch value may be a short number in mm that was divided by 25.4 in double. The quotient
+  // then has one rounding error, and this function returns the short number.
   const auto back = static_cast<double>(inverse ? shorter * size : shorter / size);
   return std::nextafter(back, inch_value) == inch_value ? shorter : exact;
 }

@@ -23,8 +23,8 @@ std::string_view to_string(UnitSystem units);
 
 /// The unit that replaces a unit of the catalogue in this system: Unit::inch for Unit::mm.
 Unit unit_in(UnitSystem units, Unit unit);
-/// A value in the unit that replaces `unit`. Among the numbers that equal this value within
-/// rounding, the result has the fewest digits.
+/// A value in the unit that replaces `unit`. The result is the number with the fewest digits
+/// that equals the exact value within rounding.
 double value_in(UnitSystem units, Unit unit, double value);
 /// The number of decimals shown to users, for a value that has `digits` decimals in `unit`: one
 /// more in inch, and one less in µin or 1/in. The resolution changes by a factor of less than 4.

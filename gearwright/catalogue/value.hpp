@@ -88,7 +88,7 @@ struct Member {
   bool shown = true;  ///< true if users see a row; the row has a dash if there is no value
 };
 
-/// True if `value` is null, or a list without any other value than null.
+/// True if `value` is null, or if it is a list in which every value is null.
 bool all_nothing(const Value& value);
 
 }  // namespace gearwright

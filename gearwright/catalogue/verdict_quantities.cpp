@@ -76,7 +76,8 @@ const Quantities<Finding>& finding_quantities() {
     q.add(Type::map, "change", "change", "",
           "keys of the spec that the remedy sets, with their values", change_of);
     q.add(Type::map, "values", "values", "",
-          "numbers of the finding, for example a clearance and its limit, under keys with units",
+          "values that led to the finding, by name, such as a clearance and its limit; names of "
+          "lengths end in `_mm`",
           values_of);
   });
 }

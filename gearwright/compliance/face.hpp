@@ -35,12 +35,14 @@ class Face {
   /// Weights of the nodal values that give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
   /// Solves in place: each column contains a load and is replaced by the amplitudes under this
-  /// load. A column lists all modes at the first node, then all modes at the second, and so on. The
-  /// amplitudes at the inner nodes of an element are relative to those that its ends cause.
+  /// load. A column lists all modes at the first node, then all modes at the second, and so on.
+  /// In the result, the amplitudes at the inner nodes of an element lack the part that the
+  /// amplitudes at its ends cause.
   void solve(Eigen::MatrixXd& columns) const;
-  /// The products of `weights`ᵀ and the complete amplitudes at each node, for columns after solve().
+  /// Returns `weights`ᵀ times the amplitudes at each node, including the missing part at the
+  /// inner nodes. `columns` is a result of solve().
   Eigen::MatrixXd read(const Eigen::MatrixXd& weights, const Eigen::MatrixXd& columns) const;
-  /// Makes the amplitudes at the inner nodes complete.
+  /// Adds the missing part of the amplitudes at the inner nodes to a result of solve().
   void complete(Eigen::MatrixXd& columns) const;
 
  private:

@@ -23,8 +23,8 @@ struct FlankMetric {
 /// Displacement in plane strain under a bump of half width c, averaged with the weights of the same
 /// bump. An additive constant is omitted. [T12.11]
 double plane_bump(double c, double poisson_ratio);
-/// Displacement in plane strain at the centre of a Hertz strip of half width a. The additive
-/// constant that plane_bump() omits is also omitted here. [T12.11]
+/// Displacement in plane strain at the centre of a Hertz strip of half width a. The same
+/// additive constant is omitted as in plane_bump(). [T12.11]
 double plane_hertz(double a, double poisson_ratio);
 /// Nodes and weights of a quadrature rule for functions with a logarithmic singularity at 0.
 struct Offsets {
@@ -36,8 +36,8 @@ Offsets bump_offsets(double ds, double c, double c_other);
 /// distance from the centre line of the strip.
 Offsets hertz_offsets(double a);
 
-/// Mean of 1/R between the points of two slices of width h, whose middles are d apart along z and
-/// `offset` apart along s.
+/// Mean of 1/R between the points of two slices of width h. The slices are d apart along z,
+/// measured between their middles, and `offset` apart along s.
 double slices_inverse(const FlankMetric& metric, double offset, double d, double h);
 /// Mean of 1/R between the points of a slice [z_lo, z_hi] and a point at z, `offset` apart along s.
 double slice_to_point(const FlankMetric& metric, double offset, double z, double z_lo, double z_hi);

@@ -26,14 +26,15 @@ struct ComplianceProbe {
 };
 
 struct ProbeAnswer {
-  /// Deflection of the loaded place along the normal. For an infinitely wide gear it is in mm per
-  /// N/mm. Otherwise it is the mean over the loaded part of the face, in mm per N.
+  /// Deflection along the normal at the position of the load. For an infinitely wide gear, the
+  /// unit is mm per N/mm. Otherwise it is mm per N, and the value is the mean over the loaded
+  /// part of the face.
   double own = 0.0;
   std::vector<double> profile;  ///< deflection at each z of `read`, mm per N
   bool wide = false;            ///< true for an infinitely wide gear, in plane strain
 };
 
-/// Computes the compliance of a tooth of the gear at the place of the probe.
+/// Computes the compliance of a tooth of the gear at the position of the probe.
 ///
 /// Errors    as make_section_mesh; `diameter` if it does not lie on the flank; `z` and
 ///           `read_z` if they do not lie on the face

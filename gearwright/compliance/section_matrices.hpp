@@ -1,5 +1,5 @@
-// Sparse stiffness matrices of a section, for displacements that vary along the face as waves or as
-// free functions.
+// Sparse stiffness matrices of a section, for displacements that vary along the face as waves
+// or in any other way.
 //
 //   U = (u, v, w)   displacement in coordinates that turn with the helix; dof 3·node + component
 //   A, B            matrices that give the strains due to U and due to ∂U/∂z   [T12.5]
@@ -38,7 +38,7 @@ struct SectionMatrices {
 
 /// Computes the matrices of a section. If `wave` is true, B gives the strains of the waves
 /// U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]. If `wave` is false, B gives the
-/// strains of free functions of z.
+/// strains of displacements that are arbitrary functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
@@ -57,8 +57,8 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// If Scalar is double, `matrices` must belong to waves. If Scalar is complex, they must belong
-  /// to free functions of z.
+  /// If Scalar is double, `matrices` must be made with `wave` true. If Scalar is complex, they
+  /// must be made with `wave` false.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   /// Displacements of all degrees of freedom under the columns of `loads`. If k = 0 and τ = 0, the

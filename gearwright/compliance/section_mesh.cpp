@@ -28,8 +28,8 @@ double arc_length(const Arc& arc) {
   return arc.begin == arc.end ? 0.0 : ArcLength(*arc.curve, arc.begin, arc.end).length();
 }
 
-// Distributes a number of elements among the arcs with one name, in proportion to their length.
-// Each arc receives at least one element.
+// Distributes a number of elements among all arcs with the same name, in proportion to their
+// length. Each arc receives at least one element.
 void share_out(std::vector<Part>& parts, ArcName name, int elements) {
   double sum = 0.0;
   for (const Part& p : parts)

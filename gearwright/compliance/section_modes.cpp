@@ -80,9 +80,9 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due to
-// plane strain and plane stress. The warping represents the free ends. If τ ≠ 0, waves under axial
-// loads are added.
+// Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due
+// to plane strain and to plane stress. The warping accounts for the unloaded end faces. If τ ≠
+// 0, waves under axial loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {

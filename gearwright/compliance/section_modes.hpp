@@ -1,6 +1,6 @@
-// Displacement modes of a loaded section. The modes are extracted from displacement waves along the
-// face and from solutions for the free ends. With these modes, the tooth is computed as a beam
-// along its face.
+// Displacement modes of a loaded section. The modes are extracted from displacement waves along
+// the face and from solutions for the unloaded end faces. With these modes, the tooth is
+// computed as a beam along its face.
 //
 //   Φ     modes: first fields of u and v, then fields of w
 //   f(z)  amplitudes of the modes along the face

@@ -51,7 +51,7 @@ struct ToothSection {
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 
-/// The half width of a bump at s: 0.3 modules, reduced near the tip.
+/// The half width of a bump at s: 0.3 modules, or less near the tip.
 double bump_width(double s, double flank_hi);
 }  // namespace detail
 /// Makes the section of a tooth whose loaded flank lies at y > 0. `twist` is the rotation of the

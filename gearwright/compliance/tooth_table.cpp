@@ -153,8 +153,8 @@ void ToothTable::make(const ToothTableRequest& request) {
       }
     }
   });
-  // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, it is disturbed by
-  // the smooth part of the rim, so the mean of each entry and the reciprocal entry is used.
+  // For a single tooth, Betti's reciprocity is exact. For neighbouring teeth, the smooth part
+  // of the rim disturbs it, so the mean of each entry and the reciprocal entry is used.
   for (int j = 0; j < n_; ++j) {
     for (int l = 0; l < n_; ++l) {
       for (int i = 0; i < places_; ++i) {

@@ -62,8 +62,8 @@ class ToothTable {
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
 
-  /// Distributes the forces on the slices of a line over the grid of the table. The grid has a row
-  /// per slice and a column per position along the flank.
+  /// The forces that act on the slices of a line, distributed over the grid of the table. The
+  /// grid has a row per slice and a column per position along the flank.
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   /// Distributes a unit force at a position over the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;

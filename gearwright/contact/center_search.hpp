@@ -31,8 +31,9 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
   return box;
 }
 
-/// Returns the center at which the function is least. The first center is `center`. The search ends
-/// if a model promises a gain of at most `gain`.
+/// Returns the center at which the function is least. The first center is `center`. The search
+/// ends if a model promises a gain of at most `gain`, after kMostCenters models, or if the
+/// reach is below kLastReach.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v

@@ -22,12 +22,13 @@ constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// If the search has an aim (CompensationAim), these numbers replace kLastGain_rad and kLost. Both
-// are multiples of CompensationAim::same.
+// If the search has an aim (CompensationAim), these numbers times CompensationAim::same replace
+// kLastGain_rad and kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost per radian by which the peak to peak exceeds its limit. Beyond the limit, the cost of the
-// pattern without corrections is added as well, so that corrections beyond the limit are never
-// better than no correction. f decreases as the peak to peak approaches the limit from above.
+// Cost per radian of the peak to peak above its limit. Above the limit, the cost of the pattern
+// without corrections is also added, so that corrections which exceed the limit are never
+// better than no correction. f still decreases if the peak to peak approaches the limit from
+// above.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -76,7 +77,8 @@ class Judge {
       return worst;
     };
   }
-  // Until the next call, value() uses this model. If the model is empty, value() is exact.
+  // All later calls of value() use this model, until use() is called again. If the model is
+  // empty, value() is exact.
   void use(Model model) {
     model_ = std::move(model);
     known_.clear();
@@ -140,8 +142,8 @@ class Judge {
   std::map<std::vector<double>, double> known_;
 };
 
-// The least-squares corrections for TE linearised at v = 0. The mean of the TE curve of each
-// scenario is subtracted from the curve first.
+// The corrections that minimise the sum of the squares of TE over all scenarios, with TE
+// linearised at v = 0. The mean of each TE curve is subtracted first.
 std::vector<double> linearised(const CompensationTask& task, Judge& judge) {
   const std::size_t n = task.corrections.size();
   const std::vector<double> zero(n, 0.0);
@@ -196,7 +198,8 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// The fraction of the gain that rounding the values, or setting one of them to 0, may lose.
+// The fraction of the gain that may be lost when the values are rounded or when one of them is
+// set to 0.
 constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.
@@ -215,7 +218,7 @@ struct Best {
   }
 };
 
-// The best corrections that a search of the whole box and descents from several starts find.
+// Searches the whole box, descends from several starts, and returns the best corrections.
 std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(judge, zero);
@@ -227,7 +230,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  // A model takes less time than a curve, so it is searched more thoroughly.
+  // A trial takes less time with a model than with a TE curve, so the search of the whole box may
+  // evaluate twice as many trials.
   const int of_box = judge.uses_model() ? 2 * budget : budget;
   starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, of_box, 1.0, zero));
   for (std::vector<double>& start : starts) {
@@ -242,9 +246,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// Like searched(), but if the aim has an estimate, all trials use the estimate. The search is then
-// repeated around the best corrections, with the estimate that is exact for these corrections. No
-// estimate is used if the value without corrections is not finite.
+// Like searched(), but if the aim has an estimate, all trials use it. The search is then
+// repeated around the best corrections, with the estimate that is exact for these corrections.
+// If the value without corrections is not finite, no estimate is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -300,16 +304,17 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // The last steps used estimates. Exact values decide between the result of these steps, the
-  // result of the search, and no corrections.
+  // The last steps used estimates. Exact values now decide between the result of these steps,
+  // the result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;
   return searched < refined - same ? written : best.v;
 }
 
-// The corrections without those that are not needed. In turn, from the last to the first, each
-// correction is fixed at 0 and the others are searched again. It stays 0 if f is as small then.
+// Returns `found` without the corrections that are not needed. Beginning with the last one, the
+// function sets each correction to 0 and searches the others again. If f is then as small as
+// before within `limit`, the correction remains 0.
 std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& fine,
                            std::vector<double> found) {
   const std::size_t n = found.size();
@@ -348,9 +353,9 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// The task with its bounds moved so that, if only one correction is not 0, teeth exist up to the
-// bounds of this correction. With wider bounds, most trials of the search would be corrections for
-// which no teeth exist.
+// The task with narrower bounds: each bound at which no teeth exist is moved towards 0 until
+// teeth exist there with all other corrections at 0. With wider bounds, no teeth would exist
+// for most trials of the search.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {
@@ -382,7 +387,7 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // If the peak to peak is NaN, the comparison is false, and the result is kLeast.
+  // If the peak to peak is NaN, the comparison is false and the result is kLeast.
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
 }
 

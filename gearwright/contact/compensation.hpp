@@ -1,22 +1,23 @@
-// Computes corrections that centre the contact pattern and minimise the greatest transmission error
-// that any of several sets of errors causes.
+// Computes corrections that centre the contact pattern and minimise the greatest transmission
+// error that any of several sets of errors causes.
 //
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
 //
 //   TE  the continuous curve, because the peak to peak of the values at the computed positions
-//       changes with the place of the handovers between them
+//       depends on where the handovers lie between these positions
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile; 0 if this position has no target. For
 //       circular-arc teeth, the target is the pressure angle of their racks
 //
-// If the caller gives w, a greater transmission error is accepted for a more central pattern. The
-// default of w is small, and corrections that increase the transmission error are then rejected.
+// If the caller gives w, a greater transmission error is accepted for a more central pattern.
+// The default of w is small, and with this default, corrections that increase the transmission
+// error are rejected.
 //
-// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a method
-// without derivatives (subplex). This search starts from zero, from the least-squares solution of
-// the linearised problem, from starting values that the caller gives, and from the best point found
-// in the whole box of bounds.
+// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a
+// method without derivatives (subplex). This search starts from zero, from the least-squares
+// solution of the linearised problem, from starting values that the caller gives, and from the
+// best point found in the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -38,14 +39,15 @@ struct Correction {
   double step;    ///< size of a small change, in the caller's unit
 };
 
-/// Another quantity to minimise instead of the transmission error of rigid teeth. The position of
-/// the pattern is then ignored.
+/// A quantity that is minimised instead of the transmission error of rigid teeth. If a task has
+/// such an aim, the position of the pattern is ignored.
 struct CompensationAim {
-  /// Returns the quantity of a pair, in any unit; the second argument is the number of positions
-  /// per pitch. Infinity means that the pair is worse than all others.
+  /// Returns the quantity of a pair, in any unit. The second argument is the number of
+  /// positions per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
-  /// Returns a function that estimates the quantity after a change of the corrections of the pair.
-  /// The estimate is exact for the change 0. `near` is empty if there is no estimate.
+  /// Returns a function that estimates the quantity of the pair after its corrections have
+  /// changed by `change`. The estimate is exact if `change` is 0. `near` is empty if there is
+  /// no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
@@ -82,20 +84,20 @@ struct SettingAnswer {
                             ///< height of the contact
   double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
-/// The setting for the change of centre distance of the setup. None if the teeth have no contact as
-/// drawn.
+/// The tool setting that compensates the error of the centre distance in `setup`. None if no
+/// gear is cut by a rack F, or if the teeth have no contact without this error.
 std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup& setup);
 
-/// The change of the lead angle of one gear that makes the slope of TE zero if the lead angle of
-/// the other gear does not change. [T8.22]
+/// For each gear, the change of its lead angle that makes the slope of TE zero if the lead
+/// angle of the other gear remains unchanged. [T8.22]
 struct LeadAnswer {
   std::array<std::optional<Angle>, 2> exact;  ///< Δλ_1, Δλ_2
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };
-/// The change of the lead angle for the errors of the setup. None for spur teeth, and if tooth pair
-/// 0 does not touch. Involute pairs have no such answer, because they touch along lines and their
-/// lead is corrected by helix slope modifications.
+/// The changes of the lead angles under the errors in `setup`. None if the teeth are spur teeth
+/// or if tooth pair 0 does not touch. There is no such function for involute pairs, because
+/// they touch along lines, and helix slope modifications correct their lead.
 std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactSetup& setup,
                                              bool gear2_drives);
 
@@ -105,12 +107,12 @@ struct Compensation {
   std::vector<ContactScore> each_before, each_after;  ///< one score per scenario
   Angle centering;                                    ///< w
 
-  /// True if every value is 0, because no corrections lower f by more than kSameError (or the
-  /// aim by more than CompensationAim::same).
+  /// True if every value is 0. This is the case if no corrections lower f by more than
+  /// kSameError (or the aim by more than CompensationAim::same).
   bool nothing_to_correct() const;
 };
 
-/// Differences of transmission error below this cannot be measured.
+/// Smaller differences of the transmission error cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
 /// A pair counts as free of error if the peak to peak of its TE is below this angle. At a radius of

@@ -45,28 +45,29 @@ struct ContactResult {
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// The play of gear 2 at one position. Gear 2 has this play between the rotation at which the
-/// working flanks touch and the rotation at which the non-working flanks touch. The play is
-/// negative if the gears jam. None if the working or the non-working flanks have no contact.
+/// The play of gear 2 at one position: the angle by which gear 2 can rotate between contact of
+/// the working flanks and contact of the non-working flanks. It is negative if the gears jam.
+/// None if the working or the non-working flanks have no contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
 /// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
-/// True if the gears jam at this least play. This is the case if least_play · r cos β is
-/// −kNoBacklash or less, where r and β are the reference radius and the helix angle of `moved`. A
+/// True if the gears jam at this least play. This is the case if least_play · r cos β is at
+/// most −kNoBacklash, where r and β are the reference radius and the helix angle of `moved`. A
 /// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
 /// pinion if gear 2 is a rack.
 ///
-/// Formula   r cos β times the play is the backlash in the normal section at the reference cylinder,
-///           j_n cos α_wn/cos α_n. The limit kNoBacklash applies to j_n, so no factor cos α_n is
-///           needed, which would give j_bn. For α_n = 20° and α_wn from 15° to 30° the product
-///           differs from j_n by 8 % at most, which is 4e-6 mm at the limit
+/// Formula   r cos β times the play is the backlash in the normal section at the reference
+///           cylinder, j_n cos α_wn/cos α_n. The limit kNoBacklash applies to j_n, so the
+///           factor cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from
+///           15° to 30°, the product differs from j_n by 8 % at most, which is 4e-6 mm at the
+///           limit
 bool jams(Angle least_play, const Gear& moved);
 
-/// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the housing
-/// is `first` + i pitch/n. If `track` is not null, the result of LaneTrack::of() is stored in it,
-/// and the touches of this LaneTrack are returned if it exists.
+/// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the
+/// housing is `first` + i pitch/n. If `track` is not null, the result of LaneTrack::of() is
+/// stored in it. If that result is a LaneTrack, its touches are returned.
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track = nullptr);
 

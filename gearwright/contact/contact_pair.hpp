@@ -88,7 +88,7 @@ class ContactPair {
   bool is_rack() const { return rack_radius_ > 0.0; }
   /// The reference radius of the pinion of a rack, mm; 0 for two gears.
   double rack_radius() const { return rack_radius_; }
-  /// The diameter of a gear at u, mm. For a rack, it is the height above the datum line.
+  /// The diameter of a gear at u, mm; for a rack, the height above the datum line.
   double diameter(int gear, double u) const;
   double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }

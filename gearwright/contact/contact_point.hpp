@@ -44,8 +44,8 @@ inline constexpr double kLineGap = 1e-5;
 struct ContactEllipse {
   std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none if the gap is flat in that direction
   double semi_minor;                 ///< √(2δ/k2)  mm
-  Angle angle;  ///< from the projection of axis 1 to the major axis, about the normal; in
-                ///< (−π/2, π/2]
+  Angle angle;  ///< of the major axis about the normal, 0 along the projection of axis 1 onto the
+                ///< tangent plane; in (−π/2, π/2]
 };
 
 /// A touch on a ridge of a flank. The gap opens with a slope towards both sides of the ridge.

@@ -70,8 +70,9 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target).score;
 }
 
-/// Sets each number of `worst` to the same number of `score` if this is worse. Positions are
-/// compared by magnitude and keep their sign. A pair without any contact is worse than all others.
+/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions
+/// are compared by magnitude and keep their sign. A pair without any contact is worse than all
+/// others.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

@@ -88,15 +88,16 @@ class ContactSetup {
 /// of this relief is 0).
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
-/// Checks that the lead angle of a cutter can deviate by this amount; empty if it can.
+/// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it
+/// can.
 ///
-/// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter, or
-///           if the lead angle is not between kMinLead and kMaxLead
+/// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
+///           or if the lead angle is not between kMinLead and kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error in the modifications of a flank (side 0 is the right flank) to an error of
-/// gear `which`.
+/// Converts an error in the modifications of a flank to an error of gear `which`. Side 0 is the
+/// right flank.
 Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, to which its modifications apply.
@@ -104,9 +105,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
-/// for example tips that do not reach each other. The second function is for the errors at a corner
-/// of [compensate.range]. Its text also contains `name`, the name of this corner.
+/// The error for a pair whose teeth touch at no position. The text of the error gives the
+/// reason, for example tips that do not reach each other. The second function makes the error
+/// for a corner of [compensate.range], and `name` is the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

@@ -41,8 +41,8 @@ class Branches {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
 
-  // The touch on the branch of `touch` at the rotation that is `steps` later. Not found if this
-  // branch has no contact at that rotation.
+  // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
+  // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
   // The same, but the search begins at `start`, another touch on this branch, which may be nearer
   // to the result.
@@ -65,8 +65,8 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The fraction of the distance `way`, in steps, over which the branch of `touch` continues. 1 if
-  // the branch still exists at the end of this distance.
+  // Returns the fraction of the distance `way`, in steps, over which the branch of `touch`
+  // continues. The fraction is 1 if the branch still exists at the end of this distance.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -138,12 +138,12 @@ class Branches {
     return lead;
   }
 
-  // Finds the points between a and b, which are `width` steps apart, at which TE may be less than
-  // `least`, and passes each point to `take`. If a and b are on one branch, the point is the
-  // minimum of this branch; otherwise it is the handover between both branches. On wavy flanks, a
-  // third crest may lead at the point. The point then divides the interval, and both parts are
-  // examined in the same way. If the branches do not meet because a crest ends, the interval is
-  // halved.
+  // Finds the points between a and b, which are `width` steps apart, at which TE may be less
+  // than `least`, and passes each point to `take`. If a and b are on one branch, the point is
+  // the minimum of this branch. Otherwise, it is the handover between both branches. On wavy
+  // flanks, a third crest may lead at the point. In this case, the point divides the interval,
+  // and both parts are examined in the same way. If the branches do not meet because a crest
+  // ends, the interval is halved.
   template <class Take>
   void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
                int divisions, const Take& take) const {
@@ -267,8 +267,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // The curve may lie beyond e.greatest or e.least within a step of this position if the straight
-    // line through this position and a neighbouring position does.
+    // Within a step of this position, the curve may exceed e.greatest or fall below e.least if
+    // the straight line through this position and a neighbouring position does.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
     // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,

@@ -28,26 +28,27 @@ struct WorkshopCorrection {
 
   bool operator==(const WorkshopCorrection&) const = default;
   bool is(CutterSetting setting) const { return what == decltype(what)(setting); }
-  /// The modification, or null for a setting of a cutter.
+  /// The modification; null if the correction is a tool setting or a cutter lead.
   const Modification* modification() const { return std::get_if<Modification>(&what); }
   bool slope() const { return modification() && is_slope(*modification()); }
 };
 
-/// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
-/// helical gear cut by a rack, and a relief requires a reach on both flanks.
+/// True if the correction is possible for this pair. A tool setting requires a rack F, a cutter
+/// lead requires a helical gear that was cut by a rack, and a relief requires a reach on both
+/// flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
 /// lead crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// The change that corresponds to these values, in the units of the corrections. `gear2_drives`
-/// selects the flanks on which slopes act.
+/// The change of the setup for these values, which are in the units of the corrections.
+/// `gear2_drives` selects the flanks on which slopes act.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence by which the sensitivities to a correction are computed. A tool setting and a
-/// cutter lead have none, because they do not remove material from the flanks.
+/// The influence with which the sensitivities to a correction are computed. A tool setting and
+/// a cutter lead have no influence, because they do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
 /// The influences of all corrections; none if one of them has no influence.
@@ -58,11 +59,12 @@ std::optional<std::vector<Influence>> influences_of(
 ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections);
 
-/// The usual lower and upper bound of a correction and its step, in the unit of the correction. A
-/// tool setting is at most a tenth of the module.
+/// The usual bounds of a correction and the usual step, in the unit of the correction. A tool
+/// setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The task of computing these corrections, within bounds_of(), for the worst of the `scenarios`.
+/// The task of computing these corrections, within bounds_of(), so that the worst of the
+/// `scenarios` is as good as possible.
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

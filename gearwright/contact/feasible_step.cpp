@@ -7,12 +7,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// Rounding errors. A point satisfies a bound if it violates the bound by at most kOnBound, a scaled
-// length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
+// Limits of rounding errors. A point counts as within a bound even if it lies beyond it by up
+// to kOnBound, a scaled length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Two bounds are parallel within rounding, and have no corner, if the sine of the angle between
-// them is smaller.
+// Two bounds count as parallel and have no corner if the sine of the angle between them is
+// smaller than this value.
 constexpr double kParallel = 1e-14;
 
 class Candidates {

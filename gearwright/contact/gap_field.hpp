@@ -1,5 +1,5 @@
-// The angle through which gear 2 must turn until its flank passes through a point of flank 1, with
-// first and second derivatives.
+// The angle through which gear 2 must turn until its flank passes through a point of flank 1,
+// with first and second derivatives.
 //
 //   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the
 //   clockwise side of its tooth touches. Other cases are transformed to N
@@ -15,7 +15,7 @@
 //   [T8.29].
 //
 // The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
-// evaluation returns all data of a Newton step, without memory allocation and virtual calls.
+// evaluation returns all data of a Newton step, without memory allocation or virtual calls.
 #pragma once
 
 #include <array>
@@ -33,16 +33,17 @@ struct FlankPatch {
   double center;  ///< rad, azimuth of the tooth's centre line at rotation 0 in the section z = 0
   double twist;   ///< τ  rad/mm, including the lead error
   double z_lo, z_hi;  ///< mm, ends of the patch along the face
-  /// Material removed from this flank; null if there is none. z of the patch, multiplied by
-  /// removal_z (±1), gives z of this field.
+  /// Material removed from this flank; null if no material is removed. The height z on the
+  /// patch, multiplied by removal_z (±1), is the height in the RemovalField.
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
-  /// Types of the ends of a patch. At a ridge the next patch continues with another slope, and at a
-  /// seam with the same slope. The other types are ends of the flank.
+  /// The kind of border at each end of a patch. At a ridge, the next patch continues with
+  /// another slope, and at a seam with the same slope. At a border of any other kind, the flank
+  /// ends.
   enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
-  /// Ends of the part of the profile that the patch uses.
+  /// The part of the profile that the patch uses: its range of s, and its range of u = ln ρ.
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
@@ -66,8 +67,9 @@ struct GapJet {
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  /// ∂w/∂(u + iψ) and its derivatives with respect to s and z. For a gear, this is the point w
-  /// itself in the frame of gear 2; for a rack, it is −r, and its derivatives are 0.
+  /// The derivative ∂w/∂(u + iψ), and its derivatives with respect to s and z. For a gear,
+  /// ∂w/∂(u + iψ) is equal to w, the point in the frame of gear 2. For a rack, it is −r, and
+  /// its derivatives are 0.
   Complex w, w_s, w_z;
 };
 
@@ -93,7 +95,7 @@ class GapField {
     double Z;   ///< mm, along the axis
   };
   Place2 on_gear_2(const Complex& w1, double z) const;
-  /// T at a point of flank 1, without derivatives; `s2` as in at().
+  /// T, without derivatives, at a point that is given in the frame of gear 2; `s2` as in at().
   double value(const Place2& place, double& s2) const;
   /// Normal distance of the flanks per radian of gap angle, 1/|∇φ2*|, mm. [T8.3], on a rack [T8.30]
   static double arm(const GapJet& j);

@@ -91,9 +91,9 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch. TE of a half is the
-// greatest of the branches that lead at the two positions around a rotation. If one branch leads at
-// both, this branch is followed from the nearer position.
+// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions,
+// the TE of a half is the greatest of the branches that lead at these positions. If the same
+// branch leads at both, it is followed from the nearer position.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)
@@ -248,8 +248,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may rise above the values at both positions by as much as
-      // the curve changes in a step.
+      // Between two positions, the curve may exceed the values at both positions, but at most
+      // by the change of the curve in one step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const auto lowered = [&](double x) { return -sign * mean.at(x); };

@@ -31,9 +31,9 @@ double middle_of_half(const Gear& half);
 
 /// The rotation of half B minus the rotation of gear 1.
 Angle behind(double stagger, const Gear& gear_1);
-/// The rotations of half B at the given `rotations` of gear 1. An empty list means `positions`
-/// equal steps per pitch. Without a stagger, both halves have the same rotations, and `rotations`
-/// is returned unchanged.
+/// The rotations at which half B is analysed if the whole gear 1 is analysed at `rotations`. If
+/// `rotations` is empty, there are `positions` equal steps per pitch. Without a stagger, both
+/// halves have the same rotations, and `rotations` is returned unchanged.
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
@@ -83,8 +83,9 @@ class HalvesSetup {
 struct HalvesContact {
   std::array<ContactResult, 2> half{};  ///< A and B
   ContactResult image{};                ///< the mirror image of half B, at rotations_of_second()
-  /// Rotations and TE of every position of the whole gears; the place of contact is NaN. `kind` is
-  /// taken from half B if only half B touches at an edge, otherwise from half A.
+  /// The rotations and the TE of the whole gears at every position. The point of contact is
+  /// NaN, because each half touches at a point of its own. `kind` is taken from half B if only
+  /// half B touches at an edge, and otherwise from half A.
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
@@ -106,8 +107,8 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
 /// Peak to peak of the continuous curve of TE; none if a half loses contact.
 ///
-/// Accuracy  1e-12 rad at the extremes that are found. A branch that leads for less than a step of
-///           `positions` per pitch may be overlooked
+/// Accuracy  1e-12 rad at the extremes that are found. A branch may be overlooked if it leads
+///           for less than one step, the pitch divided by `positions`
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions);
 
 }  // namespace gearwright

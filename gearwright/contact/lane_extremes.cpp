@@ -1,6 +1,7 @@
-// Extremes of the transmission error between the positions of a track. T and its slope are known at
-// every position. A cubic through two positions therefore predicts where T is extreme or where two
-// tooth pairs hand over. All predicted places of a pitch are searched in the same lanes.
+// Extremes of the transmission error between the positions of a track. T and its slope are
+// known at every position. A cubic through two positions therefore predicts where T is extreme,
+// or where one tooth pair hands over to the next. LaneSearch then computes the touches at all
+// predicted points of a pitch together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,15 +47,15 @@ double root_of(const F& f) {
 
 }  // namespace
 
-// A place between two positions, which is a handover from the tooth pair at m to the tooth pair at
-// `other`, or an extreme of the tooth pair at m if there is no `other`.
+// A predicted point of the curve between two positions. It is a handover from the tooth pair at
+// m to the tooth pair at `other` or, if there is no `other`, an extreme of the tooth pair at m.
 struct LaneTrack::Candidate {
   int m;
   std::optional<int> other;
   bool up;
   double t;  // steps from m
-  // The ends of the interval that contains the place. At a handover, `value` is T of the pair at m
-  // minus T of the pair at `other`. At an extreme, it is the slope of T.
+  // The ends of the interval that contains the predicted point. At a handover, `value` is T of
+  // the pair at m minus T of the pair at `other`. At an extreme, it is the slope of T.
   struct End {
     double t, value;
     std::array<PairTouch, 2> touch;
@@ -63,15 +64,17 @@ struct LaneTrack::Candidate {
   int stays = 0;
   bool done = false;
 
-  // If an end is kept twice, its value is halved (Illinois method).
+  // If the same end of the interval stays in two successive steps, its value is halved
+  // (Illinois method).
   void narrow(bool low, const End& here) {
     (low ? lo : hi) = here;
     const int stayed = low ? 1 : -1;
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // The next place. If T consists of two straight lines that meet at a kink, the tangents at the
-  // ends of the interval cross at the kink.
+  // The next t, within the interval. At an extreme, T may consist of two nearly straight lines
+  // that meet at a kink. The next t is therefore the point at which the tangents at both ends
+  // cross.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
@@ -81,7 +84,7 @@ struct LaneTrack::Candidate {
   }
 };
 
-// The number m of the position of pair 0 whose touch leads at position i, 0 ≤ i ≤ n.
+// The position m of tooth pair 0 whose touch leads at position i of the pitch, 0 ≤ i ≤ n.
 int LaneTrack::leader(int i) const {
   const int own = i % n_;
   return own - (best_[static_cast<std::size_t>(own)].pair - whole_) * n_;
@@ -119,8 +122,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
                    {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
                    {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
   }
-  // No branch exceeds TE, so every maximum of a branch is examined. A minimum is examined only if
-  // the branch leads on both sides. The tangents at both positions limit the value of an extreme.
+  // TE is the greatest T of all branches, so the maximum of a branch never exceeds the maximum
+  // of TE, and every maximum can be examined. A minimum is examined only if the branch leads at
+  // both positions. An extreme is skipped if the crossing of the tangents at both positions
+  // shows that it does not exceed the extremes found so far.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);
@@ -164,9 +169,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       }
       const auto& [a, b] = here.touch;
       here.value = c.other ? a.te() - b.te() : a.touch.slope * step_;
-      // The derivative of the value. At an extreme, it is computed from the slopes at this touch
-      // and the last one if both have the same active bounds. Otherwise the cubic is used, which is
-      // less accurate, because the second derivative of T jumps where the active bounds change.
+      // The derivative of `value`. At an extreme, it is computed from the slopes at this touch
+      // and the previous one if both have the same active bounds. Otherwise, it is computed
+      // from the cubic. This is less accurate, because the second derivative of T jumps where
+      // the active bounds change.
       const bool alike = c.before && c.before->touch[0].fields == a.fields &&
                          c.before->touch[0].touch.active == a.touch.active;
       const double bend = c.other ? (a.touch.slope - b.touch.slope) * step_
@@ -182,7 +188,7 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       c.t += rest;
       if (!(c.t > c.lo.t && c.t < c.hi.t) || round > kNewton) c.t = c.within(step_);
       if (!c.done) continue;
-      // The change of T over the remaining way is added.
+      // T is extrapolated over the remaining distance to the handover or the extreme.
       const double way = c.other ? rest : close ? 0.5 * rest : 0.0;
       const double te = a.te() + a.touch.slope * step_ * way;
       if (c.up && te > e.greatest) {

@@ -14,8 +14,9 @@ constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
 
 }  // namespace
 
-// The line of contact of involutes without errors of mounting. If gear 1 turns by an angle, s of
-// the line changes by the same angle.
+// The line of contact of involutes on parallel axes. The only error of mounting that it
+// includes is the error of the centre distance. At every z, the parameter s of the line changes
+// by the angle by which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // common to both flanks
@@ -92,7 +93,7 @@ struct LaneTrack::Path {
   }
 };
 
-// Touches of tooth pair 0 at every `stride`-th position, the first of which is `from`.
+// Touches of tooth pair 0 at the positions `from`, `from` + `stride`, `from` + 2 `stride`, …
 struct LaneTrack::Rough {
   int from, stride;
   std::vector<PairTouch> touches;  // not found where the search failed
@@ -227,8 +228,8 @@ LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
 // The first and the last position at which T of pair 0 may be greater than T of all other pairs.
 // None if there is no such position.
 std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const {
-  // The limits of T at every position. The tangents at two neighbouring touches show how far T may
-  // lie from the straight line between these touches.
+  // The lower and the upper limit of T at every position. The tangents at two neighbouring
+  // touches limit the distance of T from the straight line between these touches.
   const int all = (static_cast<int>(rough.touches.size()) - 1) * rough.stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
@@ -257,8 +258,9 @@ std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const
   return window;
 }
 
-// The start of the search at position m: the cubic through four rough touches with the same active
-// bounds, or a point between the two nearest. Not found if there is no rough touch near m.
+// The touch from which the search at position m starts. If four rough touches around m have the
+// same active bounds, its s and z come from the cubic through them, and otherwise from the two
+// nearest rough touches. Not found if there is no rough touch near m.
 PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   const int last = static_cast<int>(rough.touches.size()) - 1;
   const int k = std::clamp((m - rough.from) / rough.stride, 0, last);
@@ -283,7 +285,7 @@ PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   return t;
 }
 
-// Searches every position of the window and one beyond each end.
+// Searches every position of the window, and one more position beyond each end.
 void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& window) {
   lo_ = window[0] - 1;
   track_.resize(static_cast<std::size_t>(window[1] + 1 - lo_ + 1));
@@ -304,7 +306,8 @@ void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& wind
     if (track_[i].found()) offer(lo_ + static_cast<int>(i), track_[i]);
 }
 
-// Like Transmission, continues the track in one direction until T is well below T of another pair.
+// Continues the track in one direction until T decreases and is well below T of another pair,
+// as in Transmission.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

@@ -167,8 +167,8 @@ class Rasterer {
     return seen;
   }
 
-  // Maps each cell of flank 1 to a quadrangle on flank 2. For the nodes of flank 2 inside a
-  // quadrangle, the search for the opposite point starts in that cell.
+  // Maps each cell of the raster of flank 1 to a quadrangle on flank 2. If a node of flank 2
+  // lies inside the quadrangle, the search for its opposite point starts in this cell.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -231,8 +231,8 @@ class Rasterer {
     }
   }
 
-  // The gap at the point (u, Z) of flank 2, from an approximate opposite point (u1, z) on flank 1.
-  // Newton steps, which may change the patch, find the exact point, and a series of second order
+  // The gap at the point (u, Z) of flank 2. Newton steps, which may change the patch, lead from
+  // an approximate opposite point (u1, z) on flank 1 to the exact one. A series of second order
   // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
@@ -267,9 +267,9 @@ class Rasterer {
     return {};
   }
 
-  // If the gap is least at the middle one of three successive positions, the minimum of the
-  // parabola through the three gaps is used. Gaps of different patches are not combined, because
-  // the gap jumps between patches.
+  // If the gap is least at the middle of three successive positions, the minimum of the
+  // parabola through the three gaps is used. Gaps of different patches are not combined,
+  // because the gap jumps between patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

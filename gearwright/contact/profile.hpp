@@ -70,7 +70,8 @@ class Profile {
   double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
   double s_of(double u, double start) const;              ///< as above, but iterates from `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
-  /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
+  /// Normal angle of the generating rack; none if the piece was not cut by a circular arc of a
+  /// rack.
   std::optional<double> rack_angle(double s) const;
 
  private:

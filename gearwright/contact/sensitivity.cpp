@@ -235,8 +235,8 @@ Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
 
 namespace {
 
-// ∂T*/∂e, from the derivatives `c` at a fixed point. T* is the greatest T of a row, which is a line
-// of constant z, and lies at (s, z).
+// ∂T*/∂e, from the derivatives `c` at a fixed point. A row is a line of constant z on flank 1.
+// T* is the greatest T of the row and lies at (s, z).
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
   // If T* lies inside the row, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of
   // flank 2, s changes with e.

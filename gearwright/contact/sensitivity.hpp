@@ -16,8 +16,8 @@
 
 namespace gearwright {
 
-/// An error of mounting or of the lead. Derivatives with respect to an error are per the unit that
-/// is given here.
+/// An error of mounting or of the lead. A derivative with respect to an error is per the unit
+/// that is given here.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad

@@ -138,8 +138,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
-    // A step that lowers the merit is halved, but not below a limit, because the merit has rounding
-    // errors.
+    // A step that lowers the merit is halved, unless it is already very short, because the
+    // merit has rounding errors.
     if (const double now = merit(at);
         now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
@@ -269,10 +269,11 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. The maxima of T in each section
-// are therefore computed first, by Newton steps along the profile from each row with a greater T
-// than its neighbours. A search then starts from each of these maxima that is not exceeded in a
-// neighbouring section.
+// T varies slowly along the line of contact and rapidly across it. In each section, which is a
+// line of constant z, the maxima of T are therefore computed first. The Newton steps along the
+// profile start at every row, which is a line of constant s, with a greater T than its
+// neighbours. A search then starts from each of these maxima that no neighbouring section
+// exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

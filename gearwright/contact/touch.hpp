@@ -1,10 +1,12 @@
 // Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
-// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over D.
+// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over
+// D.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// The order of the bounds is: lower and upper bound of s, of z, then of u and of Z on flank 2.
+// The bounds are numbered in the order s, z on flank 1, and u, Z on flank 2, each with the
+// lower bound first.
 #pragma once
 
 #include <vector>
@@ -28,7 +30,7 @@ struct Touch {
   std::array<double, 2> multiplier{};  ///< multipliers of the active bounds, rad per scaled bound
   bool flat = false;  ///< true if T is constant in one direction within rounding (line contact)
   int evaluations = 0;
-  /// GapField::arm(), mm, and dT/dφ1, rad/rad; both 0 unless the touch was found in lanes.
+  /// GapField::arm(), mm, and dT/dφ1, rad/rad; both 0 unless LaneSearch found the touch.
   double arm = 0.0, slope = 0.0;
 
   bool found() const { return stop == Stop::converged; }
@@ -57,8 +59,9 @@ class TouchSearch {
   /// Searches the whole flank. Searches start from every peak of a grid and from both end sections
   /// of D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first. On uneven flanks, which have a
-  /// maximum for each crest, the greatest T of every section is examined.
+  /// Like cold(), but returns all local maxima, the greatest first. Uneven flanks have a
+  /// maximum for each crest. On these flanks, the searches start from the maxima over the
+  /// profile at each of several heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.

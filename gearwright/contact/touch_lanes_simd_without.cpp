@@ -1,4 +1,5 @@
-// Without Google Highway, a step uses the scalar code, with which tests compare the vector code.
+// Implements touch_step() without Google Highway. A step uses the scalar code, which is also
+// the reference for the tests of the vector code.
 #include "gearwright/contact/touch_lanes.hpp"
 
 namespace gearwright::detail {

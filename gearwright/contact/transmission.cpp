@@ -10,9 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// True if the patches are the parts of one flank, between the kinks of its modifications, and no
-// part of the flank is concave. A relief of an involute removes material beyond its kink, so that
-// the flank is convex at the kink, too.
+// True if the patches together form one flank, the borders between them are kinks of the
+// modifications, and no part of the flank is concave. A relief of an involute removes material
+// beyond its kink, so that the flank is convex at the kink, too.
 bool is_convex(const std::vector<FlankPatch>& flank) {
   const RemovalField* removal = flank.front().removal;
   if (flank.size() != (removal ? removal->pieces().size() : 1)) return false;
@@ -29,9 +29,9 @@ bool is_saddle(const ContactPair& pair) {
   return pair.mirror() < 0.0 && pair.place().axis_angle != Angle();
 }
 
-// True if the teeth of a ring reach beyond the point at which the line of action touches the base
-// circle of the pinion. There, the hollow flank of the ring is more curved than the flank of the
-// pinion, and T has another maximum at the tip of the ring's teeth.
+// True if the teeth of a ring reach beyond the point at which the line of action touches the
+// base circle of the pinion. Beyond this point, the concave flank of the ring is more curved
+// than the flank of the pinion, and T has another maximum at the tip of the ring's teeth.
 bool reaches_beyond_action(const ContactPair& pair) {
   const Involute* one = pair.patches(1).front().profile.involute();
   const Involute* two = pair.patches(2).front().profile.involute();
@@ -40,8 +40,9 @@ bool reaches_beyond_action(const ContactPair& pair) {
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double r_b2 = two->base_radius(), between = r_b2 - one->base_radius();
-  // The square of that point's distance from axis 2 is r_b2² + (a sin α_w)², where a sin α_w is the
-  // length of the line of action between the base circles.
+  // The point at which the line of action touches the base circle of the pinion has the
+  // distance √(r_b2² + (a sin α_w)²) from axis 2. Here, a sin α_w is the length of the line of
+  // action between the base circles.
   return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
@@ -213,8 +214,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// Searches every position from the crests that may be the highest. The lines of contact of all
-// tooth pairs are examined first, beginning near the centre line, where teeth usually touch.
+// For every position, searches from those crests that may be the highest. The crests of all
+// tooth pairs are estimated first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
     detail::WaveCrests::Crest crest;
@@ -252,8 +253,9 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, T is less than WaveCrests estimates. If the estimate of one
-    // crest was too great, the crest that is in fact the highest may have been left out.
+    // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may
+    // have excluded the crest that is in fact the highest. The position is then searched again
+    // by at().
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

@@ -9,16 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// A tooth pair is followed until its T decreases and is less than T of another pair by more than
-// this limit, rad. T of a whole convex flank has only one maximum, so the limit is kBelow. With
-// concave flanks, another maximum may follow, so the limit is kFarBelow.
+// A tooth pair is followed until its T decreases and is less than T of another pair by more
+// than a limit, rad. On convex flanks, T has only one maximum, and the limit is kBelow. On
+// other flanks, another maximum may follow, and the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
 // Predicts the point of the next touch by the polynomial through the last four touches at equal
-// steps. If the active bounds change, the path of the touches has a kink. Then only the touches
-// after the change and one before it are used. Each additional order of the polynomial saves a step
-// of the search.
+// steps. If the active bounds change, the path of the touches has a kink. In this case, only
+// the touches after the change and one before it are used. Each additional order of the
+// polynomial saves a step of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -47,10 +47,10 @@ class PlaceAhead {
 
 }  // namespace
 
-// The touch with the greatest T of a convex flank at φ. The search starts at a touch or at a place
-// near it. T over the flank is concave, so T of a touch is the greatest if no pair of patches
-// beyond an active border has a greater T. On a ridge, T of both sides is equal, and the first pair
-// of patches is used.
+// The touch with the greatest T of a convex flank at φ. The search starts at `from`, which is a
+// touch or a point near one. T over the flank is concave. The T of a touch is therefore the
+// greatest if no pair of patches beyond an active border has a greater T. On a ridge, both
+// sides have the same T, and the pair of patches with the lower index is used.
 PairTouch Transmission::climb(const PairTouch& from, double phi) {
   const int count = static_cast<int>(fields_.size());
   const int most_crossings = 2 * count;  // a limit that rounding errors cannot exceed
@@ -108,9 +108,10 @@ class Transmission::Track {
     return t.te() >= b.te() - below_;
   }
 
-  // Follows a touch from position m in one direction. `step` computes the touch at a rotation, and
-  // starts at a predicted touch. The track ends if no touch is found, if T decreases and is well
-  // below T of another pair, or if `known` returns true because another track contains this touch.
+  // Follows a touch from position m in one direction. `step` computes the touch at a rotation
+  // from a predicted touch. The track ends if no touch is found, if T decreases and is well
+  // below T of another pair, or if `known` returns true because another track contains this
+  // touch.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
@@ -185,10 +186,11 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
   }
 }
 
-// Follows the maxima of T on flanks with several maxima and separate intervals of rotation, for one
-// pair of patches. Cold starts at regular positions find the maxima. Each maximum is followed until
-// it meets another track. On uneven flanks every position has a cold start, because a crest may
-// touch only for a small part of a pitch.
+// Follows the maxima of T for one pair of patches, on flanks on which T may have several maxima
+// and which may touch in several intervals of rotation. Searches of the whole flank at regular
+// positions find the maxima. Each maximum is followed until it meets another track. On uneven
+// flanks, the whole flank is searched at every position, because a crest may touch only for a
+// small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, first, n, kFarBelow, best);
   const int most = track.most();

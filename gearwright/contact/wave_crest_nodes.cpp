@@ -1,5 +1,5 @@
-// The crests of form waves at one rotation: the highest point over the profile at several heights z,
-// and the local maxima over these heights.
+// Computes the crests of form waves at one rotation. The highest point over the profile is
+// computed at several heights z. The crests are the local maxima over these heights.
 #include "gearwright/contact/wave_crests.hpp"
 
 #include <algorithm>
@@ -138,7 +138,8 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     }
     nodes.push_back(next);
   }
-  // T of the neighbouring node `other`; kNone if this node is on another branch over the profile.
+  // T of the neighbouring node `other`; kNone if that node is on another branch over the
+  // profile.
   const auto te = [&](std::size_t i, std::size_t other) {
     if (other >= nodes.size() || nodes[other].outside) return kNone;
     const bool same = !steep_ || std::abs(nodes[other].aside - nodes[i].aside) < branch_;

@@ -78,7 +78,7 @@ std::optional<WaveCrests> WaveCrests::of(const ContactPair& pair, const FlankPat
 
 std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, double z,
                                                    double phi) const {
-  // On involutes, the ridge moves along s by as much as gear 1 turns.
+  // On involutes, the s of the ridge changes by the angle by which gear 1 turns.
   const double way = field.rotation_sign() * one_.profile.side();
   double s2 = s2_;
   for (int i = 0; i < kMaxSteps; ++i) {
@@ -99,9 +99,9 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
 }
 
 std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair) {
-  // Without errors, L_1 + L_2 (L_2 − L_1 for an internal gear) is `action`, the distance between
-  // the two points at which the line of action touches the base circles. The point of flank 1 at
-  // the pitch point has the roll angle s_w.
+  // Without errors other than that of the centre distance, L_1 + L_2 (L_2 − L_1 for an internal
+  // gear) is `action`, the distance between the two points at which the line of action touches
+  // the base circles. The pitch point is the point of flank 1 with the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.mirror();

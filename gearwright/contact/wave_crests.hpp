@@ -1,6 +1,6 @@
 // The points at which teeth with form waves can touch, in closed form. Each wave has several
-// crests, so T has many local maxima, and a search of the whole flank from scratch costs hundreds
-// of evaluations.
+// crests, so T has many local maxima. A search of the whole flank would need hundreds of
+// evaluations.
 //
 //   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    the greatest T over the profile, as a function of the height z
@@ -28,10 +28,10 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if no wave exists, or if the quadratic functions are not valid. These are valid for
-  /// involutes without topography on parallel axes. In addition, all exact ridges must be
-  /// computable, and the error half way between them must be at most a hundredth of the amplitude
-  /// of the waves.
+  /// None if there is no wave, or if the quadratic functions are not valid. They are valid if
+  /// the flanks are involutes without topography on parallel axes, if all exact ridges can be
+  /// computed, and if the error half way between the ridges is at most a hundredth of the
+  /// amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -45,8 +45,8 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// rad. If the estimated T of another crest is greater by more than this margin, a crest cannot
-  /// be the highest.
+  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of
+  /// another crest exceeds its own by more than this margin.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -72,15 +72,16 @@ class WaveCrests {
     bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   using Ridges = std::array<std::array<Ridge, 3>, 3>;  // [y + 1][x + 1]
-  // The part of flank 1 that meets flank 2, and the rotations of its ridges to first order.
+  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function of s
+  // and z.
   struct Path {
     double from = 0.0, to = 0.0;      // range of s
     double phi = 0.0;                 // in the middle of the range, at z_mid_
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // The path without errors. If there is none because the patches never touch, apart() becomes
-  // true.
+  // The path without errors other than that of the centre distance. If there is none because
+  // the patches never touch, apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge

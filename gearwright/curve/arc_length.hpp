@@ -40,7 +40,7 @@ class ArcLength {
   double parameter(double s) const;
   /// The arc length s at the parameter t. If t lies outside [t0, t1], the nearer end is used.
   double length_to(double t) const;
-  /// The sum of the first neglected terms of all panels, mm.
+  /// Error estimate for L, mm: the sum of the first neglected terms of all panels.
   double error_estimate() const { return error_estimate_; }
 
   int panels() const { return static_cast<int>(panels_.size()); }

@@ -84,7 +84,7 @@ class Involute final : public Curve {
   double base_half_angle_;
 };
 
-// Inline, because the inner loop of contact/ calls it.
+// This function is inline, because the inner loop of contact/ calls it.
 inline PolarJet Involute::polar_jet(double xi) const {
   const double square = 1.0 + xi * xi;
   const Complex inverse = Complex{1.0, -xi} / square;

@@ -43,7 +43,8 @@ constexpr double kFarOff = 1e9;  // modules; greater than the distance of any po
 constexpr double kSameEnd = 1e-9;
 
 // The greatest value of f over [a, b], found at nodes and by golden section around the highest
-// node. If the greatest value is negative, a smaller value of f may be returned.
+// node. If all values are negative, the search ends early, and the result may be less than the
+// maximum.
 template <class F>
 double greatest(const F& f, double a, double b, double bend) {
   if (!(a < b)) return f(a);
@@ -56,8 +57,8 @@ double greatest(const F& f, double a, double b, double bend) {
     const double value = f(node(i));
     if (value > top) top = value, best = i;
   }
-  // climb() stops as soon as a value is positive. A constant above the maximum is therefore
-  // subtracted from f.
+  // climb() stops as soon as a value is positive. The function that it receives is therefore f
+  // minus a constant above the maximum of f.
   const double above = top + 1.0;
   const double x =
       detail::climb([&](double s) { return f(s) - above; }, node(std::max(best - 1, 0)),
@@ -68,7 +69,8 @@ double greatest(const F& f, double a, double b, double bend) {
 // `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
 // Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
-// kWallDistance from the borders. If no point does, half the distance that can be reached suffices.
+// kWallDistance from the borders. If no point of the line keeps it, half of the greatest
+// distance that the search finds is required instead.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;
@@ -89,9 +91,10 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const double nearest = std::clamp(0.0, range.lo, range.hi);
   const double at_nearest = off_walls(nearest);
   if (at_nearest >= kWallDistance) return place(nearest);
-  // As a function of Σ, the distance from the borders has one maximum, except if the region
-  // consists of several pieces, which is rare. The search climbs from `nearest` in growing steps.
-  // It then returns to the first point that is far enough from the borders.
+  // As a function of Σ, the distance from the borders has one maximum, unless the region
+  // consists of several pieces, which is rare. The search climbs from `nearest` in growing
+  // steps until the distance is sufficient or no longer grows. A root finder then locates the
+  // point nearest to `nearest` that is far enough from the borders.
   constexpr double kStep = 0.05;  // modules, first step of Σ
   const double right = std::min(nearest + kStep, range.hi);
   const double left = std::max(nearest - kStep, range.lo);
@@ -125,7 +128,8 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
                                 std::min(nearest, here), std::max(nearest, here));
     if (root.found()) return place(root.x);
   }
-  // For external gears at extended centres, the distance from the borders has only one maximum.
+  // For external gears at extended centres, the distance from the borders has only one maximum,
+  // which the search above finds.
   const SearchProblem& problem = graph.problem();
   const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
                         !problem.crossed() && fillets == Fillets::left_out;
@@ -174,9 +178,9 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // `middle` is used if its distance from the borders is at least half the distance of `inside`.
-  // If the slice at one end of the region is a point, the distance of `middle` is exactly half.
-  // Therefore, a tolerance is subtracted.
+  // `middle` is used if its distance from the borders is at least half the distance of
+  // `inside`. The tolerance is subtracted because, if the slice at one end of the region is a
+  // point, the distance of `middle` is exactly half.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

@@ -33,9 +33,9 @@ double DesignRow::cut_shift(std::size_t i, const SearchProblem& problem) const {
 
 namespace {
 
-// Mean E_sn of each gear. If a backlash is required, each gear gets half of the sum of allowances
-// that produces it. Otherwise, E_sn is read from the table of the series. A gear outside the table
-// gets no allowance, and its drawing is later rejected.
+// Mean E_sn of each gear. If a backlash is required, it determines the sum of both allowances,
+// and each gear gets half of this sum. Otherwise, E_sn is read from the table of the series. A
+// gear outside the table gets no allowance, and its drawing is later rejected.
 std::array<double, 2> allowances_of(const SearchAllowances& wanted, const Mesh<double>& nominal,
                                     const std::array<double, 2>& diameters, double alpha_n) {
   if (wanted.backlash) {
@@ -135,8 +135,8 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
     const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, cut[i]);
-    // Factor from lengths in the transverse section to lengths along the line of action. On crossed
-    // axes, this line is inclined by the base helix angle.
+    // Factor that converts a length in the transverse section to a length along the line of
+    // action. On crossed axes, the line of action is inclined by the base helix angle.
     const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
     row.form_clearance[i] = weight * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
@@ -184,8 +184,9 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // OffWalls::none states that no point away from the borders exists. If designs are drawn, such a
-  // point may exist, because it is possible that only its drawing was rejected above.
+  // OffWalls::none states that no point away from the borders exists. If designs are drawn,
+  // this is not certain, because the code above may have rejected such a point only for its
+  // drawing.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;

@@ -27,8 +27,8 @@ double root_diameter(const ShiftGraph& graph, const DesignRow& row, std::size_t 
   return 2 * row.trial.module * std::abs(g.r - g.dedendum + row.cut_shift(i, graph.problem()));
 }
 
-// True if the tip of the mating gear touches the flank of gear i only on the involute, which is the
-// part of the flank that is cut by the straight flank of the rack.
+// True if the tip of the mating gear touches the flank of gear i only on the involute, which is
+// the part that the straight flank of the rack cuts.
 bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::size_t i) {
   const TrialGear& g = graph.gears()[i];
   const auto& clearance = row.form_clearance[i];
@@ -38,8 +38,8 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of the internal gear, if the pair has a closed form. Absent if the tip of the pinion
-// reaches the fillet, if the tips are shortened, or if the internal gear has an allowance.
+// The cut of the internal gear. Absent if the pair has no closed form, because the tip of the
+// pinion reaches the fillet, the tips are shortened, or the internal gear has an allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -187,8 +187,8 @@ double share_of(const SearchProblem& problem, const Safeties& found) {
   return share;
 }
 
-// The smallest ratio of a safety factor to its limit in all states, at the face width of the row.
-// The safety factors for the first state are stored in the row.
+// The smallest ratio of a safety factor to its limit over all states of the teeth, at the face
+// width of the row. The safety factors for the first state are stored in the row.
 double required_share(const SearchProblem& problem, const std::vector<RatedPair>& states,
                       DesignRow& row) {
   const SearchRating& asked = *problem.rating;
@@ -243,8 +243,8 @@ DesignRow rated(const ShiftGraph& graph, DesignRow row) {
     if (drawn.backlash) row.backlash_ends = {(*drawn.backlash)[0], (*drawn.backlash)[1]};
     const auto wider = next_face_width(problem, row.trial, row.face_width, row.face_width);
     if (drawn.runs || drawn.at_ends.empty() || !wider) break;
-    // If the safety factors are too low at some tolerance ends, the face width is computed again
-    // with the states at all ends.
+    // If the safety factors are too low at some tolerance ends, the face width is chosen again,
+    // now with the states at all tolerance ends.
     states.resize(1);
     std::move(drawn.at_ends.begin(), drawn.at_ends.end(), std::back_inserter(states));
     set_face_width(graph, row, *wider);

@@ -46,13 +46,13 @@ double mass_of(const ShiftGraph& graph, const DesignRow& row);
 // Stores the pinion cutters chosen for the internal gears of a search.
 //
 // The strength of an internal gear depends on the number of teeth of its cutter. Its path of
-// contact depends on the radius at which its fillet begins. Both are known only after a tooth has
-// been generated, which takes as long as a hundred ratings. Measured in modules, they are equal for
-// all designs whose wheels have the same number of teeth, rack, helix angle and profile shift.
+// contact depends on the radius at which its fillet begins. Both values are known only after a
+// tooth has been generated, which takes as long as a hundred ratings. Measured in modules, they
+// are equal for all wheels with the same number of teeth, rack, helix angle and profile shift.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
-/// The cutter of an internal gear. There is no cutter if every cutter would remove a part of the
-/// flanks. The start of the fillets is then unknown.
+/// The cutter of an internal gear, and the start of its fillets. If every cutter would remove a
+/// part of the flanks, there is no cutter, and the start of the fillets is unknown.
 struct RingCut {
   int cutter_teeth = 0;                                          ///< z_0; 0 without a cutter
   double form_radius = std::numeric_limits<double>::infinity();  ///< d_Ff/2, modules

@@ -1,5 +1,5 @@
-// Searches for whole drives: planetary sets of five kinds, and trains. A drive is defined by its
-// numbers of teeth.
+// Searches for whole drives: planetary sets of four kinds, and trains. A drive is defined by
+// its numbers of teeth.
 //
 //   i        ratio n_in/n_out, exact [T13.3]
 //   N*       number of positions per turn at which a planet can be assembled [T13.12]
@@ -7,10 +7,10 @@
 //   c        clearance between the tip circles of neighbouring planets, modules [T13.15b]
 //                                              theory: docs/theory/13-drives.md
 //
-// For every set, the ratio, the assembly, the clearance of neighbouring planets and the mesh phases
-// are checked. The sets that meet all limits are ranked. If the losses of the meshes are given, the
-// ranking by efficiency is exact. Otherwise the losses are estimated. The caller makes the drives
-// of the best sets.
+// For every set, the ratio, the assembly, the clearance of neighbouring planets and the mesh
+// phases are checked. The sets that meet all limits are ranked. If the losses of the meshes are
+// given, the ranking by efficiency is exact. Otherwise the losses are estimated. The caller
+// makes the drives of the best sets.
 #pragma once
 
 #include <algorithm>
@@ -67,8 +67,9 @@ struct DriveSearchProblem {
   /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth
   /// geometry is computed, and sizes are in modules.
   std::vector<double> modules;
-  /// True if each stage of a train may have another one of the modules. Every train is then found
-  /// once, with the least module in all stages, and the caller chooses the modules.
+  /// True if each stage of a train may have its own module. The search then finds every train
+  /// only once, with the first of the modules in all stages, and the caller chooses the
+  /// modules.
   bool module_per_stage = false;
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
@@ -132,8 +133,9 @@ struct DriveSearchResult {
   bool is_complete = true;  ///< false if a search for trains was stopped at one of its limits
 };
 
-/// Greatest number of trains that a search finds, before modules are considered, and greatest
-/// number of combinations of all numbers of teeth except the last that it tries.
+/// kMostTrains is the greatest number of trains that a search finds, before modules are
+/// considered. kMostTrainTrials is the greatest number of combinations of all numbers of teeth
+/// except the last one that a search tries.
 inline constexpr std::size_t kMostTrains = 1'000'000;
 inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 

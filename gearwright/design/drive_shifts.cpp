@@ -17,8 +17,8 @@ double rounded_up(double x) {
   return std::ceil(x * kPerUnit) / kPerUnit + 0.0;  // + 0.0 turns −0 into 0
 }
 
-// x_u of each external gear. A thickness allowance moves the cutter by x_E − x. Therefore, this
-// amount is subtracted from the limit for teeth without allowance.
+// x_u of each external gear: the limit for teeth without allowance, minus the distance x_E − x
+// by which the thickness allowance moves the cutter.
 GearShifts undercut_limits(const DriveGraph& graph) {
   GearShifts limits;
   for (const DriveGear& gear : graph.gears) {
@@ -27,7 +27,7 @@ GearShifts undercut_limits(const DriveGraph& graph) {
     CylindricalSpec spec = *gear.spec;
     spec.teeth = gear.teeth;
     spec.profile_shift = 0.0;
-    // A backlash thins both gears of its mesh by j_n/2 or less, because α_wn ≥ α_n if Σx ≥ 0.
+    // A backlash thins each gear of its mesh by at most j_n/2, because α_wn ≥ α_n if Σx ≥ 0.
     for (const DriveMesh& mesh : graph.meshes)
       if (mesh.backlash && (&graph.gear(mesh, 0) == &gear || &graph.gear(mesh, 1) == &gear))
         spec.thickness_allowance = std::min(spec.thickness_allowance, -*mesh.backlash / 2);
@@ -38,9 +38,9 @@ GearShifts undercut_limits(const DriveGraph& graph) {
   return limits;
 }
 
-// The shifts of two external gears with the least sum ≥ 0 for which neither gear is undercut. The
-// sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of the sum. If the sum is
-// 0, it stays 0 after both shifts are rounded.
+// Among the shifts of two external gears for which neither gear is undercut, those with the
+// least sum ≥ 0. The sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of
+// the sum. A sum of 0 stays 0 after both shifts are rounded.
 std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
                                       const std::array<double, 2>& limits) {
   const auto start = divided_shift_sum(z[0], z[1], 0.0);
@@ -75,7 +75,7 @@ std::vector<GearShifts> shift_trials(const DriveGraph& graph) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];
     GW_EXPECTS(!mesh.center_distance);
-    // The other meshes of a planet have the centre distance of the first mesh.
+    // The other meshes of a planet have the centre distance of its first mesh.
     if (m > 0 && graph.frame(mesh)) continue;
     for (const std::size_t g : mesh.gears)
       if (limits[g]) balanced[g] = least[g] = std::max(0.0, rounded_up(*limits[g]));

@@ -32,7 +32,7 @@ void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidat
 /// the ratio.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
 
-/// Visits all sets of the kind whose planet has a given number of teeth.
+/// Visits all sets of one kind in which the planet has a given number of teeth.
 class DriveSpace {
  public:
   explicit DriveSpace(const DriveSearchProblem& problem)

@@ -4,8 +4,9 @@
 //        which the design meets its limits
 //   ε_β  overlap ratio
 //
-// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. It is a
-// multiple of a step, because drawings show round numbers.
+// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. It is
+// a multiple of a step, because drawings show round numbers, unless no multiple lies within the
+// bands.
 #pragma once
 
 #include <array>
@@ -24,7 +25,7 @@ std::array<double, 2> face_widths(const SearchProblem& problem, const Trial& tri
 double first_face_width(const ShiftGraph& graph);
 
 /// The smallest permissible face width of the trial that is at least `width` and greater than
-/// `before`, mm.
+/// `before`, mm. Absent if there is none.
 std::optional<double> next_face_width(const SearchProblem& problem, const Trial& trial,
                                       double before, double width);
 

@@ -247,8 +247,8 @@ class FewTeethSearch {
       return e + side_ * p_.backlash * r / (2 * std::sqrt((e - r) * (e + r))) - a;
     };
     const double lo = r * (1 + kOffBase);
-    // Away from the base circles, the backlash changes the distance only slightly. E therefore lies
-    // close to a.
+    // Away from the base circles, the backlash changes the centre distance only slightly, so E
+    // lies close to a.
     const double hi = side_ > 0.0 ? a : 2 * a;
     if (!(lo < hi)) return std::nullopt;
     const double from = side_ > 0.0 ? std::max(lo, a - 0.5 * (a - r)) : a;

@@ -11,7 +11,7 @@
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps
 // of 0.05, and then on finer grids around the best candidate, down to steps of 0.001. The check for
 // interference takes ten times as long as the generation of the teeth. Candidates are therefore
-// mounted in the order of their rank, until one has no interference.
+// checked in the order of their rank, until one has no interference.
 #pragma once
 
 #include <array>
@@ -65,11 +65,12 @@ struct FewTeethAnswer {
   std::string limit;
   int candidates = 0;  ///< number of candidates tried
 };
-/// Returns the design with the greatest transverse contact ratio. Among designs whose contact
-/// ratios agree to 0.02, the one with the smallest |x1 + x2| is chosen.
+/// Returns the design with the greatest transverse contact ratio. Contact ratios within the
+/// same step of 0.02 count as equal. Among designs with equal contact ratios, the one with the
+/// smallest |x1 + x2| is chosen.
 ///
-/// Errors    `gear1.helix_angle` if neither helix angle nor centre distance is given; `gear2.teeth`
-///           if an internal gear has no more teeth than its pinion
+/// Errors    `gear1.helix_angle` if neither helix angle nor centre distance is given;
+///           `gear2.teeth` if an internal gear has no more teeth than its pinion
 Result<FewTeethAnswer> design_few_teeth(const FewTeethProblem& problem);
 
 }  // namespace gearwright

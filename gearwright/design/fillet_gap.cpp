@@ -80,8 +80,9 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
   }
   if (least == kInfinite) return least;
   // Between nodes, the gap may be smaller than at the lowest node. The decrease is at most the
-  // difference between the lowest node and its higher neighbour. If the gap is positive even after
-  // this difference is subtracted, the value at the lowest node is returned.
+  // difference between the lowest node and the higher one of its neighbours. If the gap at the
+  // lowest node exceeds this difference, no gap is negative, and the value at the lowest node
+  // is returned.
   const auto rise = [&](int i) {
     const double gap = at[static_cast<std::size_t>(std::clamp(i, 0, kNodes))];
     return gap == kInfinite ? least : gap - least;
@@ -121,8 +122,9 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const std::array<TrialGear, 2>& g = graph.gears();
   if (graph.problem().crossed() || g[1].teeth < 0) return std::nullopt;
   const double sum = shifts[0] + shifts[1];
-  // If Σ = 0, both gears mesh with the same rack. The corners then do not reach the fillets, which
-  // are cut by the rounding of this rack.
+  // If Σ = 0, both gears are conjugate to the same rack. If, in addition, no addendum exceeds
+  // the depth of the straight edges, the tip corners touch only flanks that these edges cut.
+  // They do not reach the fillets, which are cut by the rounding of the rack.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -132,7 +134,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the line of action. It results from a centre distance that is greater than the
+  // Backlash along the line of action. It exists if the centre distance exceeds the
   // backlash-free centre distance.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// Relative tolerance, with which a centre distance that is given with ten digits counts as equal
-// to the computed centre distance.
+// Relative tolerance within which a centre distance that is given with ten digits counts as
+// equal to the computed centre distance.
 constexpr double kSameDistance = 1e-9;
 
 std::array<CylindricalSpec, 2> specs_of(const FitProblem& p) {
@@ -62,8 +62,8 @@ Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
   const double alpha_wn = std::asin(std::sin(*alpha) * std::cos(gears[0].helix_angle));
   if (p.center_distance && std::abs(*p.center_distance - a) > kSameDistance * a) {
     result.reason = fmt::format(
-        "on parallel axes these gears are free of backlash at {} mm only; if a profile shift is "
-        "left out, it is computed from the centre distance",
+        "on parallel axes these gears are free of backlash only at a centre distance of {} mm; "
+        "leave out one profile shift to have it computed from the given centre distance",
         format_number(a, *p.center_distance));
     result.nearest_distance = a;
     result.nearest_shaft_angle = Angle();
@@ -94,8 +94,9 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
         format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =
-        "these teeth are too thin to have a minimum centre distance, and no shaft angle gives the "
-        "centre distance of the spec; more profile shift would help";
+        "these teeth are so thin that their backlash-free centre distance has no minimum over the "
+        "shaft angle, and no shaft angle gives the centre distance of the spec; more profile shift "
+        "would help";
   }
   return result;
 }
@@ -115,7 +116,7 @@ Result<Fit> place_of_gears(const FitProblem& p) {
       if (has_rack(gear, alpha_n)) continue;
       return refused("fit.working_normal_pressure_angle", Angle::radians(alpha_n).deg(),
                      {90 - std::abs(Angle::radians(gear.helix_angle).deg())},
-                     "must be less than {}°, 90° minus the base helix angle");
+                     "must be less than {}°, which is 90° minus the base helix angle");
     }
     const int g = limiting_gear(gears);
     const double alpha = std::asin(std::sin(alpha_n) / std::cos(gears[g].helix_angle));
@@ -142,8 +143,9 @@ Result<Fit> place_of_gears(const FitProblem& p) {
     result.branches.clear();
     result.nearest_distance = a;
     result.reason = fmt::format(
-        "at this shaft angle these gears are free of backlash at {} mm only; if a profile shift, "
-        "the shaft angle or the centre distance is left out, it is computed",
+        "at this shaft angle these gears are free of backlash only at a centre distance of {} mm; "
+        "leave out one profile shift, the shaft angle or the centre distance to have the omitted "
+        "value computed",
         format_number(a, *p.center_distance));
     return result;
   }
@@ -157,10 +159,9 @@ Result<Fit> place_of_gears(const FitProblem& p) {
 // Computes the sum of the shifts for gears whose helix angles and position are known.
 Result<Fit> shifts_of_place(const FitProblem& p) {
   if (!p.center_distance) {
-    return absent_input(
-        "pair.center_distance",
-        "; give the centre distance, from which an absent profile shift is computed, or give both "
-        "profile shifts, from which the centre distance is computed");
+    return absent_input("pair.center_distance",
+                        "; give the centre distance to have an absent profile shift computed, or "
+                        "give both profile shifts to have the centre distance computed");
   }
   if (p.working_normal_pressure_angle) return one_condition_too_many();
   const BasePair<double> gears = base_gears(p);
@@ -210,15 +211,15 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
 
 Result<Fit> fit(const FitProblem& p) {
   if (p.teeth[1] < 0 && p.shaft_angle && p.shaft_angle->rad() != 0.0) {
-    return refused(
-        "pair.shaft_angle", p.shaft_angle->deg(),
-        "must be 0, because a fit covers internal pairs on parallel axes only. If helix angles and "
-        "profile shifts are given, the verb pair computes the centre distance at this angle");
+    return refused("pair.shaft_angle", p.shaft_angle->deg(),
+                   "must be 0, because the verb fit supports internal pairs only on parallel axes. "
+                   "If helix angles and profile shifts are given, the verb pair computes the "
+                   "centre distance at this angle");
   }
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];
   if (helices) {
-    // The first check is whether the gears can mesh at this shaft angle at all.
+    // Gears that cannot mesh at this shaft angle at all are rejected first.
     const auto specs = specs_of(p);
     if (auto error = check_partners(specs[0], specs[1], p.shaft_angle)) return *error;
     return shifts ? place_of_gears(p) : shifts_of_place(p);

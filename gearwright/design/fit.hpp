@@ -6,8 +6,8 @@
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
-// H is convex, so H = T has at most two solutions. If the gears are known, their positions are
-// computed. If the position is known, the gears are computed. If a helix angle is free, only
+// H is convex, so H = T has at most two solutions. If the gears are known, their position is
+// computed. If the position is known, the gears are computed. If a helix angle is unknown, only
 // designs at their minimum centre distance are considered. The pitch planes of these designs
 // coincide (X = 0), so an error of Σ has no first-order effect. On parallel axes, every
 // backlash-free pair is at its minimum centre distance.

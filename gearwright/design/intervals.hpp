@@ -199,8 +199,9 @@ template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // A maximum that is zero except for rounding counts as an interval. Therefore, f ≥ −touch is
-  // used, but only if there are no other intervals, because the tolerance would change their ends.
+  // A maximum that is zero except for rounding counts as an interval. If there are no
+  // intervals, the condition f ≥ −touch is therefore used. It is not used otherwise, because it
+  // would change the ends of the intervals.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

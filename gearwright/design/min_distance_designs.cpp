@@ -66,8 +66,8 @@ class PitchSum {
     std::vector<double> found;
     for (const auto& [from, to] : {std::pair{lo_, argmin_}, std::pair{argmin_, hi_}}) {
       const Root root = find_root(f, from, to);
-      // If the bracket contains no root, the solution lies outside the range of β_w1. Outside this
-      // range, H is greater than for any practical gears.
+      // If the bracket contains no root, the solution lies outside the range of β_w1, where H
+      // is greater than for any practical gears.
       if (root.stop == RootStop::no_bracket) continue;
       GW_ENSURES(root.found());
       if (found.empty() || found.back() != root.x) found.push_back(root.x);
@@ -166,8 +166,8 @@ std::array<double, 2> divided(const FitProblem& p, double sum) {
   return {x1, x2};
 }
 
-// Finds the nearest possible values for a given working pressure angle: the smallest a for the
-// given Σ, and the greatest |Σ| for the given a.
+// For a given working pressure angle, finds the smallest possible a at the given Σ, and the
+// greatest possible |Σ| at the given a.
 void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   const Designs designs(p);
   const PitchSum& H = designs.pitch_sum();
@@ -180,11 +180,11 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
                                       Angle::radians(std::acos(cos_wn)).deg()))
                       .rule;
   if (p.teeth[1] < 0) return;
-  // H is at least z1 + z2, its value on parallel axes, and grows with |Σ|.
+  // The minimum of H over β_w1 is z1 + z2 on parallel axes and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
     result.reason += fmt::format(
-        "; at the given centre distance there is no such pair at any shaft angle, because even on "
-        "parallel axes {} mm are needed",
+        "; no shaft angle permits such a pair at the given centre distance, because even on "
+        "parallel axes the centre distance must be {} mm",
         *p.center_distance * (p.teeth[0] + p.teeth[1]) / t);
     return;
   }
@@ -202,7 +202,7 @@ std::optional<Error> contradiction(const FitProblem& p) {
   const std::string alpha_field = "fit.working_normal_pressure_angle";
   const auto too_many = [](const std::string& field, const std::string& other) {
     return Error{field, "",
-                 fmt::format("overdetermines the pair together with {}, centre distance and shaft "
+                 fmt::format("is one value too many in addition to {}, centre distance and shaft "
                              "angle; leave out one of these values",
                              other)};
   };
@@ -251,8 +251,8 @@ Result<Fit> min_distance_designs(const FitProblem& p) {
         "there is no pair with `{}` = {} whose minimum centre distance is the given distance",
         gear_field(known + 1, "helix_angle"), format_number(p.helix[known]->deg()));
   } else if (p.working_normal_pressure_angle || wanted_sum == 0.0) {
-    // If x1 + x2 = 0 at the minimum centre distance, the working pressure angle equals the pressure
-    // angle of the rack.
+    // If a pair has x1 + x2 = 0 at its minimum centre distance, its working pressure angle
+    // equals the pressure angle of the rack.
     const Angle alpha = p.working_normal_pressure_angle.value_or(p.normal_pressure_angle);
     const double cos_wn = std::cos(alpha.rad());
     const std::optional<double> sum =

@@ -26,7 +26,7 @@ std::string shown(const std::array<double, 2>& b) {
 constexpr std::int64_t kMaxSifted = 20 * kMaxForChange;
 // Effort of the change that permits interference. Designs with interference do not run.
 constexpr double kNotToRun = 100.0;
-// Relative accuracy of a change. A change is printed with four digits.
+// Relative accuracy of a change, which is printed with four digits.
 constexpr double kEnough = 1e-9;
 
 // Computes the least change of one member, and counts the evaluated graphs.
@@ -36,8 +36,8 @@ class Least {
         std::int64_t most_questions)
       : knob_(&knob), watch_(&watch), max_questions_(most_questions), problem_(problem) {}
 
-  /// The nearest value with which a design exists. The change is rounded away from zero to a number
-  /// of four digits.
+  /// The value nearest to the given one with which a design exists. The change is rounded away
+  /// from zero to a number of four digits.
   std::optional<double> find() {
     if (knob_->value == knob_->far || !reach()) return std::nullopt;
     const auto to = knob_->kind == Knob::Kind::limit ? of_limit() : of_new_trials();
@@ -90,7 +90,8 @@ class Least {
   }
   bool lets_through(double value) {
     if (knob_->kind == Knob::Kind::limit) return feasible(*witness_, value);
-    // The band of ratios must include the trial that was found, with the tolerance of SearchSpace.
+    // The changed band of ratios must include the trial that was found, with the tolerance of
+    // SearchSpace.
     knob_->set(problem_, value);
     const auto [first, last] = wheels_of(problem_, witness_->z1);
     return first <= witness_->z2 && witness_->z2 <= last;
@@ -139,7 +140,7 @@ class Least {
     return best;
   }
 
-  // The value to which the member must change to include the trial.
+  // The value of the member that is needed to include the trial.
   double needs(const Trial& t) const {
     return knob_->kind == Knob::Kind::teeth ? t.z1 : static_cast<double>(t.z2) / t.z1;
   }

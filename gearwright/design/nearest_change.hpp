@@ -1,18 +1,18 @@
-// If a search has no feasible design, computes the smallest change of a single number that makes a
-// design feasible.
+// If a search has no feasible design, computes the smallest change of a single number that
+// makes a design feasible.
 //
 // Each number is changed separately, by the smallest amount with which a design exists. Numbers
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
-//                   over all trials. The trials are evaluated in random order. Each trial is first
-//                   evaluated with a change slightly smaller than the smallest one found so far. If
-//                   the trial is feasible (about ln n of n trials are), the smallest change for
-//                   this trial is found by bisection.
+//                   over all trials. The trials are evaluated in random order, each one first
+//                   with a change slightly smaller than the smallest one found so far. If the
+//                   trial is feasible with it (about ln n of n trials are), the smallest change
+//                   for this trial is found by bisection.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
-// For rated designs, the load, the face width and the steel are changed as well. A bisection that
-// repeats the whole search would evaluate each trial in every step. Here, each trial is evaluated
-// only a few times.
+// For rated designs, the load, the face width and the steel are changed as well. Each trial is
+// evaluated only a few times. A bisection that repeats the whole search would evaluate every
+// trial in every step.
 #pragma once
 
 #include <optional>
@@ -28,16 +28,17 @@ struct NearestChange {
       ///< "rating.torque", "rating.power", or "gear1.material.name" for the steel of both gears
   std::string from;  ///< the given value, such as "1.2" or "[99, 101]"
   std::string to;    ///< value with which a design exists, rounded towards feasible values
-  /// Size of the change: |to − from| divided by the value itself (distance, ratio, teeth), by 2
-  /// (sliding) or by 1 (others). The effort of `coprime` is 0.5. The effort of permitting
-  /// interference is 100, because designs with interference do not run.
+  /// Size of the change: |to − from| divided by the value itself (distance, ratio, teeth, load,
+  /// face width), by 2 (sliding) or by 1 (others). The effort of `coprime` and of another steel
+  /// is 0.5. The effort of permitting interference is 100, because designs with interference do
+  /// not run.
   double effort;
 };
 
 struct NearestChanges {
   std::vector<NearestChange> changes;  ///< by ascending effort
-  /// Members for which not all trials were evaluated. For such a member, a change smaller than the
-  /// one in `changes` may be sufficient.
+  /// Members for which not all trials were evaluated. A change smaller than the one in
+  /// `changes` may be sufficient for such a member.
   std::vector<std::string> bounded;
   std::vector<std::string> tried;  ///< all members that were changed, with or without success
   std::int64_t asked = 0;          ///< number of graphs computed
@@ -46,11 +47,11 @@ struct NearestChanges {
   std::optional<DesignRow> safest;
 };
 
-/// Greatest number of trials of a search for which changes are computed. There is a limit, because
-/// the trials are evaluated several times for every member.
+/// Greatest number of trials of a search for which changes are computed. The number is limited,
+/// because each trial is evaluated several times for every member.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
-/// Greatest number of graphs computed for one member. 2000 graphs with shortened tips, which are
-/// the slowest ones, take 1 s.
+/// Greatest number of graphs computed for one member. It takes 1 s to compute 2000 graphs with
+/// shortened tips, which are the slowest ones.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
 /// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.

@@ -171,8 +171,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
            ++result.rejected[static_cast<std::size_t>(verdict)];
            return true;
          }
-         // A graph may take as long as a thousand verdicts of the filter, so the watch is called
-         // before each graph.
+         // The watch is called before each graph, because a graph may take as long as a
+         // thousand verdicts of the filter.
          if (wish.watch && !wish.watch(0)) return false;
          const ShiftGraph graph(problem_, t, g_1, g_2);
          const auto keep = [&](const DesignRow& row) {
@@ -197,8 +197,8 @@ SearchCounts Search::range(std::int64_t from, std::int64_t to, std::vector<Desig
          } else if (const auto row =
                         design_row(graph, problem_.rating || problem_.draw ? RegionDetail::point
                                                                            : wish.detail)) {
-           // The values of the region take longer than all other values, so they are computed only
-           // for accepted designs.
+           // The values of the region are computed only for accepted designs, because they take
+           // longer than all other values.
            if (keep(*row) && !row->whole && wish.detail == RegionDetail::whole)
              rows.back() = *design_row(graph, wish.detail);
            return true;

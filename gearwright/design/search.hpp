@@ -1,10 +1,10 @@
 // The design search. For every trial, it computes either a design or the limit that rejects the
 // trial. The best designs are sorted.
 //
-// Ranges of trials are searched independently, so a search can be divided among threads, shards and
-// ranks. The first three limits need only a few operations and reject most trials. The filter
-// (design/candidate.hpp) evaluates these limits for several trials at once. A graph is computed
-// only for trials that the filter does not reject.
+// Ranges of trials are searched independently, so a search can be divided among threads, shards
+// and ranks. The first three limits need only a few operations and reject most trials. The
+// filter (design/candidate.hpp) evaluates these limits for several trials at once. A graph
+// (design/shift_graph.hpp) is computed only for trials that the filter does not reject.
 #pragma once
 
 #include <array>
@@ -79,8 +79,8 @@ class Search {
   bool feasible(const Trial& trial) const { return has_design(graph(trial)); }
 
  private:
-  // Evaluates the filter for the trials [from, to). For each trial, decide(trial, verdict, gear 1,
-  // gear 2) is called until it returns false.
+  // Evaluates the filter for the trials [from, to). Calls decide(trial, verdict, gear 1, gear
+  // 2) for one trial after another, until it returns false.
   template <class F>
   void sift(std::int64_t from, std::int64_t to, const SearchWatch& watch, const F& decide) const;
   std::shared_ptr<const TrialGears> gears(int which, int rack, Angle helix) const;

@@ -80,7 +80,8 @@ inline constexpr bool needs_rating(Objective objective) {
          objective == Objective::noise;
 }
 
-/// The racks of both gears, and the depths of the straight edges below the datum line, modules.
+/// The racks of both gears, and the depths of their straight edges, measured from the datum
+/// line in modules.
 struct SearchRacks {
   std::array<StraightRack, 2> rack;
   std::array<double, 2> undercut_depth{1.0, 1.0};  ///< for undercut and the clipped path
@@ -135,8 +136,8 @@ struct SearchProblem;
 struct DrawnDesign {
   bool runs = false;                                ///< true if no finding is worse than green
   std::optional<std::array<double, 2>> backlash{};  ///< j_n  mm, at both tolerance ends
-  /// The pair at every combination of tolerance ends. The list is filled only if the design does
-  /// not run and insufficient safety factors are the only reason. In this case, a wider face may
+  /// The pair at every combination of tolerance ends. The list is filled only if insufficient
+  /// safety factors are the only reason why the design does not run, so that a wider face may
   /// help.
   std::vector<RatedPair> at_ends{};
 };
@@ -146,12 +147,13 @@ inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
-/// Limits, modules, that ensure that the designs run. Callers can use them as defaults. They are
+/// Limits, modules, with which the designs run. A caller can use them as defaults, but they are
 /// not the defaults of SearchLimits.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
-/// Default limits for designs whose drawings are checked: for |x| and for the specific sliding |ζ|.
+/// Default limits of |x| and of the specific sliding |ζ|, for designs whose drawings are
+/// checked.
 inline constexpr double kDrawnShift = 1.0;
 inline constexpr double kDrawnSliding = 3.0;
 
@@ -166,8 +168,8 @@ struct SearchProblem {
   Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
   bool coprime = false;  ///< if true, z1 and z2 must have no common factor
-  // Bands of the face width of both gears, both ends included. Each design gets the smallest width
-  // within all bands that gives the required safety factors and overlap ratio.
+  // Bands of the face width of both gears, both ends included. Each design gets the smallest
+  // width that lies within all bands and gives the required safety factors and overlap ratio.
   std::optional<std::array<double, 2>> face_width;      ///< b  mm
   std::optional<std::array<double, 2>> face_modules;    ///< b/m_n; 10 if there is no band
   std::optional<std::array<double, 2>> face_diameters;  ///< b/d_1
@@ -218,7 +220,8 @@ struct SearchProblem {
   }
 };
 
-/// One combination of all numbers except the shifts.
+/// One combination of rack, helix angles, module and numbers of teeth. It does not contain
+/// shifts.
 struct Trial {
   std::int64_t index = 0;  ///< number of the trial
   double module = 0.0;     ///< m_n  mm

@@ -31,8 +31,8 @@ class SearchSpace {
   /// Domain    0 ≤ index < size (contract)
   Trial trial(std::int64_t index) const;
 
-  /// Calls f(trial) for the trials in [from, to) until f returns false. If only coprime numbers of
-  /// teeth are permitted, other trials are omitted.
+  /// Calls f(trial) for the trials in [from, to) until f returns false. If the numbers of teeth
+  /// must be coprime, trials with a common factor are omitted.
   template <class F>
   void each(std::int64_t from, std::int64_t to, const F& f) const {
     if (from >= to) return;

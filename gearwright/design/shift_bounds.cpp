@@ -53,12 +53,12 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The point at which the mating gear's tip touches a flank must keep at least the distance c_F from
-// the start of this flank, along the line of action: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a
-// given sum of the profile shifts, each condition has the form w q(u) ≤ c + s u. Here, u is the tip
-// radius of the mating gear, and q is the curvature radius of the mating gear's flank at its tip.
-// Squaring the condition gives a quadratic in u. For an external pair, the condition is violated
-// between the roots. [T9.9]
+// The form clearance c_F is the least distance, along the line of action, from the start of a
+// flank to the point at which the mating gear's tip touches it: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥
+// ρ_F2 + c_F. For a given sum of the profile shifts, each condition has the form w q(u) ≤ c + s
+// u. Here, u is the tip radius of the mating gear, and q is the curvature radius of the mating
+// gear's flank at its tip. Squaring the condition gives a quadratic in u. For an external pair,
+// the condition is violated between the roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -89,8 +89,9 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
                    s * (A_2 + sum);
   const double b = gears_[1].r_b;
   const double disc = c * c - (s * s - 1.0) * b * b;
-  // If disc < 0, the condition is met nowhere, and the two ends are returned in reverse order. At
-  // disc = 0, the ends coincide. The width of the interval is therefore a continuous function of Σ.
+  // If disc < 0, the condition is met nowhere, and the lower end is greater than the upper end.
+  // If disc = 0, the ends coincide. The width of the interval is therefore a continuous
+  // function of Σ.
   const double middle = -s * c / (s * s - 1.0) + A_2 + sum;
   const double half = std::copysign(std::sqrt(std::abs(disc)), disc) / (s * s - 1.0);
   raise(lo_2, middle - half);
@@ -98,11 +99,11 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 }
 
 // The range of the shift of gear i in which its usable flank is long enough. The usable flanks
-// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to the usable flanks must be at least K
-// long. This requires w_1 q_1 − f_1 ≥ K, the same condition for gear 2, and N − f_1 − f_2 ≥ K. This
-// function solves the first two conditions. If f_1, f_2 > 0, the third condition depends on Σ alone
-// (sum_margin). For an internal gear, there is no bound, because the start of its flank is unknown.
-// [T9.7]
+// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to the usable flanks must be at
+// least K long. This requires w_1 q_1 − f_1 ≥ K, w_2 q_2 − f_2 ≥ K and N − f_1 − f_2 ≥ K. This
+// function solves the condition of gear i. If f_1, f_2 > 0, the third condition depends on Σ
+// alone (sum_margin). For an internal gear, there is no bound, because the start of its flank
+// is unknown. [T9.7]
 std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
   const TrialGear& g = gears_[i];
   if (g.teeth < 0) return {-kInfinity, kInfinity};
@@ -161,8 +162,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, the bounds s1max and s2max are the solutions of equations. They are
-  // computed only if they may be the tightest bounds.
+  // If tips are shortened, the bounds s1max and s2max are solutions of equations. Each of them
+  // is solved only if the bound may be the tightest one.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));
@@ -187,8 +188,8 @@ ShiftSlice ShiftBounds::slice() const {
   ShiftSlice s{{-kInfinity, kInfinity}, ShiftEdge::mesh, ShiftEdge::mesh};
   s.lo = *std::max_element(lo.begin(), lo.end());
   s.hi = *std::min_element(hi.begin(), hi.end());
-  // If several bounds coincide, the name of the first one is used. This happens, for example, to
-  // the bounds of the clipped path and of interference.
+  // If several bounds coincide, the name of the first one is used. The bounds of the clipped
+  // path and of interference, for example, can coincide.
   const auto first = [](const auto& bounds, double value) {
     const auto at = std::find_if(bounds.begin(), bounds.end(), [value](double bound) {
       return bound == value || std::abs(bound - value) <= kOneBound;

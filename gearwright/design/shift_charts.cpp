@@ -11,7 +11,7 @@ namespace gearwright {
 
 namespace {
 
-// The problem with the tip thickness as the only limit.
+// The problem in which the tip thickness is the only limit of the shifts.
 SearchProblem with_tip(const SearchProblem& problem, double thickness) {
   SearchProblem asked = problem;
   asked.limits.min_shift.reset();

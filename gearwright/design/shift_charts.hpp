@@ -39,10 +39,10 @@ struct ShiftLimits {
 std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rack, Angle helix,
                                            int which, int from, int to);
 
-/// The point of the chart at which the curve of x_u meets the curve of x_t for kChartTips[tip].
-/// Absent if the curves do not intersect.
+/// The point of the chart at which the curve of x_u intersects the curve of x_t for
+/// kChartTips[tip]. Absent if the curves do not intersect.
 ///
-/// Accuracy  0.01 teeth, because the curves are replaced by chords between whole numbers of teeth
+/// Accuracy  0.01 teeth, because between whole numbers of teeth, chords replace the curves
 struct LimitsMeet {
   double teeth, shift;
   int fewest;  ///< the next greater whole number of teeth

@@ -106,8 +106,8 @@ double ShiftGraph::sum_of_distance(double distance) const {
   return (involute(alpha_w) - inv_alpha_t_) * teeth_sum_ / (2.0 * tan_alpha_);
 }
 
-// The range of Σ from the limits that have a closed form. The corners of the rectangle of shifts
-// are not used.
+// The range of Σ that follows from the limits with a closed form. The corners of the rectangle
+// of shifts do not limit it.
 ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
@@ -124,8 +124,9 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   const auto not_farther = [&](double sum, ShiftEdge edge) {
     internal_ ? from_below(sum, edge) : from_above(sum, edge);
   };
-  // If there is no working pressure angle, there is no contact ratio. Sums without a working
-  // pressure angle are therefore excluded together with the limit of the contact ratio.
+  // Without a working pressure angle, there is no contact ratio. Sums without a working
+  // pressure angle are therefore excluded as soon as the limit of the contact ratio is
+  // evaluated.
   if (limits > static_cast<int>(Limit::contact_ratio)) {
     not_nearer(mesh_sum_, ShiftEdge::mesh);
   }
@@ -134,8 +135,8 @@ ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
     const auto& band = *problem_->center_distance;
     const double least = band[0] / trial_.module;
     const double most = band[1] / trial_.module;
-    // A pair whose centre distance is below the sum of the base radii is backlash-free for no sum
-    // of shifts.
+    // No sum of shifts gives a backlash-free pair at a centre distance below the sum of the
+    // base radii.
     if (tight_ && most < nearest_) return {1.0, 0.0, ShiftEdge::Cmax, ShiftEdge::Cmax};
     not_nearer(sum_of_distance(least), ShiftEdge::Cmin);
     not_farther(sum_of_distance(most), ShiftEdge::Cmax);
@@ -151,8 +152,8 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   Sums s = plain_sums(limits, Band::asked);
   if (s.lo_edge == ShiftEdge::Cmax && s.hi_edge == ShiftEdge::Cmax)
     return s;  // no Σ meets the upper limit of the centre distance
-  // The range also ends at the corners of the rectangle of shifts. A corner is a point, so no edge
-  // is named.
+  // The corners of the rectangle of shifts limit the range, too. A corner is a point, so no
+  // edge is named.
   raise(s.lo, gears_[0].x_min + gears_[1].x_min);
   double corner = gears_[0].x_max + gears_[1].x_max;
   if (tight_ && problem_->shorten_tips) {
@@ -164,9 +165,9 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
   return s;
 }
 
-// Finds a sum at which the path is shorter than K, because the tips are shortened by k. For all
-// greater sums, the path is also shorter than K, because k decreases. E is greatest if both tip
-// pressure angles are equal. It is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+// Finds a sum at which every path is shorter than K, because the tips are shortened by k. The
+// same is true for all greater sums, because k decreases. On a line Σ = const, E is greatest if
+// both tip pressure angles are equal. It is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -178,8 +179,8 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// The sum above which tips are too thin even when they are shortened by k. If there is no such sum,
-// a large number is returned.
+// The sum above which the tips are too thin, although they are shortened by k. If there is no
+// such sum, a large number is returned.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases
@@ -193,8 +194,9 @@ double ShiftGraph::beyond_thin_tips(double sum, double least) const {
 }
 
 double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const {
-  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with signed N. In this
-  // form, the slope with respect to x1 is the sum of the slopes of the two square roots.
+  // ρ_1E − ρ_1A of the leaf formulas, with weights for crossed axes and with a signed N. In
+  // this form, the derivative with respect to x1 is the sum of the derivatives of two square
+  // roots.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
   const double sign = internal_ ? -1.0 : 1.0;
@@ -241,8 +243,8 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The x1 at which E = K, between the x1 of the longest path and a bound of x1. Absent if E = K has
-// no solution there.
+// The x1 with E = K between the x1 of the longest path and a bound of x1. Absent if there is no
+// such x1.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;
@@ -267,8 +269,8 @@ ShiftSlice ShiftGraph::slice(double sum, int limits) const {
   if (limits <= static_cast<int>(Limit::contact_ratio) || slice.empty()) return slice;
   const Longest top = longest_path(at, sum, slice);
   if (!(top.length >= min_path_)) {
-    // The interval is a point or empty. The result is an interval of zero or negative width at the
-    // x1 of the longest path.
+    // Here, at most one x1 has a path that is long enough. The result is an interval of zero or
+    // negative width at the x1 of the longest path.
     const bool touching = top.length >= min_path_ - kTouching;
     return {{top.x1 + (touching ? 0.0 : 1.0), top.x1}, ShiftEdge::eps, ShiftEdge::eps};
   }

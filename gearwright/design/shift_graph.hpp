@@ -9,11 +9,11 @@
 //   K               least length of the path: the least contact ratio times the pitch
 //                                              theory: docs/theory/09-design-search.md
 //
-// All values are in normal modules with ISO 21771 signs, so the same formulas hold for external,
-// internal and crossed pairs. Every bound is the solution of an equation. In cases in which section
-// 9.4 does not prove that there is a single interval of Σ, the intervals are searched for from
-// nodes. If interference is excluded, external gears with tips inside their own reference circle
-// are excluded too.
+// All values are in normal modules with ISO 21771 signs, so the same formulas hold for
+// external, internal and crossed pairs. Every bound is the solution of an equation. If section
+// 9.4 does not prove that there is only one interval of Σ, a search from nodes finds the
+// intervals. If interference is excluded, external gears with tips inside their own reference
+// circle are excluded too.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@
 
 namespace gearwright {
 
-/// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. The interference
-/// bounds have the greatest second derivatives, a few 1/modules. The limit is generous, because it
-/// only determines when a search ends.
+/// Upper limit of the second derivatives of margins with respect to Σ, 1/modules. The greatest
+/// second derivatives, those of the interference bounds, are a few 1/modules. A greater limit
+/// does no harm, because it only makes a search end later.
 inline constexpr double kMostBend = 100.0;
 
 /// The limit that defines a part of the boundary.
@@ -49,13 +49,13 @@ enum class ShiftEdge {
   mesh
 };
 inline constexpr std::size_t kShiftEdges = 13;
-/// For example "s1min" or "Cmax". The name "mesh" means that beyond the edge there is no working
+/// For example "s1min" or "Cmax". Beyond an edge with the name "mesh", there is no working
 /// pressure angle.
 std::string_view name(ShiftEdge edge);
-/// Tolerance within which two limits count as touching, modules. A centre distance divided by a
-/// module has rounding errors.
+/// Tolerance, modules, within which two limits count as touching. It is needed because a centre
+/// distance divided by a module has a rounding error.
 inline constexpr double kTouching = 1e-11;
-/// Bounds of x1 that differ by less than this, modules, count as one bound. Otherwise, rounding
+/// Bounds of x1 that differ by less than this, modules, count as equal. Otherwise, rounding
 /// errors would determine which limit is named.
 inline constexpr double kOneBound = 1e-12;
 /// The interval of x1 on a line Σ = const. It is empty if lo > hi + kTouching.
@@ -104,8 +104,7 @@ class ShiftGraph {
   double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-  /// The range of Σ allowed by the limits that depend on Σ alone. Only the first `limits` limits
-  /// are used.
+  /// The range of Σ that the first `limits` limits leave, as far as they depend on Σ alone.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -114,8 +113,8 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The smallest margin, in units of Σ, of those limits that depend on Σ alone but do not directly
-  /// give a range of Σ. These limits are met if the margin is ≥ 0.
+  /// The smallest margin, in units of Σ, of those limits that depend on Σ alone but have no
+  /// closed form for the range of Σ. These limits are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -128,10 +127,10 @@ class ShiftGraph {
   }
   /// The interval of x1 on a line Σ = const, including the limit of the path length.
   ShiftSlice slice(double sum, int limits = kRegionLimits) const;
-  /// One end of slice(), without the name of its limit. It is used to integrate the area.
+  /// One end of slice(), without the name of its limit, for the integral of the area.
   double slice_end(double sum, LineSide side) const;
-  /// The ends of the interval that bounds_before_path() leaves, without the names of their limits.
-  /// For most lines, no names are needed.
+  /// The ends of the interval that bounds_before_path() leaves, without the names of their
+  /// limits, which are needed only for few lines.
   LineEnds ends_before_path(const SumPlace& at, double sum, int limits = kRegionLimits) const;
   /// E, the length of the path at a point.
   double path_length(const SumPlace& at, double sum, double x1) const;
@@ -143,21 +142,21 @@ class ShiftGraph {
   /// The sums Σ for which the first `limits` limits leave an interval of x1. There are several
   /// intervals of Σ only if the region consists of several pieces.
   std::vector<Interval> feasible_sums(int limits = kRegionLimits) const;
-  /// True if feasible_sums() is not empty. In that case, this function is faster than
-  /// feasible_sums().
+  /// True if feasible_sums() would find a sum. In this case, this function is usually faster
+  /// than feasible_sums().
   bool has_feasible_sums(int limits = kRegionLimits) const;
-  /// The first limit that leaves no region; absent if a region exists.
+  /// The first limit with which no region is left; absent if a region exists.
   std::optional<Limit> what_kills() const;
-  /// The smallest margin of all limits at a point, modules, from the same bounds as the slices. If
-  /// the margin is ≥ 0, the point is inside the region. If Σ lies outside sums(), the margin is
-  /// minus the distance of Σ from that range.
+  /// The smallest margin of all limits at a point, modules, computed from the same bounds as
+  /// the slices. The point is inside the region if the margin is ≥ 0. If Σ lies outside sums(),
+  /// the margin is minus the distance of Σ from that range.
   double margin(double x1, double x2) const;
-  /// The limits of each shift that do not depend on the other shift. If tips are shortened, limits
-  /// that depend on the tip are not included.
+  /// For each shift, the limits that do not depend on the other shift. If tips are shortened,
+  /// these do not include limits that depend on the tip.
   std::array<Interval, 2> shift_limits() const;
-  /// The distance of a point from the nearest border: the same as margin(), but without the band of
-  /// centre distances. The ends of this band do not count as borders, because the user chooses
-  /// them.
+  /// The distance of a point from the nearest border: the same as margin(), but without the
+  /// band of centre distances. The ends of this band do not count as borders, because the user
+  /// chooses them.
   ///
   /// Domain    within sums()
   double wall_distance(double x1, double x2) const;

@@ -28,8 +28,8 @@ CandidateConstants constants_of(const ShiftGraph& graph) {
 
 enum class Verdict { inside, outside, ask };
 
-// Compares one candidate with all limits. If a value is NaN, the candidate is undecided and the
-// graph decides.
+// Compares one candidate with all limits. If a value is NaN, the candidate is undecided, and
+// the graph must decide.
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
@@ -41,7 +41,8 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   };
-  // The residual is an error of inv α_wt, and the derivative of inv α is tan² α.
+  // The error of tan α_wt is the residual of inv α_wt divided by tan² α_wt, because the
+  // derivative of inv α is tan² α.
   const double tan_w = b.out[CandidateBatch::tan_working][i];
   if (!(b.out[CandidateBatch::residual][i] < 0.01 * kSieveDoubt * tan_w * tan_w)) ask = true;
   at_least(CandidateBatch::contact_ratio, limits.contact_ratio);
@@ -65,7 +66,7 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
       ask = true;
     }
   }
-  // If one limit rejects a candidate, it is outside, even if another limit is undecided.
+  // A candidate that one limit rejects is outside, even if another limit is undecided.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }
 

@@ -3,9 +3,10 @@
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a grid point within the shift limits of both gears and within the range of Σ
 //
-// Vector code (design/candidate.hpp) computes the values that are compared with the limits. Within
-// kSieveDoubt of a limit, and for crossed axes, the graph decides. The values in the table are
-// computed with the scalar formulas of the pair, so the table is the same on every machine.
+// Vector code (design/candidate.hpp) computes the values that are compared with the limits. If
+// a value is within kSieveDoubt of its limit, or if the axes are crossed, the graph decides.
+// The values in the table are computed with the scalar formulas of the pair, so the table is
+// the same on every machine.
 #pragma once
 
 #include <array>

@@ -37,8 +37,8 @@ double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo
 // The difference between the bounds of x1 that the edges a and b impose at a given Σ.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // If an edge imposes no bound, its value is infinite. It is replaced by a large number, because
-  // the root finder needs finite values.
+  // The value of an edge that imposes no bound is infinite. It is replaced by a large number,
+  // because the root finder needs finite values.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -57,16 +57,16 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
 constexpr std::size_t kMaxChanges = 40;
 // Relative difference of two sums that have no double between them.
 constexpr double kSameSum = 4e-16;
-// Distance from a corner at which the edges are evaluated: relative to the interval (kBeside) and
-// in modules (kMinBeside). kMinBeside must exceed kOneBound, because two bounds that differ by less
-// than kOneBound have the same name.
+// Distance from a corner at which the edges are compared: relative to the interval (kBeside)
+// and in modules (kMinBeside). kMinBeside must exceed kOneBound, because two bounds that differ
+// by less than kOneBound have the same name.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
-// The ends of a piece are corners. At this fraction of the piece's width from an end, the name of
-// the edge is unique.
+// At an end of a piece, several edges meet. At this distance from the end, relative to the
+// width of the piece, the edge is unique.
 constexpr double kInset = 1e-7;
-// Tolerance, modules, within which an end of a piece counts as an end of the whole range. The two
-// ends are computed separately, so they may differ by rounding errors.
+// Tolerance, modules, within which the end of a piece counts as the end of the whole range. The
+// two ends are computed separately, so they may differ by rounding errors.
 constexpr double kSameEnd = 1e-9;
 // Adds those sums between l and r at which the edge of the side changes. at_l and at_r are the
 // edges at l and r.
@@ -130,9 +130,9 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
   return found;
 }
 
-// Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end, x1
-// varies as the square root of the distance from this end. As a function of the angle, x1 is
-// smooth.
+// Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end,
+// x1 varies as the square root of the distance from this end, but it is a smooth function of
+// the angle.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
@@ -141,8 +141,8 @@ double sum_at(double from, double to, double theta) {
 // square root, three bisections add seven correct digits.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // modules², for the area under one stretch of a side
-// Rounding error of a bound of x1, relative to the radii whose difference it is. The tolerance of
-// the integral must not be smaller; otherwise, rounding errors would cause repeated bisections.
+// Rounding error of a bound of x1, relative to the radii whose difference the bound is. With a
+// smaller tolerance of the integral, rounding errors would cause repeated bisections.
 constexpr double kAreaRounding = 1e-13;
 
 double area_under(const ShiftGraph& graph, Side side, const Stretch& s, bool straight) {
@@ -169,12 +169,13 @@ double area_of(const ShiftGraph& graph, const SearchProblem& problem, const Inte
   return area;
 }
 
-// If both ends of a slice are roots of the same limit, the slice counts as a point up to this
-// width, modules. The error of coinciding roots is the square root of the rounding error of Σ.
+// If both ends of a slice are roots of the same limit, and the slice is narrower than this,
+// modules, it counts as a point. Where two roots coincide, their error is the square root of
+// the rounding error of Σ.
 constexpr double kPinch = 2e-6;
-// A slice at an end of a piece. If the limit of the path length determines both ends, the slice is
-// replaced by the point with the longest path. This point is exact except for rounding, whereas the
-// error of the two ends is the square root of the rounding error.
+// A slice at an end of a piece. If the limit of the path length determines both ends of the
+// slice, the slice is replaced by the point with the longest path. This point is exact except
+// for rounding, but the error of the two ends would be the square root of the rounding error.
 ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   ShiftSlice s = graph.slice(sum);
   if (s.lo_edge == ShiftEdge::eps && s.hi_edge == ShiftEdge::eps) {
@@ -186,8 +187,8 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The smallest margin of the bounds of x1 and of the path length at a point whose Σ lies within the
-// range of a piece.
+// The smallest margin of the bounds of x1 and of the path length at a point. Its Σ must lie
+// within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const SumPlace at = graph.place(sum);

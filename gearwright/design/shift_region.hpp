@@ -26,7 +26,8 @@ struct RegionEdge {
 };
 /// The extent of the computation: without (`point`) or with (`whole`) the area of the region.
 enum class RegionDetail { point, whole };
-/// `sought` if point_off_walls() is to be computed; `none` if the point is known not to exist.
+/// `sought` if point_off_walls() is to be computed; `none` if it is known that there is no such
+/// point.
 enum class OffWalls { sought, none };
 
 struct ShiftRegion {
@@ -47,19 +48,22 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
                                         RegionDetail detail = RegionDetail::whole,
                                         OffWalls off_walls = OffWalls::sought);
 
-/// The desired distance of a design from the borders of its region, modules. At a border, limits
-/// are only just met. If no point on the line of balanced strength keeps this distance, half of the
-/// greatest distance on the line is used. The band of centre distances does not count as a border.
+/// The desired distance of a design from the borders of its region, modules. At a border, a
+/// limit is only just met. If no point on the line of balanced strength keeps this distance,
+/// half of the greatest distance on the line is used. The band of centre distances does not
+/// count as a border.
 inline constexpr double kWallDistance = 0.05;
-/// Considers the points on the line of balanced strength that keep this distance from the borders,
-/// and returns the one with Σ nearest 0. Absent if there is no such point. If interference is
-/// permitted, the distance is not required, and the result is absent only if the point with Σ
-/// nearest 0 lies at a border or outside the region. ShiftRegion::balanced then contains the point,
-/// if there is one. If Σ = 0 is feasible, all limits are usually evaluated only once.
+/// Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
+/// kWallDistance from the borders. If no point of the line keeps it, half of the greatest
+/// distance is required instead. Absent if all points of the line lie at a border or outside
+/// the region. If interference is permitted, no distance is required, and the result is absent
+/// if the point with Σ nearest 0 lies at a border or outside the region. In this case,
+/// ShiftRegion::balanced contains the point, if there is one. If Σ = 0 is feasible, all limits
+/// are usually evaluated only once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
-/// True if the line of balanced strength is certainly infeasible between the sums a and b, because
-/// it violates the limits of the single shifts there. No point of the line then needs to be
-/// evaluated.
+/// True if the line of balanced strength is certainly infeasible between the sums a and b,
+/// because it violates a limit of x1 or x2 alone. In this case, no point of the line needs to
+/// be evaluated.
 bool line_is_outside(const ShiftGraph& graph, double a, double b);
 /// The boundary of each piece of the region, counter-clockwise. If only one centre distance is
 /// possible, the boundary is a segment that is traversed in both directions.
@@ -69,8 +73,9 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
 /// The point of a design: `off_walls` if present, otherwise `balanced` if present, otherwise
 /// middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
-/// The middle between lo and hi. If the region consists of several pieces, or if this middle is too
-/// close to a border, the result is the middle of the slice at the mean Σ of the longest piece.
+/// The middle between lo and hi. However, if the region consists of several pieces, or if this
+/// middle is too close to a border, the result is the middle of the slice at the mean Σ of the
+/// longest piece.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point on the line of balanced strength (Eq. 11) with the given sum Σ.

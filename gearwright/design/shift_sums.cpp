@@ -25,9 +25,9 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     range.lo = range.hi = (range.lo + range.hi) / 2.0;
   const auto width = [&](double sum) { return width_before_path(place(sum), sum, limits); };
   const auto excess = [&](double sum) { return excess_of_path(place(sum), sum, limits); };
-  // For an internal pair, the interference limit may leave ranges on both sides of Σ = 0 [T9.9].
-  // The gap between these ranges may be narrower than the distance of the nodes, so both sides of 0
-  // are searched separately.
+  // For an internal pair, the interference limit may leave ranges on both sides of Σ = 0
+  // [T9.9]. Both sides of 0 are searched separately, because the gap between these ranges may
+  // be narrower than the distance of the nodes.
   const bool gap_at_zero = internal_ && problem_->limits.avoid_interference &&
                            limits > static_cast<int>(Limit::interference);
   const Hump hump{.bend = kMostBend};
@@ -49,8 +49,8 @@ std::vector<Interval> ShiftGraph::feasible_sums(int limits) const {
     if (!pieces.empty()) return pieces;
     return beside_zero([&](double sum) { return f(sum) + kTouching; });
   };
-  // `wide` contains the sums for which an interval of x1 exists if the limit of the path length is
-  // ignored. A sum in `wide` is feasible if its longest path is long enough.
+  // `wide` contains the sums with an interval of x1 that meets all limits except that of the
+  // path length. A sum in `wide` is feasible if its longest path is long enough.
   const auto wide = exactly_or_touching(width, range.lo, range.hi);
   if (limits <= static_cast<int>(Limit::contact_ratio)) return wide;
   std::vector<Interval> found;

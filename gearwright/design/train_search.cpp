@@ -41,7 +41,8 @@ class TrainSearch {
     const double per_tooth = -before / z1;
     double lo = problem_.ratio[0] / per_tooth, hi = problem_.ratio[1] / per_tooth;
     if (lo > hi) std::swap(lo, hi);
-    // The values are limited before the conversion, because they may exceed the range of int.
+    // The values are limited before they are converted, because they may exceed the range of
+    // int.
     const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
     const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
     const int band = problem_.wheel[1] - problem_.wheel[0] + 1;
@@ -55,8 +56,8 @@ class TrainSearch {
     result_.rejected[static_cast<std::size_t>(DriveLimit::ratio)] += band - kept;
   }
 
-  // Adds the train and returns 1 if it meets all limits. The ratio is computed exactly, as one
-  // fraction.
+  // Adds the train and returns 1 if it meets all limits. The ratio is the quotient of two
+  // products of numbers of teeth. The products are exact below 2^53.
   int keep() {
     double p = 1.0, q = 1.0, size = 0.0;
     const auto& helix = problem_.base.helix_deg.all;

@@ -57,7 +57,9 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
           std::log(safety.root) + shape.log_load;
     }
     const auto bound = [&](Eigen::Index column, double margin) {
-      // A term may be the same in all trains, for example if only one z_1 is tried.
+      // The columns of `terms` may be dependent. For example, if only one z_1 is tried, its
+      // logarithm is the same in all trains. least_squares() then returns the solution of least
+      // norm.
       const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
       const double above = (logs.col(column) - terms * fit).maxCoeff();
       return Fit{fit[0] + above + margin, fit[1], fit[2], fit[3]};

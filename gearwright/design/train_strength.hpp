@@ -40,9 +40,10 @@ inline constexpr std::size_t kLeastRatedTrains = 24;
 
 class TrainStrength {
  public:
-  /// Without rated trains, nothing is estimated.
+  /// Without rated trains, may_hold() is always true.
   TrainStrength() = default;
-  /// Fits the safeties of all stages. Stages with the same index from the input share one fit.
+  /// Fits the safeties of all stages. Stages that have the same index, counted from the input,
+  /// share one fit.
   explicit TrainStrength(const std::vector<RatedTrain>& rated);
 
   /// False if, by the estimate, this stage of the train cannot have the required safeties.

@@ -29,7 +29,7 @@ namespace {
 // external gear and the greatest one of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
-  // The tip thickness is evaluated at this shift. Therefore, the shift is moved by the rounding
+  // The tip thickness is evaluated at this shift. The shift is therefore moved by the rounding
   // error, so that the tip is certainly outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
   return g.teeth > 0 ? x + ulp : x - ulp;
@@ -54,8 +54,8 @@ Shifts thick_enough(const TrialGear& g, double k) {
   if (g.teeth > 0) {
     const double start = std::max(edge, 0.0);
     as_a_rule = margin(start) >= 0.0 && margin(hi) < 0.0;
-    // Even a tip on the base circle, at the shift `edge`, may be too thin if the gear has more than
-    // about a hundred teeth. The general search below then finds the interval.
+    // If the gear has more than about a hundred teeth, even a tip on the base circle, at the
+    // shift `edge`, may be too thin. In this case, the general search below finds the interval.
     if (as_a_rule && margin(edge) >= 0.0) return {edge, find_root(margin, start, hi).x, true};
   }
   const auto pieces = where_not_negative(margin, lo, hi, 64);
@@ -78,8 +78,9 @@ Slope<double> tip_thickness_and_slope(const TrialGear& g, double x, double k) {
   return {thickness, slope};
 }
 
-// The upper end of thick_enough() for k < 0. At x = thick_until − k, the tip has the same radius as
-// at thick_until, but the tooth is thicker. The end therefore lies slightly above this x.
+// The upper end of thick_enough() for k < 0. At x = thick_until − k, the tip radius is the same
+// as at thick_until with k = 0, but the tooth is thicker. The end is therefore slightly greater
+// than this x.
 double thick_until_with(const TrialGear& g, double k) {
   const auto margin = [&](double x) {
     Slope<double> s = tip_thickness_and_slope(g, x, k);

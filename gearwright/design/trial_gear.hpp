@@ -50,8 +50,8 @@ TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int r
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
 
-/// The greatest x within the limits for the tip alteration k. For k < 0, it may exceed x_max,
-/// because a shortened tip is thicker. It is less than `x_min` if no x is possible.
+/// The greatest x within the limits for the tip alteration k. If k < 0, it may exceed x_max,
+/// because a shortened tip is thicker. If no x is possible, the result is less than `x_min`.
 double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// A lower bound of max_shift() that is computed without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);

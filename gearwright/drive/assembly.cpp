@@ -42,9 +42,9 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. The steps of
-// the algorithm are unimodular. Therefore, in those rows of the result in which A is 0, the last
-// column contains the values y·b of a saturated basis.
+// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. Its steps
+// are unimodular. In those rows of the result in which A is 0, the last column therefore
+// contains the values y·b of a saturated basis.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {
@@ -75,7 +75,8 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
 }
 
 // Lists the numbers of teeth of single gears with which an equal pitch is possible, for example
-// "ring 55 or 58, sun 18". Only changes by a few teeth are listed.
+// "ring 55 or 58, sun 18". For each gear, only the smallest change is listed, and only if it is
+// at most kMostTeethChanged.
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
   for (const std::size_t m : group.meshes)
@@ -129,8 +130,8 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
     if (off > kSamePlace)
       return refused(
           "drive.positions", given,
-          fmt::format("a planet cannot be assembled there; the {} possible places are multiples of "
-                      "{}°, and the nearest place is {}°",
+          fmt::format("a planet cannot be assembled there; the {} mounting positions are multiples "
+                      "of {}°, and the nearest of them is {}°",
                       places, format_number(360.0 / static_cast<double>(places)),
                       format_number(degrees.front() + 360.0 * n / static_cast<double>(grid))));
     turns.push_back(Rational::of(static_cast<long long>(n), grid).frac());
@@ -206,8 +207,8 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     }
     if (!divides)
       return Error{"drive.spacing", "equal_clocked",
-                   "is possible only for a stepped planet with two gears that mesh with one "
-                   "central gear each; use \"nearest\""};
+                   "is possible only for a stepped planet with two gears, each of which meshes "
+                   "with one central gear; use \"nearest\""};
     return made;
   }
   if (divides) {
@@ -216,17 +217,18 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   }
   if (spacing == Spacing::equal) {
     const std::string others = teeth_that_assemble(graph, group);
-    return Error{"drive.spacing", "equal",
-                 fmt::format("{} planets cannot be assembled at equal pitch, because a turn has {} "
-                             "possible places, and {} is not a divisor of this number. One of "
-                             "these changes would help: {}{} planets; spacing \"nearest\"",
-                             n, made.places, n, others.empty() ? "" : others + "; ",
-                             counts_that_assemble(made.places, n))};
+    return Error{
+        "drive.spacing", "equal",
+        fmt::format("{} planets cannot be assembled at equal pitch, because there are {} mounting "
+                    "positions per revolution, and {} is not a divisor of this number. One of "
+                    "these changes would help: {}{} planets; spacing \"nearest\"",
+                    n, made.places, n, others.empty() ? "" : others + "; ",
+                    counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",
-                 fmt::format("{} planets at {} places cannot form opposite pairs, because both "
-                             "numbers must be even; use \"nearest\"",
+                 fmt::format("{} planets at {} mounting positions cannot form opposite pairs, "
+                             "because both numbers must be even; use \"nearest\"",
                              n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));

@@ -1,5 +1,5 @@
-// Computes the places at which a copy of a planet can be assembled. A place is an angle around the
-// carrier.
+// Computes the places at which a copy of a planet can be assembled. A place is an angle around
+// the axis of the carrier.
 //
 //   u      place of a copy in turns, counter-clockwise from copy 0
 //   N*     number of places per turn: u = n/N* [T13.12]; 0 if any place is possible
@@ -26,10 +26,10 @@ struct Assembly {
 
 /// Computes N* of a group of planets.
 ///
-/// Formula   If a copy is turned by u about the carrier while the central gears are at rest, its
-///           teeth mesh if and only if rotations χ of its riders exist for which every mesh moves
-///           by whole teeth, A χ + b u ∈ Zᴹ. N* = gcd |y·b| over the rows y of a saturated integer
-///           basis of y A = 0; [T13.12]
+/// Formula   A copy can be assembled at the place u if and only if rotations χ of its riders
+///           exist with which every mesh moves by whole teeth, while the copy moves from 0 to u
+///           around the axis of the carrier and the central gears are at rest: A χ + b u ∈ Zᴹ.
+///           N* = gcd |y·b| over the rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 
 /// Computes the places of the copies. They are the given positions of the body, if there are any.

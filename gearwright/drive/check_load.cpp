@@ -81,7 +81,7 @@ std::optional<Error> not_possible(const Drive& drive, const DriveLoadCase& load)
       sets += here ? 1 : 0;
       if (here && set.group.count < 2)
         return Error{"load.floating", graph.bodies[*load.floating].name,
-                     "cannot float, because a single planet does not hold it"};
+                     "cannot float, because a single planet cannot hold it in position"};
     }
     const std::string& name = graph.bodies[*load.floating].name;
     if (!known)

@@ -158,8 +158,8 @@ void find_facts(Drive& drive) {
       const DriveGear& gear = drive.graph.gears[g];
       if (mesh.backlash && gear.spec && gear.spec->thickness_allowance > kNoBacklash)
         say(WarningCode::thickened_for_backlash,
-            fmt::format("The backlash of {:g} mm in the mesh {} needs teeth of {} that are {:.4f} "
-                        "mm thicker than its profile shift requires.",
+            fmt::format("For a backlash of {:g} mm in the mesh {}, the teeth of {} must be {:.4f} "
+                        "mm thicker than their profile shift requires.",
                         *mesh.backlash, mesh.name, gear.name, gear.spec->thickness_allowance));
     }
   for (const PlanetSet& set : drive.sets) {
@@ -171,17 +171,18 @@ void find_facts(Drive& drive) {
                       planet, -set.neighbours->clearance, set.neighbours->most));
     if (set.assembly.places > 0 && set.group.count > set.assembly.places) {
       say(WarningCode::planets_collide,
-          fmt::format("{} copies of {} cannot be assembled, because a turn has only {} at which "
-                      "their teeth mesh.",
+          fmt::format("{} copies of {} cannot be assembled, because their teeth mesh at only {} "
+                      "per revolution.",
                       set.group.count, planet,
-                      set.assembly.places == 1 ? std::string("one place")
-                                               : fmt::format("{} places", set.assembly.places)));
+                      set.assembly.places == 1 ? std::string("one position")
+                                               : fmt::format("{} positions", set.assembly.places)));
       continue;
     }
     if (!set.assembly.equal && set.group.count > 1)
-      say(WarningCode::unequal_spacing, fmt::format("{} copies of {} are unequally spaced, because "
-                                                    "their teeth mesh only at {} places of a turn.",
-                                                    set.group.count, planet, set.assembly.places));
+      say(WarningCode::unequal_spacing,
+          fmt::format("{} copies of {} are unequally spaced, because their teeth mesh at only {} "
+                      "positions per revolution.",
+                      set.group.count, planet, set.assembly.places));
   }
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,
@@ -191,13 +192,13 @@ void find_facts(Drive& drive) {
             names_of(drive.graph, drive.motion.redundant)));
   if (drive.flow && drive.flow->self_locking())
     say(WarningCode::cannot_drive,
-        fmt::format("With this friction {} cannot drive {}, because the drive is self-locking.",
+        fmt::format("With this friction, {} cannot drive {}, because the drive is self-locking.",
                     drive.graph.bodies[drive.graph.inputs.front()].name,
                     drive.graph.bodies[drive.graph.output].name));
   if (drive.backward && drive.backward->self_locking())
     say(WarningCode::self_locking,
         fmt::format(
-            "With this friction {} cannot drive {} backwards, because the drive is self-locking.",
+            "With this friction, {} cannot drive {} backwards, because the drive is self-locking.",
             drive.graph.bodies[drive.graph.output].name,
             drive.graph.bodies[drive.graph.inputs.front()].name));
 }

@@ -43,8 +43,8 @@ struct DriveError {
   /// of all frequencies. The error reaches this sum when the peaks coincide.
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< lines in the order of frequency
-  /// p_t/2π  mm, set if the output is a rack. An error in rad multiplied by this length is the
-  /// error of the travel of the rack.
+  /// p_t/2π mm, set if the output is a rack. The error of the travel of the rack is this length
+  /// times the error in rad.
   std::optional<double> lever{};
 };
 
@@ -77,8 +77,8 @@ struct LoadedDrive {
   std::vector<PlanetShares> sets;
 };
 
-/// Backlash, rad: the motion of the input while the output is held, and the motion of the output
-/// while the input is held. The motion of a rack is its travel, with 2π per pitch.
+/// Backlash, rad: the motion of the input while the output is held, and the motion of the
+/// output while the input is held. For a rack, the motion is its travel, with 2π per pitch.
 struct DriveBacklash {
   double input, output;
   std::optional<double> input_lever{}, output_lever{};  ///< p_t/2π  mm, of a rack, as in DriveError
@@ -92,15 +92,16 @@ struct MeshRating {
   std::array<int, 2> engagements{1, 1};  ///< engagements of a flank per turn
 };
 
-/// Contact of a mesh under errors of mounting. For a double-helical pair, the contact of the whole
-/// gears.
+/// Contact of a mesh under errors of mounting. For a double-helical pair, it is the contact of
+/// the whole gears.
 struct MeshContact {
   ContactResult driving, other;     ///< contact of the working flanks and of the other flanks
   std::optional<Angle> least_play;  ///< least play of gear 2 or of the rack; none if one of the
                                     ///< flanks never touches
   ContactResult on_halves;          ///< contact of the working flanks of a double-helical pair
 
-  /// The contact whose places are judged by the verdict.
+  /// The contact that the verdict judges: for a double-helical pair the contact of its halves,
+  /// and otherwise the contact of the working flanks.
   const ContactResult& judged() const { return on_halves.positions.empty() ? driving : on_halves; }
 };
 
@@ -133,7 +134,7 @@ struct Drive {
   /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
   /// if the body has no rack or the module is unknown.
   std::optional<double> rack_pitch(std::size_t body) const;
-  /// p_t/2π mm. A travel that is stored as an angle must be multiplied by this length. None if
+  /// p_t/2π mm, the factor that converts a travel that is stored as an angle to mm. None if
   /// rack_pitch() is none.
   std::optional<double> lever(std::size_t body) const;
   /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
@@ -146,9 +147,9 @@ struct Drive {
   std::optional<double> relative_speed_ratio(std::size_t body) const;
   /// Mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
-  /// Play of a body while `held`, the input or the output, does not move, rad; for a rack, its
-  /// travel with 2π per pitch. None with several inputs, with redundant meshes, or if a mesh
-  /// between the two bodies has no involute teeth. [T13.20]
+  /// Play of a body while `held`, which is the input or the output, does not move, rad; for a
+  /// rack, its travel with 2π per pitch. None with several inputs, with redundant meshes, or if
+  /// a mesh between the two bodies has no involute teeth. [T13.20]
   std::optional<double> play(std::size_t body, std::size_t held) const;
   /// γ_i of the copies of a mesh of planets with a central gear; empty for any other mesh [T13.16].
   std::vector<Rational> phases(std::size_t mesh) const;

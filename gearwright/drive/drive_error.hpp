@@ -1,4 +1,5 @@
-// Computes the transmission error of a drive from the curves of its meshes, each with its phase.
+// Computes the transmission error of a drive from the curves of its meshes, each with its
+// phase.
 //
 //   e_m    transmission error of a mesh along the transverse line of action, mm; > 0 if the driven
 //          gear is ahead
@@ -7,8 +8,8 @@
 //   δφ_o = Σ_m |λ_m/T_o| (2π/p_bt,m) ē_m(t), ē_m = Σ_i e_m(t − γ_i)/N          [T13.21], [T13.22]
 //                                              theory: docs/theory/13-drives.md
 //
-// The curves of the planets of a set are averaged, because equal planets with a floating member
-// share the load equally.
+// The curve of a mesh is the mean over the planets of the set, because equal planets with a
+// floating member share the load equally.
 #pragma once
 
 #include <functional>
@@ -20,8 +21,8 @@
 
 namespace gearwright {
 
-/// Number of positions of each mesh over one period. With 64, a relief of 20 µm gives a peak to
-/// peak that is 5 % too large.
+/// Number of positions of each mesh over one period. With only 64 positions, the peak to peak
+/// for a relief of 20 µm would be 5 % too large.
 inline constexpr int kErrorPositions = 256;
 
 /// A function that returns the errors of mounting of the mesh with a given index. The function is

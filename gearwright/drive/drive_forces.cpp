@@ -62,14 +62,14 @@ std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body) {
       const auto axis = [&](std::size_t b) {
         return places->axis_of(drive, b, graph.bodies[b].count > 1 ? copy : 0);
       };
-      // If the second gear is a ring, the pitch point is on the side away from the axis of the
-      // ring.
+      // If the second gear is a ring, the direction from the axis of the ring to the axis of
+      // the first gear leads to the pitch point.
       const Vec2 u = graph.gear(m, 1).side() * (axis(two) - axis(one)).normalized();
       const Vec2 on_first = forces->tangential * Vec2(-u.y(), u.x()) - forces->separating * u;
       const double sign = one == body ? 1.0 : -1.0;
       force += sign * on_first;
       axial += sign * forces->axial;
-      // The pitch point, from the axis of this body.
+      // The pitch point relative to the axis of this body.
       const Vec2 at = axis(one) + radius * u - axis(body);
       moment += sign * forces->axial * at;
     }

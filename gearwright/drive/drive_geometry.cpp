@@ -24,8 +24,9 @@ bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec;
 }
 
-// The profile shift of a gear before absent shifts are computed. The position of its arcs determines
-// the depth of a rack of arcs, so a circular-arc gear has no profile shift.
+// The profile shift of a gear before absent shifts are computed. A circular-arc gear without a
+// given shift has the shift 0, because the position of the arcs determines the depth of its
+// rack.
 std::optional<double> known_shift(const DriveGear& gear) {
   const bool arcs = gear.spec && !is_straight(gear.spec->rack);
   return arcs ? gear.shift.value_or(0.0) : gear.shift;
@@ -151,8 +152,8 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
         {Fault::Kind::no_pair,
          fmt::format("{} the mesh {} at a centre distance of {:.4f} mm{} profile shifts of {:.4f} "
                      "and {:.4f}: {}.",
-                     given ? "It is impossible to mount" : "No profile shift is possible for",
-                     mesh.name, *made.distance[m], given ? " with" : ", which would need",
+                     given ? "It is impossible to mount" : "No teeth are possible for", mesh.name,
+                     *made.distance[m], given ? " with" : ", which would require",
                      *made.shift[mesh.gears[0]], *made.shift[mesh.gears[1]], why)});
   }
 }
@@ -183,15 +184,16 @@ void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, Drive
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
 
-// True if the generating rack determines the tip diameter of a gear, so that it may be changed.
+// True if the tip diameter of a gear follows from its generating rack, and may therefore be
+// changed.
 bool free_tip(const DriveGraph& graph, std::size_t g, const DriveGeometry& made) {
   const DriveGear& gear = graph.gears[g];
   return made.gears[g] && !gear.spec->tip_diameter && !gear.spec->tip_fillet;
 }
 
-// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance is
-// less than the clearance of the generating racks. If it is also less than the verdict requires,
-// the tip is lowered by k m_n, which restores the clearance of the racks.
+// With large shifts, the centre distance is less than a_d + (x1 + x2) m_n, so the tip clearance
+// is less than the clearance of the generating racks. If the verdict requires a greater tip
+// clearance, the tip is lowered by k m_n, which restores the clearance of the racks.
 void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kLeast = 0.1;  // m_n, the tip clearance that the verdict requires
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -207,9 +209,9 @@ void cut_back_tips(const DriveGraph& graph, DriveGeometry& made) {
   }
 }
 
-// If a ring has the full addendum of its rack, its tips often reach beyond the root ends of the
-// flanks of its mating gears. Unless a tip diameter is given, the tips are cut back so that they
-// touch only these flanks.
+// The tips of a ring with the full addendum of its rack often reach beyond the root ends of the
+// flanks of its mating gears. If no tip diameter is given, the tips are therefore cut back so
+// that they touch only these flanks.
 void turn_out_rings(const DriveGraph& graph, DriveGeometry& made) {
   constexpr double kClear = 0.02;  // m_n, in radius: twice the margin that the verdict requires
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {

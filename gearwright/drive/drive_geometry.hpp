@@ -44,26 +44,27 @@ struct DriveGeometry {
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
-/// does. A given distance applies to all meshes of a planet with central gears. If no distance is
-/// given, absent shifts of the first of these meshes are 0, and the distance of all these meshes is
-/// the backlash-free distance of the first one. If the tip diameter of a ring is not given, its
-/// tips stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
-/// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The pinion of a rack has
-/// the shift 0 if none is given, and a circular-arc gear always has it. A rack is mounted without
-/// backlash if no distance is given.
+/// does. A given distance applies to all meshes of a planet with central gears. If no distance
+/// is given, absent shifts of the first of these meshes are 0, and its backlash-free distance
+/// is the distance of all these meshes. If the tip diameter of a ring is not given, its tips
+/// stay 0.02 m_n above the root ends of the flanks of the mating gears. Any other tip with a
+/// clearance of less than 0.1 m_n is lowered by the tip shortening k m_n. The shift of the
+/// pinion of a rack, or of a circular-arc gear, is 0 if none is given. A rack is mounted
+/// without backlash if no distance is given.
 ///
 /// Formula   [T13.15]
 /// Domain    a checked graph (contract)
 DriveGeometry drive_geometry(const DriveGraph& graph);
 
-/// The graph with the thickness allowances with which every mesh has DriveMesh::backlash. They
-/// replace the allowances of both gears of such a mesh. If a gear has several such meshes, the mesh
-/// with the least thinning divides it equally between its gears, and the other gears of the other
-/// meshes get the rest.
+/// Returns the graph with new thickness allowances for the gears of all meshes with a
+/// DriveMesh::backlash. With these allowances, every such mesh has its backlash. If a gear is
+/// in several such meshes, the mesh with the least thinning comes first, and its thinning is
+/// divided equally between its two gears. In each of the other meshes, the other gear gets the
+/// rest of the thinning.
 ///
 /// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
-/// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last mesh
-///           follows from the others
+/// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last
+///           mesh follows from the others
 /// Accuracy  |j_n − backlash| < 1e-9 mm
 DriveGraph with_backlash(DriveGraph graph);
 

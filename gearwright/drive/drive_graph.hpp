@@ -64,9 +64,9 @@ struct DriveMesh {
   std::array<std::size_t, 2> gears{};
   std::optional<double> efficiency;  ///< η with the frame at rest; by default computed from μ
   std::optional<double> center_distance;  ///< a  mm
-  /// Direction from the axis of the first gear to the axis of the second, counter-clockwise. It
-  /// applies only to meshes in the housing, because planets are placed by their spacing. If absent,
-  /// the shafts are in one line.
+  /// Direction from the axis of the first gear to the axis of the second, as an angle
+  /// counter-clockwise. It applies only to meshes in the housing, because planets are placed by
+  /// their spacing. If no direction is given, the shafts are in one line.
   std::optional<Angle> direction{};
   std::optional<double> friction{};  ///< μ; by default DriveGraph::friction
   std::optional<double> backlash{};  ///< j_n  mm, for which the teeth of both gears are thinned
@@ -103,9 +103,11 @@ struct DriveGraph {
 
 /// Checks that the graph describes a possible drive.
 ///
-/// Errors    `drive.mesh` if the planets of a mesh are on two carriers, or if a rack does not mesh
-///           with an external gear in the housing; `drive.gear` if a gear has no teeth;
-///           `drive.body` if a body is its own carrier
+/// Errors    `drive.mesh`, for example if the planets of a mesh are on two carriers, or if a
+///           rack does not mesh with an external gear in the housing; `drive.gear` if a gear
+///           has no teeth, if a planet has a rack, or if a double-helical gear has staggered
+///           halves or an impossible gap; `drive.body`, for example if a body is its own
+///           carrier
 std::optional<Error> check_graph(const DriveGraph& graph);
 
 /// A planet, or several planets of one carrier that mesh with each other, and all their meshes. All

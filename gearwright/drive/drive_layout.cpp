@@ -45,8 +45,8 @@ class Layout {
   }
 
  private:
-  // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. A rack with
-  // an even number of teeth has a space in its middle.
+  // Turns a rack towards its pinion, and moves it along its datum line by φ/2π pitches. If the
+  // number of teeth is even, the middle of the rack is a space and not a tooth.
   void place_rack(PlacedGear& rack, double phi) {
     const RackGeometry& bar = rack_pair_of(drive_, rack.gear)->rack;
     const Vec2 up = pinion_axis(rack.gear) - rack.axis;
@@ -62,8 +62,8 @@ class Layout {
     contract_failed("precondition", "a rack meshes with a pinion", __FILE__, __LINE__);
   }
 
-  // The number of teeth in the equation of a mesh. A rack counts as a gear with one tooth, whose
-  // angle is 2π for each pitch.
+  // The number of teeth in the equation of a mesh. A rack counts as a gear with one tooth, and
+  // its angle is 2π per pitch.
   int teeth_of(std::size_t gear) const {
     return graph_.gears[gear].rack ? 1 : graph_.gears[gear].teeth;
   }
@@ -120,8 +120,8 @@ class Layout {
   }
 
   std::optional<Error> find_angles() {
-    // Each gear on a fixed axis, and copy 0 of each planet, is turned such that its teeth mesh with
-    // the first gear of known angle that meshes with it.
+    // Each gear on a fixed axis, and each gear on copy 0 of a planet, is turned until its teeth
+    // mesh with one gear whose angle is already known.
     for (std::size_t root = 0; root < graph_.gears.size(); ++root) {
       if (known_[first_[root]]) continue;
       known_[first_[root]] = 1;
@@ -149,8 +149,8 @@ class Layout {
     return std::nullopt;
   }
 
-  // Gives the gears of a copy the angles of copy 0, rotated about the carrier's axis. Then turns
-  // each planet about its own axis until its teeth mesh.
+  // Gives the gears of a copy the angles of copy 0, rotated about the carrier's axis. Each
+  // planet is then turned about its own axis until its teeth mesh.
   bool turn_copy(const PlanetSet& set, int copy) {
     const double u = set.assembly.turns[static_cast<std::size_t>(copy)].value();
     for (std::size_t g = 0; g < graph_.gears.size(); ++g) {
@@ -205,8 +205,9 @@ class Layout {
       if (graph_.gears[g].body == body) phi_[first_[g] + static_cast<std::size_t>(copy)] += angle;
   }
 
-  // Places the slots one after the other. The width of a slot is the greatest face width of the
-  // gears that are in no other slot or, if there are none, of all gears in the slot.
+  // Places the slots one after the other. The width of a slot is the greatest face width of
+  // those gears that are in no other slot. If there are no such gears, it is the greatest face
+  // width of all gears in the slot.
   void find_heights() {
     const auto& slots = made_.places.slots;
     std::vector<double> from, to;
@@ -259,8 +260,9 @@ class Layout {
   std::vector<char> known_;
 };
 
-// The least T for which the product a T is whole for all speeds a. T is the least common multiple
-// of the denominators of the speeds, divided by the greatest common divisor of their numerators.
+// The least T > 0 for which a T is a whole number for every speed a. T is the least common
+// multiple of the denominators of the speeds, divided by the greatest common divisor of their
+// numerators.
 std::optional<Rational> least_common_turn(const std::vector<Rational>& speeds) {
   long long p = 0;
   Rational q = 1;

@@ -54,9 +54,9 @@ Result<DriveLayout> drive_layout(const Drive& drive);
 /// Domain    one input, or given speeds of all inputs (contract)
 DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns);
 
-/// Least number of turns of the input after which the drive looks the same. All gears have then
-/// moved by whole teeth, and each of several equally spaced planets is where one of these planets
-/// was before. None with several inputs, or if there is no such number.
+/// Least number of turns of the input after which the drive looks the same. This means that all
+/// gears have moved by whole teeth, and that equally spaced planets may have changed places
+/// with each other. None with several inputs, or if there is no such number.
 std::optional<Rational> turns_until_alike(const Drive& drive);
 
 }  // namespace gearwright

@@ -71,8 +71,8 @@ Error locked(const DriveGraph& graph) {
   std::string why = "nothing can turn, because no degree of freedom is left";
   if (!culprits.empty())
     why += fmt::format(
-        "; the ratios of the meshes in a closed loop contradict each other. Without one of the "
-        "meshes {} the drive can turn",
+        "; the ratios of the meshes in a closed loop contradict each other. If one of the meshes "
+        "{} is removed, the drive can turn",
         culprits);
   return {"drive.fixed", names(graph, graph.fixed), why};
 }
@@ -152,7 +152,7 @@ Result<DriveMotion> drive_motion(const DriveGraph& graph) {
   if (freedom < inputs)
     return Error{"drive.input", names(graph, graph.inputs),
                  fmt::format("there are {} inputs and only {} degree{} of freedom, so their speeds "
-                             "would contradict each other; leave out {} of them",
+                             "would contradict each other; leave out {} of the inputs",
                              inputs, freedom, freedom == 1 ? "" : "s", inputs - freedom)};
 
   // Solves for ω of every body, once for each input. The right-hand sides are additional columns of

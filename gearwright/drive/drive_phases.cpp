@@ -75,8 +75,9 @@ std::optional<double> passing(const Drive& drive, std::size_t m, int side, bool 
                       share_of(drive, m, side) / 2);
 }
 
-// Computes the delay of each mesh that moves the output from the delay of a mesh that shares a gear
-// with it. Returns false if the place of a planet is missing.
+// Computes the delays of all meshes that move the output. The delay of a mesh follows from the
+// delay of another mesh with which it shares a gear. Returns false if the place of a planet is
+// unknown, or if several meshes share a rack.
 bool find_times(const Drive& drive, std::vector<MeshPhase>& phases) {
   const DriveGraph& graph = drive.graph;
   const std::size_t none = phases.size();

@@ -46,12 +46,12 @@ double turning(const Drive& drive, std::size_t body, std::size_t mesh);
 bool first_drives(const Drive& drive, std::size_t mesh, double load);
 
 /// The time at which the loaded flank of a gear passes the pitch point, in periods [T13.17].
-/// `turning` is the sense of the gear in the frame of the mesh, θ is the direction to the mesh in
-/// turns, and `half` is half of the tooth thickness in pitches.
+/// The sign of `turning` is the sense of rotation of the gear in the frame of the mesh. `theta`
+/// is the direction to the mesh in turns, and `half` is half of the tooth thickness in pitches.
 double passing_time(double turning, int teeth, double theta, bool drives, double half);
 
-/// Sets the delays γ of the copies of a planet, and the sense of the delays. The delays of a mesh
-/// of two planets are the delays at a central gear whose mesh has the same frequency.
+/// Sets the delays γ of the copies of a planet, and their sign. The delays of a mesh between
+/// two planets are equal to those of a mesh with a central gear that has the same frequency.
 void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
 
 /// The planet set that contains the mesh; null if there is none.
@@ -66,18 +66,19 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes. None if a load is too large for a fraction. Also none if, among the
-/// meshes that move the output, one has no involute teeth, one has an idler without a possible
-/// place, or several share one rack.
+/// The phases of all meshes. None if a load is too large for a fraction. Also none if a mesh
+/// that moves the output has no involute teeth, has an idler without a possible place, or
+/// shares a rack with another such mesh.
 ///
-/// Formula   meshes that share a gear have one frequency, and the angle between them on the gear
-///           gives their phase [T13.17]
+/// Formula   meshes that share a gear have one frequency, and the angle between them on the
+///           gear gives their phase [T13.17]
 /// Domain    one degree of freedom, independent meshes (contract)
 std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 
-/// The contact setup of a mesh with its modifications and errors of mounting. If `turned`, the
-/// gears are seen from the other face, so that gear 1 turns clockwise. None if the flanks cannot be
-/// computed, or if a measured gear is loaded on the flank without readings.
+/// The contact setup of a mesh with its modifications and errors of mounting. If `turned` is
+/// true, the setup shows the gears from the other face, so that gear 1 turns clockwise. None if
+/// the flanks cannot be computed, or if a measured gear is loaded on the flank without
+/// readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
 /// A pinion and its rack, as mesh_contact(); null if mesh_contact() returns none.

@@ -26,11 +26,10 @@ class Placing {
       const auto pinions = std::count_if(graph_.meshes.begin(), graph_.meshes.end(),
                                          [&](const DriveMesh& m) { return m.gears[1] == g; });
       if (graph_.gears[g].rack && pinions > 1)
-        return Error{
-            "drive.gear", graph_.gears[g].name,
-            fmt::format("is a rack with {} pinions, whose positions along the rack are not "
-                        "known; files and pictures contain racks with one pinion",
-                        pinions)};
+        return Error{"drive.gear", graph_.gears[g].name,
+                     fmt::format("is a rack with {} pinions, whose positions along the rack are "
+                                 "not known; files and pictures support only racks with one pinion",
+                                 pinions)};
     }
     measure();
     join_coaxial();
@@ -41,8 +40,8 @@ class Placing {
   }
 
  private:
-  // Takes the centre distances from the geometry if all meshes have teeth. Otherwise, computes them
-  // from the tooth numbers.
+  // Takes the centre distances from the geometry if all meshes are mounted. Otherwise, they are
+  // computed from the tooth numbers.
   void measure() {
     const DriveGeometry& geometry = drive_.geometry;
     made_.true_scale = true;
@@ -137,8 +136,8 @@ class Placing {
       if (graph_.frame(graph_.meshes[m])) continue;
       const double apart = (made_.axes[gear(m, 0).body] - made_.axes[gear(m, 1).body]).norm();
       if (std::abs(apart - *distances_[m]) > kCloses * *distances_[m])
-        return unmeet(m, fmt::format("its axes are {:.4f} mm apart instead of {:.4f} mm; the other "
-                                     "meshes of the loop need another direction",
+        return unmeet(m, fmt::format("its axes are {:.4f} mm apart instead of {:.4f} mm; give "
+                                     "another direction for the other meshes of the loop",
                                      apart, *distances_[m]));
     }
     return std::nullopt;
@@ -173,7 +172,7 @@ class Placing {
   }
 
   // True if a gear would overlap with a rack, which moves along its whole datum line. Two racks
-  // share a plane only if they are on opposite sides of their pinions.
+  // always overlap unless they are on opposite sides of their pinions.
   bool beside_rack(std::size_t rack, std::size_t other) const {
     const auto towards_pinion = [&](std::size_t g) {
       const auto mesh = std::find_if(graph_.meshes.begin(), graph_.meshes.end(),
@@ -226,8 +225,9 @@ class Placing {
     return false;
   }
 
-  // Assigns to each mesh the first free slot that is not before the slot of an earlier mesh with
-  // which it shares an axis.
+  // Assigns to each mesh the first slot in which its gears do not overlap with the gears that
+  // are already there. This slot is not before the slot of any earlier mesh with which the mesh
+  // shares an axis.
   void find_slots() {
     made_.slots.assign(graph_.gears.size(), {-1, -1});
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m) {

@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// The greatest differences from the nominal values that are tried. With teeth of the usual height,
-// only smaller differences are possible.
+// The greatest differences from the nominal values that are tried. The possible differences are
+// smaller if the teeth have the usual height.
 constexpr int kMostTeeth = 40;
 constexpr double kMostDistance = 10.0;  // m_n
 
@@ -131,8 +131,8 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
 
 namespace {
 
-// The changes with which the mesh and the whole drive are possible, as a sentence; empty if none is
-// found.
+// The changes with which the mesh and the whole drive become possible, as a sentence; empty if
+// no such change is found.
 std::string changes_for(const DriveGraph& graph, std::size_t m) {
   const auto same = with_same_distance(graph, m);
   const bool given = std::any_of(same.begin(), same.end(), [&](std::size_t k) {
@@ -147,7 +147,7 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
   std::string text = fmt::format("{} = {}", name, teeth->least);
   if (teeth->greatest > teeth->least) text += fmt::format(" to {}", teeth->greatest);
   text += " is possible.";
-  // z_r = z_s + 2 z_p without shifts, if the planet has one gear.
+  // If the planet has only one gear, z_r = z_s + 2 z_p without profile shifts.
   for (const std::size_t k : same) {
     const auto planet = planet_of(graph, k);
     if (k == m || !planet || graph.gears[teeth->gear].teeth > 0) continue;

@@ -19,11 +19,11 @@ namespace gearwright {
 std::vector<std::vector<std::size_t>> distance_classes(const DriveGraph& graph);
 
 /// The least and the greatest possible centre distance of the meshes that share the distance of
-/// `mesh`, mm. The search starts at the distance that these meshes have if none is given. None if
-/// that distance is impossible.
+/// `mesh`, mm. The search starts at the distance that follows from the graph if no centre
+/// distance is given. None if that distance is impossible.
 ///
-/// Accuracy  a limit is possible, and a distance m_n/1000 beyond it is impossible; between the
-///           limits, steps of m_n/40 are tried
+/// Accuracy  each limit is possible, and a distance m_n/1000 beyond it is impossible; between
+///           the limits, distances in steps of m_n/40 are tried
 /// Domain    a mesh of two gears with teeth
 std::optional<std::array<double, 2>> possible_distances(const DriveGraph& graph, std::size_t mesh);
 
@@ -38,8 +38,9 @@ struct PossibleTeeth {
 };
 std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t mesh);
 
-/// Extends the message of the first fault of a geometry by the changes with which the whole drive
-/// is possible. If all teeth touch, or if no such change is found, the message stays as it is.
+/// Adds to the message of the first fault of a geometry the changes with which the whole drive
+/// becomes possible. If all teeth touch, or if no such change is found, the message is not
+/// changed.
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
 }  // namespace gearwright

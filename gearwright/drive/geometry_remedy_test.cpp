@@ -74,7 +74,7 @@ TEST(GeometryRemedy, TheRangeOfRingsIsPossible) {
 
 TEST(GeometryRemedy, TheFaultOfADistanceStatesTheRange) {
   const std::string fault = first_fault(set_of(20, 25, 70, 60.0));
-  EXPECT_NE(fault.find("No profile shift is possible for the mesh sun_planet"), std::string::npos);
+  EXPECT_NE(fault.find("No teeth are possible for the mesh sun_planet"), std::string::npos);
   EXPECT_NE(fault.find("A centre distance from 44."), std::string::npos) << fault;
   EXPECT_EQ(first_fault(set_of(20, 25, 70, 46.0)), "");
   EXPECT_EQ(first_fault(set_of(20, 25, 70)), "");

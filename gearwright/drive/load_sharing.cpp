@@ -13,8 +13,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Additional stiffness, relative to the greatest one, that holds bodies which no spring touches.
-/// It changes only the steps and not the solution.
+/// Additional stiffness, relative to the greatest one, which holds bodies that no spring
+/// touches. It changes only the steps and not the solution.
 constexpr double kHold = 1e-12;
 /// If the slope of the energy changes its sign in a step and exceeds this fraction of the slope
 /// before the step, the step has passed the minimum.

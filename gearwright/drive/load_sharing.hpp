@@ -53,9 +53,10 @@ inline constexpr int kSharingSteps = 200;
 
 /// Computes the displacements and forces at which the bodies are in equilibrium.
 ///
-/// Formula   Newton steps with H = Σ w F′ c cᵀ; a step that passes the minimum along its direction
-///           is halved; [T13.25]
-/// Laws      scaling all springs scales all forces; a linear problem takes one step
+/// Formula   Newton steps with H = Σ w F′ c cᵀ; a step that passes the minimum along its
+///           direction is halved; [T13.25]
+/// Laws      if all springs and Q are multiplied by a factor, all forces are multiplied by it;
+///           a linear problem takes one step
 /// Domain    weights > 0; forces ≥ 0 exist that balance Q, so Q is 0 in every direction that no
 ///           spring resists (contract)
 SharingSolution share_load(const SharingProblem& problem);

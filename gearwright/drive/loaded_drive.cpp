@@ -29,8 +29,9 @@ using detail::set_of;
 /// multiple would exceed this limit does not affect the number of positions.
 constexpr int kMostCommon = 60;
 
-// The number of positions over a period. It is a multiple of the numbers of planets. The meshes of
-// planets at equal pitch are then evaluated in the same positions and can share springs.
+// The number of positions over a period. It is a multiple of the numbers of planets, so that
+// the meshes of planets at equal pitch are evaluated in the same positions and can share
+// springs.
 int positions_of(const Drive& drive, int least) {
   int common = 1;
   for (const PlanetSet& set : drive.sets) {
@@ -215,10 +216,11 @@ class DriveUnderLoad {
         for (std::size_t i = 0; i < count; ++i) states[k].push_back(meshes_[loaded[k]].state(i, j));
       const PlanetState state = equilibrium.solve(states);
       if (!state.found)
-        return errors.floating ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
-                                       "has no equilibrium between its planets; at least three "
-                                       "planets around it, or two opposite planets, can hold it"}
-                               : not_loaded("has no equilibrium of the planets at this torque");
+        return errors.floating
+                   ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
+                           "is not held in equilibrium by its planets; it needs at least three "
+                           "planets around it, or two opposite planets"}
+                   : not_loaded("at this torque, no equilibrium of the planets was found");
       curve.loaded[j] += state.output;
       for (std::size_t k = 0; k < loaded.size(); ++k) {
         const auto& forces = state.forces[k];

@@ -29,21 +29,22 @@ struct DriveLoadCase {
   MeshErrors errors{};                  ///< errors of mounting of the meshes
 };
 
-/// Checks, before any mesh is computed, whether the drive can be computed under this load. If not,
-/// the result is the reason.
+/// Checks, before any mesh is computed, whether the drive can be computed under this load. If
+/// not, the result is the reason.
 ///
 /// Errors    `load` for kinds of drives without loaded contact; `load.torques` of 0;
-///           `load.floating` if the floating body is not the carrier or a central gear of a single
-///           set; `load.pin_errors` if there are no planets, or if the number of pin errors differs
-///           from the number of pins
+///           `load.floating` if the floating body is not the carrier or a central gear of a
+///           single set, or if the set has only one planet; `load.pin_errors` if there is not
+///           exactly one set of planets, or if the number of pin errors differs from the number
+///           of pins
 std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 
 /// Computes the load shares of all planets and the transmission error of the drive under load.
 ///
-/// Formula   each position is the equilibrium of all planets, [T13.25]; the peaks of several mesh
-///           frequencies are added as in transmission_error()
-/// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1; three
-///           planets with a floating sun share equally for any errors of their pins
+/// Formula   at each position, all planets are in equilibrium, [T13.25]; the peaks of several
+///           mesh frequencies are added as in transmission_error()
+/// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1;
+///           three planets with a floating sun share equally for any errors of their pins
 /// Domain    one request for each mesh (contract)
 /// Errors    as check_load(); `load` for stepped planets; `load.floating` if there is no
 ///           equilibrium; as mesh_springs(), with the name of the mesh

@@ -35,9 +35,10 @@ std::optional<MeshThinning> needed_thinning(const DriveGraph& graph, const Drive
   return MeshThinning{m, thinning};
 }
 
-// Divides the thinning of each mesh between its gears, equally if both are still free. The mesh
-// with the least thinning comes first, and then always a mesh with a gear that is already thinned.
-// In a set whose meshes need a similar thinning, all gears therefore become thinner.
+// Divides the thinning of each mesh between its gears, equally if neither gear has a thinning
+// yet. The mesh with the least thinning comes first. After it, a mesh with a gear that already
+// has a thinning always precedes the others. In a set whose meshes need similar thinnings, all
+// gears therefore become thinner.
 std::vector<std::optional<double>> divided(const DriveGraph& graph,
                                            std::vector<MeshThinning> open) {
   std::vector<std::optional<double>> of_gear(graph.gears.size());

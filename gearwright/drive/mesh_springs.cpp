@@ -37,17 +37,18 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
   LoadedTurn turn(pair, setup.gear(1), setup.gear(2), *compliance, request);
   parallel_for(rotations.size(), [&](std::size_t i) { turn.solve(i, i + 1); });
   const LoadedContact contact = turn.result();
-  // The results for forces above an equal share may be missing. The spring then ends in a tangent.
+  // The results for forces above an equal share may be missing. In this case, the spring ends
+  // with a tangent.
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const LoadedPosition& p : contact.torques[k].positions) {
       if (levels[k] > 1.0 || !p.unfinished) continue;
       if (contact.slices_too_fine)
         return Error{"load.slices", std::to_string(request.slices),
-                     "are narrower than the contact under an equal share of the load; reduce the "
-                     "torque or the number of slices"};
+                     "are narrower than the contact of a planet with an equal share of the load; "
+                     "reduce the torque or the number of slices"};
       return Error{"load", "",
-                   "has no result, because the forces of this mesh do not converge under an equal "
-                   "share of the load; reduce the torque or change load.slices"};
+                   "has no result, because the forces of this mesh do not converge even under an "
+                   "equal share of the load; reduce the torque or change load.slices"};
     }
   MeshSprings made;
   const double lead = setup.gear(2).base_radius() * pair.turned();

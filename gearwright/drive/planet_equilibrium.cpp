@@ -67,8 +67,9 @@ void PlanetEquilibrium::find_weights(const std::vector<MeshPhase>& phases) {
   }
 }
 
-// Assigns a column to each unknown. A common rotation of all bodies changes no approach, so one
-// central body is held: the output or, if it is not a central body, a fixed body.
+// Assigns a column to each unknown. A common rotation of all bodies does not change any
+// approach, so one central body is held. It is the output or, if the output is not a central
+// body, a fixed body.
 void PlanetEquilibrium::find_unknowns() {
   const DriveGraph& graph = drive_.graph;
   columns_.assign(graph.bodies.size(), std::nullopt);
@@ -160,8 +161,8 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
         const auto c = column(gear.body, i);
         if (!c) continue;
         spring.row[*c] += sigma * per_tooth * gear.teeth / r;
-        // The terms of one copy give the rotation of the output, because the terms of the riders
-        // cancel.
+        // The rotation of the output follows from the terms of one copy, because the terms of
+        // the riders cancel.
         if (i == 0) output_[*c] -= phase.weight * spring.row[*c];
       }
       problem_.load += weights_[k] * nominal_[k] * spring.row;

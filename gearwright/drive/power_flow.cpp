@@ -60,8 +60,8 @@ class Statics {
       (power > 0.0 ? flow.power_in : out) += power;
     }
     flow.efficiency = flow.power_in > 0.0 ? -out / flow.power_in : 0.0;
-    // With one degree of freedom the input drives. If power flows in at the output, the drive
-    // cannot run.
+    // With one degree of freedom, the input drives. If power also flows in at the output, the
+    // drive cannot run.
     if (graph_.inputs.size() == 1 && flow.torque[graph_.output] * speeds_[graph_.output] >= 0.0)
       flow.efficiency = 0.0;
     find_drivers(flow, driver);
@@ -119,8 +119,8 @@ bool consistent(const std::vector<int>& assumed, const std::vector<int>& found) 
   return true;
 }
 
-// A group of planets, or a mesh in the housing, passes power from body to body. If one of these
-// branches carries more power than flows in from outside, power circulates.
+// Each group of planets, and each mesh in the housing, is a branch that passes power from body
+// to body. If a branch carries more power than flows in from outside, power circulates.
 bool circulates(const DriveGraph& graph, const Statics& statics, const std::vector<double>& speeds,
                 const PowerFlow& flow) {
   const std::vector<PlanetGroup> groups = planet_groups(graph);
@@ -172,8 +172,8 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
     return Error{
         "drive.mesh", "",
         fmt::format(
-            "the iteration for the directions of power in {} meshes does not converge, and all "
-            "combinations can be tried for at most {} meshes; divide the drive into parts",
+            "the directions of power in {} meshes were not found by iteration, and all "
+            "combinations can be tried only for at most {} meshes; divide the drive into parts",
             loaded.size(), kMostSigns)};
   for (std::size_t pattern = 0; pattern < (std::size_t(1) << loaded.size()); ++pattern) {
     signs = lossless.driver;

@@ -2,11 +2,11 @@
 //
 //   λ_m    tooth load of a mesh in the unit "torque per tooth", all copies together
 //   T_a = z_a λ   T_b = z_b λ η^σ   T_c = −(T_a + T_b)    σ = ±1: a or b drives [T13.6], [T13.7]
-//   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; power flows in if T_ext > 0 and ω > 0
+//   Σ_m T_body,m + T_ext = 0 on every body [T13.8]; power flows in if T_ext ω > 0
 //                                              theory: docs/theory/13-drives.md
 //
-// The loss of a mesh depends on the power relative to its frame. The rotation of the frame itself
-// transmits power without loss.
+// The loss of a mesh depends on the power relative to its frame. The rotation of the frame
+// itself transmits power without loss.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,8 @@ constexpr Wide kMost = 2 * ((Wide{1} << (8 * sizeof(Wide) - 2)) - 1) + 1;  ///< 
 
 Wide magnitude(Wide n) { return n < 0 ? -n : n; }
 
-/// a·b; none if it is not in −kMost … kMost, where every number has its negative.
+/// a·b; none outside −kMost … kMost. The negative of every number in this range is in the
+/// range, too.
 std::optional<Wide> product(Wide a, Wide b) {
   if (b != 0 && magnitude(a) > kMost / magnitude(b)) return std::nullopt;
   return a * b;

@@ -67,8 +67,8 @@ Rational least_common_multiple(const Rational& a, const Rational& b);
 using RationalMatrix = std::vector<std::vector<Rational>>;
 
 /// Reduces the rows such that each leading entry is 1 and is the only entry ≠ 0 in its column.
-/// Pivots are searched only in the first `columns` columns. Returns the column of the pivot of each
-/// row.
+/// Only the first `columns` columns can contain leading entries. Returns the column of the
+/// leading entry of each row that has one.
 ///
 /// Formula   Gauss–Jordan elimination over the fractions: the rank is exact
 std::vector<std::size_t> reduce_rows(RationalMatrix& rows, std::size_t columns);

@@ -51,8 +51,8 @@ double hand_of(const PlanetarySpec& spec, M member) {
   }
 }
 
-// True if a member is a planet with one gear that meshes with two suns or with two rings. The two
-// suns or rings are side by side.
+// True if a member is a planet with one gear that meshes with two suns or with two rings side
+// by side.
 bool spans_two(const PlanetarySpec& spec, M member) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   if (member != M::planet || has(M::planet2)) return false;
@@ -103,8 +103,9 @@ std::optional<Error> check_set(const PlanetarySpec& spec) {
   }
   if (!spec.fixed && meshes_of(spec).size() == 1 && !has(M::ring) && !has(M::ring2))
     return absent_input("planetary.ring",
-                        "; a set of only sun and planets has no default for fixed, input and "
-                        "output. Give a ring or a second sun, or give fixed, input and output");
+                        "; a set of one sun and planets has no default for the fixed, the driving "
+                        "and the driven body. Give a ring or a second sun, or name these bodies by "
+                        "`fixed`, `input` and `output`");
   if (!spec.normal_module && (spec.backlash.all || !spec.backlash.each.empty()))
     return Error{"planetary.backlash", "",
                  "needs `normal_module`, because there are no teeth without a module"};
@@ -122,8 +123,8 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
   return std::nullopt;
 }
 
-// Sets the fixed bodies, the inputs and the output of the graph, with defaults if they are not
-// given.
+// Sets the fixed bodies, the inputs and the output of the graph. The values that are not given
+// get defaults.
 std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
   std::vector<std::string> inputs = spec.inputs;
@@ -168,8 +169,8 @@ DriveGraph pair_graph(const PairStage& stage) {
   return graph;
 }
 
-// Appends a stage to the train. If `joined` is given, this body of the train is also the input of
-// the stage.
+// Appends a stage to the train. If `joined` is given, the body `joined` of the train replaces
+// the input of the stage.
 void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefix,
             std::optional<std::size_t> joined) {
   std::vector<std::size_t> body(stage.bodies.size());

@@ -87,7 +87,7 @@ struct PairTeeth {
   std::array<std::optional<double>, 2> allowance{};  ///< E_sn  mm; 0 if absent
 };
 
-/// Two gears on fixed axes. The number of teeth of the second gear is < 0 for a ring.
+/// Two gears on fixed axes. If the second gear is a ring, its number of teeth is negative.
 struct PairStage {
   std::array<int, 2> teeth{};
   std::array<std::optional<CylindricalSpec>, 2> specs;
@@ -111,8 +111,8 @@ struct StageSpec {
   double friction = 0.05;             ///< μ of the pair
 };
 
-/// The mean of the two allowances E_sn of a series of DIN 3967 for a reference diameter, mm. It is
-/// 0 without a series and for a diameter that the series does not contain.
+/// The mean of E_sns and E_sni, mm, by this series of DIN 3967 for a reference diameter. It is
+/// 0 without a series, and for a diameter that the series does not contain.
 double mean_allowance(const std::string& series, double reference_diameter);
 
 /// The index of a body by its name.
@@ -128,9 +128,9 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
 ///           `output`
 Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 
-/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so on.
-/// A body that is the output of one stage and the input of the next stage is named as the output of
-/// the first of these two stages.
+/// The whole train, and its stages as separate drives. Bodies are named s1_sun, s2_gear1 and so
+/// on. A body that is the output of one stage and the input of the next stage has the name that
+/// the first of these stages gives it.
 ///
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
 ///           `drive.torque` if they are given for a later stage

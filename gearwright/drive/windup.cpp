@@ -17,7 +17,7 @@ using detail::MeshPhase;
 
 double path_of(const WindupMesh& mesh) { return mesh.approach + mesh.recess; }
 
-// The rotation at the time t that meshes of one frequency cause.
+// The rotation that meshes of one frequency cause at the time t.
 double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   double sum = 0.0;
   for (const WindupMesh* mesh : meshes) {
@@ -31,7 +31,8 @@ double rotation_at(const std::vector<const WindupMesh*>& meshes, double t) {
   return sum;
 }
 
-// The times within a period at which a line of contact starts or stops growing or shrinking.
+// The kinks: the times within a period at which the length of a contact line or its rate of
+// change jumps.
 std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
   std::vector<double> times{0.0, 1.0};
   for (const WindupMesh* mesh : meshes)
@@ -46,9 +47,9 @@ std::vector<double> kinks_of(const std::vector<const WindupMesh*>& meshes) {
 }
 
 double spread_of(const std::vector<const WindupMesh*>& meshes) {
-  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. For spur
-  // gears, this sum jumps at a kink. It is evaluated at the distance kNear on both sides of the
-  // kink.
+  // Between two kinks, each λ is linear and positive, so the sum of all 1/λ is convex. At a
+  // kink, the sum jumps for spur gears, so it is evaluated at the distance kNear before and
+  // after the kink.
   constexpr double kNear = 1e-10;
   constexpr int kSteps = 30;  // the error of the value is then below 1e-12 of its curvature
   const auto rotation = [&](double t) { return rotation_at(meshes, t); };
@@ -82,8 +83,8 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes) {
 
 namespace {
 
-// Sets the delays of all copies, and puts the parts of the path in the order in which the mesh
-// passes them.
+// Sets the frequency of the mesh and the delays of its copies. Swaps approach and recess if the
+// second gear drives.
 void place_in_time(WindupMesh& mesh, const MeshPhase& phase) {
   if (!phase.first_drives) std::swap(mesh.approach, mesh.recess);
   mesh.frequency = phase.first;

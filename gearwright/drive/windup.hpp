@@ -18,7 +18,8 @@
 
 namespace gearwright {
 
-/// The contact of a mesh, in periods from the pitch point in the middle of the face.
+/// The contact of a mesh. Lengths and times are in periods, measured from the contact at the
+/// pitch point in the middle of the face.
 struct WindupMesh {
   double approach = 0.0, recess = 0.0;  ///< parts of ε_α before and after the pitch point
   double overlap = 0.0;                 ///< ε_β
@@ -45,7 +46,7 @@ struct StandardTeeth {
   Angle normal_pressure_angle = Angle::degrees(20), helix_angle{};
   double face_modules = 10.0;  ///< b/m_n, the default of a drive
 
-  /// The parts of the path of contact of two gears, z2 < 0 for a ring, if gear 1 drives.
+  /// The contact of two gears if gear 1 drives; z2 < 0 for a ring.
   WindupMesh mesh(int z1, int z2) const;
 };
 

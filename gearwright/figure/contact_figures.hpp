@@ -22,9 +22,9 @@ struct TeRun {
   std::vector<double> rotation, te;  ///< rad; neighbouring runs share their ends
 };
 
-/// Divides the curve over one pitch into runs. A position without contact ends a run. Where the
-/// next tooth pair takes over, the curves of both pairs are extended to their intersection. Its
-/// value is limited to the range of the computed values.
+/// Divides the curve of successive positions into runs. A position without contact ends a run.
+/// Where the next tooth pair takes over, the curves of both pairs are extended to their
+/// intersection. The value there is limited to the range of the computed values.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
@@ -46,16 +46,17 @@ std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& fi
 /// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
 /// Empty if the map has one step.
 std::string step_words(const std::vector<double>& levels, std::size_t i, std::string_view unit);
-/// Adds the values of a raster to a figure, as shaded steps between the levels and as the grid of
-/// the figure. If `above` is given, places with this value or less are left out.
+/// Adds the values of a raster to a figure, as shaded steps between the levels and as the grid
+/// of the figure. If `above` is given, points with this value or a lower one are left out.
 void add_map(Figure& f, const FlankRaster& raster, const std::vector<double>& levels,
              std::string words, std::string unit, std::optional<double> above = {});
 
 /// Share of the flank, 0 … 1, that a pattern covers at this thickness of the marking compound.
 double pattern_share(const FlankRaster& raster, double marking);
 
-/// A continuous piece of the path of the contact point over a flank. The points are in the order in
-/// which a tooth passes them. All of them are contacts at edges, or all are contacts of the flanks.
+/// A continuous piece of the path of the contact point over a flank. The points are in the
+/// order in which a tooth passes them. Either all points are contacts at edges, or all are
+/// contacts of the flanks.
 struct PathPiece {
   bool edge = false;
   std::vector<const ContactPoint*> points;
@@ -68,7 +69,7 @@ std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which);
 
-/// The layers drawn on a flank; null ones are omitted.
+/// The layers drawn on a flank. A null layer is omitted.
 struct FlankLayers {
   const FlankRaster* pattern = nullptr;  ///< least gap during a mesh
   const FlankRaster* gap = nullptr;      ///< gap at one position
@@ -89,8 +90,8 @@ struct ContactMap {
   std::array<NamedAmount, 2> axes;  ///< x and y: names, units and the values of the spec
   bool whole = true;                ///< false if some values have not yet been computed
 };
-/// Round levels within the values of the map, arc seconds, in ascending order. They are few enough
-/// to be distinguished.
+/// The levels of the contour lines, arc seconds, in ascending order. They are round numbers within
+/// the range of the map, and few enough to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
 /// Draws the peak-to-peak transmission error as a function of two errors, in shaded steps.
 Figure error_map_figure(const ContactMap& map);

@@ -49,7 +49,7 @@ double pitch_of(const ContactScene& scene);
 /// The name of a kind of contact, "tip edge of gear 1".
 const char* words_of(TouchKind kind);
 
-/// The number of a tooth pair with a sign. "0" is the pair nearest the centre line.
+/// The number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
 /// Style class of a tooth pair: one of three classes of figure_style.css, in rotation.
 const char* pair_style(int k);
@@ -72,7 +72,7 @@ TeUnit te_unit(const RackTravel& rack);
 /// The amount with its sign and unit, "+0.03°", "−0.02 mm".
 std::string words_of(const NamedAmount& amount);
 
-/// Position of a point of the housing on a gear: height along its axis and radius, mm.
+/// Position of a housing point relative to a gear: height along the gear axis, and radius, mm.
 struct FlankPlace {
   double height, radius;
 };

@@ -61,8 +61,9 @@ class Framed {
   double level_;
 };
 
-// Adds the pieces of the border in one cell. If the cell is traversed counter-clockwise, each piece
-// leads from the edge at which the region ends to the edge at which the region begins again.
+// Adds the pieces of the border in one cell. Counter-clockwise around the cell, the region ends
+// at some edges and begins again at others. Each piece leads from an edge of the first kind to
+// an edge of the second kind.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),
@@ -103,7 +104,8 @@ std::vector<std::vector<Vec2>> regions_below(const ContourField& field, double l
   std::vector<std::vector<Vec2>> loops;
   while (!next.empty()) {
     std::vector<Vec2> loop;
-    // Every crossing is left once and reached once, so the sequence returns to the first one.
+    // At each crossing, one piece ends and one piece begins, so the sequence returns to its
+    // first crossing.
     std::size_t at = next.begin()->first;
     for (auto it = next.find(at); it != next.end(); it = next.find(at)) {
       const Vec2 p = grid.crossing(at);

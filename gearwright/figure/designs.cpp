@@ -13,10 +13,11 @@ namespace gearwright {
 namespace {
 
 constexpr double kFree = 0.06;  // margin at each end of an axis, over the range of the values
-// Ratio of the greatest to the least value above which a linear axis would crowd one end.
+// If the greatest value is more than this many times the least value, the axis is logarithmic,
+// because a linear axis would crowd the dots at one end.
 constexpr double kWideSpan = 15.0;
-// Relative difference within which all values of an axis count as one value, and the relative
-// margin that the axis then has around this value.
+// If the values of an axis differ by at most the relative difference kOneValue, they count as
+// one value, and the axis gets the relative margin kRoomOfOne around it.
 constexpr double kOneValue = 1e-6;
 constexpr double kRoomOfOne = 0.01;
 

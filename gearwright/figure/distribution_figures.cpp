@@ -107,7 +107,7 @@ Figure cumulative_figure(const DistributionScene& scene) {
   Figure f{.id = scene.id + "-below",
            .title = "Cumulative distribution: " + scene.words,
            .description = "The share of the samples below each value, from 0 to 100 %.",
-           .caption = ". The curve shows the share of the pairs whose value is below a limit.",
+           .caption = ". For each value, the curve shows the share of the pairs below this value.",
            .x = value_axis(scene),
            .y = {"share of the samples below", "%"}};
   for (const int share : {0, 20, 40, 60, 80, 100})

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kCircle = 360.0;  // degrees
 
-// The rotation of the input during one period of a mesh, degrees. If the mesh does not roll, the
-// period is one turn of the input.
+// The rotation of the input during one period of a mesh, degrees. If the gears of the mesh do
+// not roll, the result is one turn of the input.
 double period_of(double frequency_ratio) {
   constexpr double kLeast = 1e-9;  // teeth per turn of the input; below this, no mesh rolls
   return std::abs(frequency_ratio) > kLeast ? kCircle / std::abs(frequency_ratio) : kCircle;

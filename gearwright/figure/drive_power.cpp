@@ -17,7 +17,8 @@ constexpr double kBar = 0.05;  // half the width of a node, relative to the dist
 constexpr double kAir = 0.62;  // gap between nodes in a column, over the distance between columns
 constexpr double kShown = 0.006;  // least width of a drawn band, over the height of the diagram
 constexpr int kPieces = 24;
-// px: the picture width that the spacing of names assumes, and the step by which names are moved up
+// px: the picture width for which the names are spaced, and the step by which names are moved
+// up
 constexpr double kWidth = 616.0, kLift = 18.0;
 
 // A body or a mesh. Powers are shares of the input power.
@@ -107,7 +108,8 @@ class PowerDiagram {
     for (const Node& n : nodes_) last_ = std::max(last_, n.column);
   }
 
-  // Stacks the nodes of each column from top to bottom, in the order of the nodes that supply them.
+  // Stacks the nodes of each column from top to bottom, in the vertical order of the nodes that
+  // supply them.
   void stack() {
     double most = 0.0;
     for (int c = 0; c <= last_; ++c) {
@@ -148,7 +150,8 @@ class PowerDiagram {
     }
   }
 
-  // Sets the positions of the bands at one side of a node, in the order of their other ends.
+  // Sets the positions of the bands at one side of a node, in the vertical order of the
+  // opposite ends of the bands.
   void dock(std::size_t n, std::size_t Band::*here, std::size_t Band::*there, double Band::*place) {
     std::vector<Band*> list;
     for (Band& band : bands_)
@@ -195,7 +198,8 @@ class PowerDiagram {
     return line;
   }
 
-  // A line below everything else, from the right side of one node to the left side of another.
+  // A line from the right side of one node to the left side of another, at the height `low`
+  // below all nodes.
   std::vector<Vec2> loop(const Vec2& a, const Vec2& b, double low, double reach) const {
     std::vector<Vec2> line;
     const auto half_turn = [&](const Vec2& from, double to, double side) {

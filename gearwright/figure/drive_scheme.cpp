@@ -41,8 +41,8 @@ class Scheme {
     f_.id = "scheme";
     f_.title = "The kinematic scheme.";
     f_.description =
-        "Gears are drawn as lines with bars for their teeth, shafts as lines, and carriers with "
-        "one planet each. Fixed bodies are marked. Speeds and torques are at the ends of the "
+        "Gears are drawn as lines with bars for their teeth, and shafts as lines. Each carrier is "
+        "drawn with one planet. Fixed bodies are marked. Speeds and torques are at the ends of the "
         "shafts.";
     f_.caption =
         " The picture is a half section. Planetary sets are drawn above their axis, with one "
@@ -61,8 +61,8 @@ class Scheme {
   bool is_end(std::size_t body) const {
     return graph_.is_input(body) || graph_.output == body || graph_.is_fixed(body);
   }
-  // True if the shaft of a body ends at the left. Inputs end at the left, the output ends at the
-  // right, and a fixed body ends on the free side.
+  // True if the shaft of a body ends at the left. Inputs end at the left, and the output ends
+  // at the right. A fixed body ends at the left, unless an input has the same axis.
   bool leaves_left(std::size_t body) const {
     return graph_.output != body && (graph_.is_input(body) || !left_taken(body));
   }
@@ -154,9 +154,9 @@ class Scheme {
     });
   }
 
-  // The position of the bell of a ring. It is beyond the slots of the ring, on the side on which
-  // the shaft of the ring ends. If this shaft has no end, it is on the side of the other gears of
-  // the body.
+  // The position of the bell of a ring, which is beyond the slots of the ring. If the body is
+  // an input, the output or fixed, the bell is on the side on which its shaft ends. Otherwise
+  // it is on the side of the other gears of the body.
   double bell_side(std::size_t body, const SlotRange& slots) const {
     return goes_right(body, slots) ? slot_x(slots.last) + kBell : slot_x(slots.first) - kBell;
   }
@@ -226,7 +226,8 @@ class Scheme {
     for (auto& [place, shafts] : axes) draw_axis(shafts);
   }
 
-  // Shafts that overlap get different levels. A longer shaft is inside a shorter one.
+  // Shafts that overlap get different levels. If one of them is longer, it is drawn inside the
+  // other.
   void draw_axis(std::vector<Shaft>& shafts) {
     for (Shaft& s : shafts) {
       if (s.left) s.from = left_;

@@ -72,12 +72,13 @@ struct FigureMark {
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
   int frame = -1;              ///< position of the slider at which the mark is shown; −1: all
-  /// For a line, dot, circle or cross: its name as SVG markup, drawn if there is room. A label of a
-  /// dot is first tried at `offset` and −`offset`.
+  /// The name of a line, dot, circle or cross as SVG markup. The name of a line or a circle is
+  /// drawn only if there is room. The label of a dot is tried first at `offset` and −`offset`.
   std::string label = {};
   std::string label_style = {};
-  /// For a line, true if it is the border of an area. The label is then on the right side of the
-  /// line, or inside the area. For a bar, true if labels must not overlap it.
+  /// For a line, true if it is the border of an area. The label is then on the right side of
+  /// the line, or inside the area. For a bar, true if labels must avoid its whole area, false
+  /// if they avoid only its outline.
   bool border = false;
   double turned = 0.0;     ///< rotation of a shape, degrees counter-clockwise
   double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1
@@ -90,8 +91,9 @@ struct FigureMark {
   std::string text() const;
 };
 
-/// Dots of one style, spaced by a pitch, that slide along a line with the rotation of gear 1. At t
-/// pitches, the dot of tooth k is at `at` + (t + k) `step` and is visible if from ≤ t + k ≤ to.
+/// Dots of one style, spaced by a pitch, that slide along a line with the rotation of gear 1.
+/// If gear 1 has turned by t pitches, the dot of tooth k is at `at` + (t + k) `step` and is
+/// visible if from ≤ t + k ≤ to.
 struct FigureSlide {
   Vec2 at, step;
   double from, to;
@@ -116,8 +118,8 @@ struct FigureGroup {
   double per_pitch;  ///< degrees clockwise while gear 1 turns by one pitch
 };
 
-/// A row of blocks below the plot and over its x axis, such as "tooth pair" and "tip edge of gear
-/// 1".
+/// A row of blocks below the plot, aligned with its x axis, such as "tooth pair" and "tip edge
+/// of gear 1".
 struct FigureLane {
   struct Block {
     double from, to;

@@ -15,8 +15,8 @@ using Places = std::vector<LabelPlace>;
 
 constexpr double kDot = 5.0;     // px, half the side of the box around a dot, which labels avoid
 constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
-// rad, and px along the circle. Neighbouring candidate positions on a circle are separated by the
-// smaller of these two distances.
+// kTurn in rad, and kStep in px along the circle. The smaller of these two distances separates
+// neighbouring candidate positions on a circle.
 constexpr double kTurn = 0.035, kStep = 24.0;
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;

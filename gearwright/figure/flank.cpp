@@ -209,10 +209,10 @@ Figure flank_frame(std::string id, std::string title, const FlankRaster& extent,
            {"along the face from its middle", "mm", z0, z1},
            {"diameter", "mm", root - beyond, tip + beyond}};
   f.tall = tall * (1 + 2 * kBeyond);
-  f.caption =
-      std::abs(tall / real - 1) < 0.02
-          ? "The picture has true proportions."
-          : fmt::format("Heights are drawn {} times larger than widths.", fixed(tall / real, 1));
+  f.caption = std::abs(tall / real - 1) < 0.02
+                  ? "The picture has true proportions."
+                  : fmt::format("The scale of heights is {} times the scale of widths.",
+                                fixed(tall / real, 1));
   f.bar({z0, -kInfinity}, {z1, kInfinity}, "slice");
   f.bar({z0, d0}, {z1, d1}, "flank-ground");
   f.bar({z0, d0}, {z1, d1}, "limit");

@@ -12,9 +12,8 @@ constexpr double kLineHeight = 19.0;   // px, height of a line of words on a nar
 constexpr double kBaseline = 5.0;      // px from the middle of the letters down to the base line
 constexpr int kBoxWeight = 8;          // weight of an overlap with a box; a crossed line has 1
 constexpr int kOutside = 1000;
-// px. If a label must be drawn in any case, each multiple of this distance between the label and
-// its point counts as one crossed line, because a reader could assign a distant label to another
-// point.
+// px. If a label must be drawn in any case, every kNear px between the label and its point
+// count as one crossed line, because a reader could assign a distant label to another point.
 constexpr double kNear = 18.0;
 
 double width_of(std::string_view plain) {
@@ -34,8 +33,8 @@ PixelBox box_of(const LabelPlace& place, double width) {
   return {left, y - kLineHeight / 2, left + width, y + kLineHeight / 2};
 }
 
-// Returns true if the segment touches the box. The segment is clipped at the four sides (Liang,
-// Barsky).
+// Returns true if the segment touches the box. The segment is clipped at the four sides of the
+// box (Liang, Barsky).
 bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
   double from = 0.0;
   double to = 1.0;

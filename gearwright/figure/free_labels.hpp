@@ -1,8 +1,9 @@
 // Places labels at free positions of a picture.
 //
 // Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
-// possible positions at which it touches none of these. Sizes are computed for the letters on a
-// narrow screen, which are the largest ones.
+// possible positions at which it touches none of these. If there is none, it gets the position
+// with the fewest overlaps, provided that the caller permits this number. Sizes are computed
+// for the letters on a narrow screen, which are the largest ones.
 #pragma once
 
 #include <string_view>
@@ -38,8 +39,8 @@ class FreeLabels {
 
   /// The objects that a label may overlap: none, one line, two lines, or all.
   enum class If { free, over_a_line, over_two_lines, always };
-  /// Draws the label at the best permitted position of `places`. `plain` is the text of the markup,
-  /// from which the width is computed. Returns true if the label is drawn.
+  /// Draws the label at the best permitted position of `places`. The width is computed from
+  /// `plain`, which is the text of the markup. Returns true if the label is drawn.
   bool draw(Svg& svg, std::string_view plain, std::string_view markup, std::string_view style,
             const std::vector<LabelPlace>& places, If when);
 

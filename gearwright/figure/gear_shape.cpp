@@ -79,7 +79,8 @@ class Pen {
     set(p);
     return {x_ - x, y_ - y};
   }
-  // Appends a number. A minus sign separates it from the number before, so it needs no space.
+  // Appends a number. A negative number needs no space before it, because its minus sign
+  // separates it from the preceding number.
   void number(char before, long value) {
     if (before == 'l') {
       text_ += 'l';
@@ -152,7 +153,7 @@ double outline_unit_mm(const Gear& gear) { return kOutlineUnit * gear.spec.norma
 std::vector<Vec2> chords(const Arc& arc, double tolerance) {
   GW_EXPECTS(tolerance > 0.0);
   std::vector<Vec2> points{arc.begin_point};
-  // At least two halves are used, because a curve that crosses its chord in the middle would
+  // The arc is halved at least once, because a curve that crosses its chord in the middle could
   // otherwise count as straight.
   const Vec2 middle = arc.point(0.5);
   halve(arc, 0.0, 0.5, arc.begin_point, middle, tolerance, 1, points);

@@ -25,8 +25,8 @@ struct LoadScene {
   std::optional<std::size_t> chosen = {};  ///< index of the torque whose fields are drawn; if none,
                                            ///< the greatest torque
   std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
-  /// The halves of a double-helical pair at z > 0 and at z < 0, or one of them if they are mirror
-  /// images. The other members then describe the whole gears.
+  /// The halves of a double-helical pair at z > 0 and at z < 0, or only one half if they are
+  /// mirror images. For such a pair, the other members describe the whole gears.
   std::vector<LoadScene> halves{};
 };
 

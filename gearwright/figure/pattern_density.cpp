@@ -37,8 +37,7 @@ Figure density_figure(const DensityScene& scene) {
           scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
       proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  // The key of the shades is drawn where the frame has the diameters of tip and root, so these
-  // texts are removed.
+  // The key of the shades replaces the diameters of tip and root in the frame.
   std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });

@@ -33,15 +33,15 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
                                                     {"interference at gear 2", "edge-hit"},
                                                     {"no working pressure angle", "edge-mesh"}}};
 
-// Margin around all limits and margin around a region with its labels, each as a fraction of the
-// longer side of the limits or of the region.
+// Margins around all limits, and around a region with its labels. Each is divided by the longer
+// side of what it surrounds.
 constexpr double kPadding = 0.17;
 constexpr double kZoomPadding = 0.42;
 constexpr double kMinWindow = 1e-3;  // modules; if the longer side is shorter, this length is used
 constexpr double kMap = 0.19;        // size of the overview map, relative to the width
 constexpr double kMapGap = 0.015;    // from the map to the corner of the plot, over the width
-// Length of a stretch over the width of the plot. A shorter stretch of an edge is named only if it
-// is the longest of this edge.
+// Length of a short stretch, divided by the width of the plot. A shorter stretch of an edge is
+// named only if it is the longest stretch of this edge.
 constexpr double kShortStretch = 0.025;
 
 // The part of the line Σx = sum inside the window. Empty if there is none.

@@ -144,8 +144,8 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap, double
                    [&](std::size_t i, std::size_t j) { return wanted[i] < wanted[j]; });
   if (n > 1) gap = std::min(gap, (hi - lo) / static_cast<double>(n - 1));
 
-  // After k gaps are subtracted from the position of label k, the positions must not decrease.
-  // Neighbours that violate this are pooled (isotonic regression).
+  // The position of label k minus k gaps must not decrease with k. Neighbours that violate this
+  // condition are pooled (isotonic regression).
   struct Block {
     double mean;
     std::size_t count;

@@ -127,8 +127,9 @@ std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions) {
     if (!open || runs.back().pair != p.pair || runs.back().edge != edge) {
       TeRun run{p.pair, edge, {}, {}};
       if (open) {
-        // Neighbouring runs share a point. If both runs belong to the same tooth pair, this is the
-        // last position of the first run. Otherwise, it is the intersection of their curves.
+        // Neighbouring runs share a point. If both runs belong to the same tooth pair, the
+        // shared point is the last position of the first run. Otherwise, it is the intersection
+        // of their curves.
         Vec2 border = at(i - 1);
         if (runs.back().pair != p.pair) {
           border = 0.5 * (at(i - 1) + at(i));
@@ -166,10 +167,9 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const double half = 0.62 * std::max(peak, kFlat);
   Figure f{other ? "te-other" : "te",
            other ? "Transmission error of the non-working flanks" : "Transmission error",
-           fmt::format(
-               "Transmission error in {} over the rotation of gear 1, and below it the tooth pair "
-               "in contact and its position on the flanks.",
-               unit.words),
+           fmt::format("Transmission error in {} over the rotation of gear 1. Below it are the "
+                       "tooth pair in contact and the position of the contact on the flanks.",
+                       unit.words),
            fmt::format(
                ", relative to the middle of its range, {}. The shaded pitch has {} positions and "
                "is repeated. Each tooth pair has a colour and a number, counted from the pair "

@@ -15,7 +15,7 @@ std::optional<Error> check_spec(const CylindricalSpec& spec) {
   if (spec.teeth < 0)
     return refused(
         "teeth", spec.teeth,
-        "an internal gear cannot have circular-arc teeth, because a rack cuts such teeth");
+        "an internal gear cannot have circular-arc teeth, because only a rack cuts such teeth");
   if (spec.profile_shift != 0.0) {
     return refused("profile_shift", spec.profile_shift,
                    why +

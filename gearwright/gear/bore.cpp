@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The error if an internal gear has no rim diameter, or if the rim has a keyway or does not extend
-// to the radius `room`, mm; empty if there is none.
+// The error if an internal gear has no rim diameter, or if the rim has a keyway or does not
+// extend to the radius `room`, mm; empty if the rim is valid.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   // The value is rounded up, so that the printed diameter is large enough.
   const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
@@ -28,8 +28,8 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   return std::nullopt;
 }
 
-// The error if the bore is too large or invalid; empty if there is none. Neither the bore nor its
-// keyway must exceed the radius `room`, mm.
+// The error if the bore is invalid, or if the bore or its keyway exceeds the radius `room`, mm;
+// empty if the bore is valid.
 std::optional<Error> bore_error(const Bore& bore, double room) {
   if (!(bore.diameter > 0.0)) {
     return refused("bore.diameter", bore.diameter,

@@ -45,8 +45,8 @@ void warn(Gear& gear, WarningCode code, std::string message) {
 
 namespace {
 
-// The profile shift x of the drawing with which this gear, with its thickness allowance, has the
-// given x_E.
+// The profile shift x that the drawing must give, so that this gear has the given x_E with its
+// thickness allowance.
 double shift_for(const Gear& gear, double x_E) {
   return x_E - (gear.reference().generating_profile_shift - gear.spec.profile_shift);
 }
@@ -86,8 +86,8 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. Only the addendum and dedendum of its rack
-// have an effect.
+// Adds the warnings of an internal gear without a tooth. Of its rack, only the addendum and the
+// dedendum have an effect.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||
@@ -105,7 +105,7 @@ void warn_about_ring(Gear& gear) {
   warn_about_tip(gear);
 }
 
-// True if a gear without a usable flank has one when its cutter has no protuberance.
+// True if a gear without a usable flank would have one if its cutter had no protuberance.
 bool protuberance_removes_flank(const Gear& gear) {
   const StraightRack* const rack = gear.straight_cutter();
   if (!rack || rack->protuberance <= 0.0) return false;

@@ -94,8 +94,8 @@ struct Gear {
 
   bool internal() const { return spec.teeth < 0; }
   double side() const { return side_of(spec.teeth); }  ///< σ  +1 external, −1 internal
-  /// True if the left flanks of this gear touch the mating gear. On an external gear they do so if
-  /// gear 2 of the pair drives, and on an internal gear if gear 1 drives.
+  /// True if the left flanks of this gear touch the mating gear. On an external gear, they
+  /// touch if gear 2 of the pair drives. On an internal gear, they touch if gear 1 drives.
   bool left_flank_works(bool gear2_drives) const { return gear2_drives == (side() > 0.0); }
   const InvoluteTeeth* involute() const { return std::get_if<InvoluteTeeth>(&flanks); }
   const ArcTeeth* arcs() const { return std::get_if<ArcTeeth>(&flanks); }

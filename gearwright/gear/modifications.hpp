@@ -165,7 +165,6 @@ class RemovalField {
   ///           with the same value and the same first two derivatives, below half the least L of
   ///           the usable flank. If the flank begins on the base circle, this limit is 1e-6 of the
   ///           greatest L
-  ///           the base circle, where c is not a smooth function of u
   Removal at(double u, double z, const Piece& piece) const;
   Removal at(double u, double z) const { return at(u, z, piece_at(u, z)); }
 

@@ -96,8 +96,9 @@ std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const Generate
   const double space = kPi / -ring.outline.teeth - std::atan2(tip.y(), tip.x());
   const double q = static_cast<double>(cutter.outline.teeth) / -ring.outline.teeth;
   std::optional<InfeedCut> most;
-  // The point p of the cutter cuts most at the turn φ − θ of the cutter, and at the polar angle ψ
-  // of the ring.
+  // A point of the cutter at the polar angle θ cuts most when the cutter has turned by φ − θ.
+  // Its polar angle about the axis of the ring is then ψ. Both φ and ψ are measured from the
+  // line of centres.
   const auto cut_by_point = [&](const Vec2& p) -> std::optional<InfeedCut> {
     const double rho = p.norm(), R = q * r / rho;
     if (R >= 1.0) return std::nullopt;
@@ -129,10 +130,10 @@ bool trims(const std::optional<InfeedCut>& cut, double module) {
   return cut && cut->arc > kTrimmed * module;
 }
 
-// The greatest number of teeth of a similar cutter that generates the whole flank of this internal
-// gear and does not trim it. The similar cutter has the same rack, profile shift and height of its
-// tip. None if there is no such cutter with fewer teeth, or if the teeth of the cutter are not cut
-// by a rack alone.
+// The greatest number of teeth, less than that of `cutter`, with which a similar cutter
+// generates the whole flank of `ring` without trimming it. A similar cutter has the same rack,
+// profile shift and tip height as `cutter`. None if there is no such number, or if the teeth of
+// `cutter` are not cut by a rack alone.
 std::optional<int> largest_clear_cutter(const Gear& cutter, const Gear& ring) {
   if (cutter.cut_by || cutter.spec.root_fillet || cutter.spec.tip_fillet) return std::nullopt;
   CylindricalSpec c = cutter.spec;
@@ -164,12 +165,12 @@ void warn_about_infeed(Gear& ring, const Gear& cutter) {
   detail::warn(
       ring, WarningCode::trimming,
       fmt::format("In radial infeed, the cutter with {} teeth removes {:.4f} mm from each flank at "
-                  "a diameter of {:.4f} mm, at a centre distance of {:.4f} mm. {}",
+                  "a diameter of {:.4f} mm when it reaches the centre distance {:.4f} mm. {}",
                   cutter.spec.teeth, cut->arc, 2 * ring.tip_form_radius(), cut->distance,
-                  teeth ? fmt::format("A similar cutter with {} teeth removes nothing, or give a "
-                                      "greater `tip_diameter`.",
+                  teeth ? fmt::format("Give a similar cutter with {} teeth, which removes nothing, "
+                                      "or give a greater `tip_diameter`.",
                                       *teeth)
-                        : std::string("Give a cutter with fewer teeth or a shorter tip, or a "
+                        : std::string("Give a cutter with fewer teeth or a shorter tip, or give a "
                                       "greater `tip_diameter`.")));
 }
 
@@ -266,12 +267,11 @@ std::optional<Gear> cut_with(const Gear& ring, const Cutter& cutter) {
   with.cut_by->by_default = true;
   with.warnings.clear();
   detail::finish(with);
-  detail::warn(
-      with, WarningCode::default_cutter,
-      fmt::format(
-          "`cut_by` is not given, so a default pinion cutter generates the fillets of the internal "
-          "gear. It has {} teeth and no profile shift, and it reaches the root diameter.",
-          cutter.gear.spec.teeth));
+  detail::warn(with, WarningCode::default_cutter,
+               fmt::format("`cut_by` is not given, so a default pinion cutter generates the "
+                           "fillets of the internal gear. This cutter has {} teeth and no profile "
+                           "shift, and its tip reaches the root diameter.",
+                           cutter.gear.spec.teeth));
   return with;
 }
 

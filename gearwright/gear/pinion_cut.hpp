@@ -19,11 +19,11 @@ struct PinionCutSpec {
   std::optional<double> profile_shift{};  ///< x, if E belongs to x_E of this shift and allowance
 };
 
-/// The reason why no distance exists at which the cutter can cut a gear with this number of teeth;
-/// empty if there is one.
+/// The reason why the cutter cannot cut a gear with this number of teeth at any distance; empty
+/// if such a distance exists.
 std::optional<Error> check_cutter(const Gear& cutter, int teeth);
 
-/// The part of x_E that belongs to a thickness allowance E_sn, mm: E_sn/(2 m_n tan α_n).
+/// The part of x_E that a thickness allowance E_sn, mm, causes: E_sn/(2 m_n tan α_n).
 double shift_of_allowance(const Gear& cutter, double allowance);
 
 /// The generating centre distance that gives the gear the profile shift x.
@@ -61,9 +61,10 @@ std::optional<InfeedCut> infeed_cut(const GeneratedTooth& cutter, const Generate
 // gear.
 //                            theory: docs/theory/06-few-teeth.md, 6.5
 
-/// The internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter would remove
-/// part of the flank, a cutter with more or fewer teeth is used. All other data of the gear are
-/// unchanged. None if no cutter leaves the whole flank up to the tip.
+/// The internal gear with a tooth that a cutter of |z|/2 teeth has cut. If this cutter would
+/// remove part of the flank, a cutter with another tip rounding or number of teeth is used. All
+/// other data of the gear are unchanged. None if no cutter leaves the whole flank up to the
+/// tip.
 ///
 /// Domain    `ring` is an internal gear without a tooth (contract)
 std::optional<Gear> cut_by_default(const Gear& ring);

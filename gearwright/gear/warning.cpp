@@ -29,8 +29,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a gear has no usable flank"},
     // The gears do not run.
     {C::no_contact, "no_contact", kProblem,
-     "the teeth do not touch, or touch only outside the usable flanks or, on crossed axes, outside "
-     "the faces",
+     "the teeth do not touch, or they touch only outside the usable flanks or (on crossed axes) "
+     "outside the faces",
      "the teeth do not touch"},
     {C::jam, "jam", kProblem,
      "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
@@ -41,11 +41,11 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the teeth are too thick for the centre distance",
      "the teeth are too thick for this centre distance"},
     {C::contact_ratio, "contact_ratio", kProblem,
-     "ε_γ of the path clipped to the usable flanks, or AE/p_bn on crossed axes, is below 1",
+     "ε_γ of the path clipped to the usable flanks (on crossed axes: AE/p_bn) is below 1",
      "contact is not continuous"},
     {C::load_unfinished, "load_unfinished", kProblem,
      "verbs load and compensate: at some positions the forces do not converge; these positions "
-     "have no numbers",
+     "have no results",
      "some positions under load have no result"},
     {C::interference, "interference", kProblem,
      "circular arcs: the flanks cut into each other at the contact; there is also an entry in "
@@ -82,14 +82,14 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::samples_jam, "samples_jam", kCaution,
      "verb scatter: the gears jam in some samples; the message gives the least play of all samples",
      "the gears jam at some deviations within the tolerances",
-     "Give thickness allowances or a series of DIN 3967, or narrower tolerances."},
+     "Give thickness allowances, a series of DIN 3967 or narrower tolerances."},
     {C::samples_lose_contact, "samples_lose_contact", kCaution,
      "verb scatter: no tooth pair touches at some positions of some samples",
      "contact is lost at some deviations within the tolerances"},
     {C::samples_touch_edges, "samples_touch_edges", kCaution,
      "verb scatter: an edge touches in more than 5 % of the samples",
      "edges touch at many deviations within the tolerances",
-     "Give crowning or end relief, which [scatter.robust] computes, or narrower tolerances."},
+     "Give crowning or end relief (computed by [scatter.robust]), or give narrower tolerances."},
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
      "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
      "undercut has removed; nothing collides, but contact ends earlier",
@@ -132,7 +132,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "width f′",
      "a face is too narrow for the line of action"},
     {C::undercut, "undercut", kCaution,
-     "the profile shift x_E is less than the minimum without undercut", "undercut", "",
+     "the profile shift x_E is less than the minimum that avoids undercut", "undercut", "",
      kGearUnnamed},
     {C::pointed, "pointed", kCaution, "the flanks meet before the tip diameter", "pointed teeth",
      "", kGearUnnamed},
@@ -142,8 +142,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "internal gear: d_a is less than d_b, so the involute does not reach the tip",
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
-     "internal pairs: the pinion can be mounted axially only [T2.28]; when mounted, nothing "
-     "collides; `cut_by`: the cutter removes the tips of an internal gear in radial infeed [T6.18]",
+     "internal pairs: the pinion can be mounted only axially [T2.28], but the mounted gears do not "
+     "collide; `cut_by`: in radial infeed, the cutter removes the tips of an internal gear [T6.18]",
      "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
@@ -153,9 +153,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the clearance of the mating gear's tip corner to the root fillet is less than 0.0001 modules",
      "a tip corner close to a root fillet"},
     {C::contact_place, "contact_place", kCaution,
-     "under the errors, the contact lies more than 0.7 of half the face width from the middle of "
-     "the "
-     "face",
+     "under the errors, the distance of the contact from the middle of the face is more than 0.7 "
+     "of half the face width",
      "the contact lies near the end of the face"},
     {C::thickened_for_backlash, "thickened_for_backlash", kCaution,
      "the centre distance leaves more backlash than given, so the teeth are made thicker than "
@@ -212,10 +211,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the helix angle is greater than 30°, the limit of the range for which ISO 6336 is confirmed",
      "a helix angle that the standard does not cover"},
     {C::rating_pressure_angle, "rating_pressure_angle", kCaution,
-     "the normal pressure angle is outside 15° to 25°, for which ISO 6336 is confirmed",
+     "the normal pressure angle is outside the range of 15° to 25° for which ISO 6336 is confirmed",
      "a pressure angle that the standard does not cover"},
     {C::rating_stiffness, "rating_stiffness", kCaution,
-     "the profile shifts are outside the range of the formula of the tooth stiffness c'",
+     "the profile shifts are outside the range of the formula for the tooth stiffness c'",
      "profile shifts outside the range of the standard’s tooth stiffness"},
     {C::rating_resonance, "rating_resonance", kCaution,
      "the pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15",
@@ -251,13 +250,13 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the message gives the least "
      "face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the gear named in the message, or the output of a drive, cannot drive"},
+     "with this friction, the gear named in the message (in a drive: the output) cannot drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
      "the bottom land of the cutter ends the tooth below the tip diameter of the blank; `cut_by` "
-     "with a cutter of its own: the root of the cutter determines the tip, because no tip diameter "
-     "is given"},
+     "with a cutter that is not the mating gear: the root of the cutter determines the tip, "
+     "because no tip diameter is given"},
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
@@ -286,15 +285,15 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::ball_off_flank, "ball_off_flank", kNote,
      "verb measure: the contacts of the given balls lie off the usable flank"},
     {C::pin_off_flank, "pin_off_flank", kNote,
-     "verb measure: the contacts of the given pins lie off the usable flank, or those of two pins "
-     "that may tilt lie off the face"},
+     "verb measure: the contacts of the given pins lie off the usable flank or, for two pins that "
+     "may tilt, off the face"},
     {C::tolerances_out_of_range, "tolerances_out_of_range", kNote,
      "verb measure: the gear is outside the range of sizes of ISO 1328-1"},
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,
-     "verb load: a gear has no bore, and its body is held at half the root diameter"},
+     "verb load: a gear has no bore, so its body is held at half the root diameter"},
     {C::held_at_rim_as_drawn, "held_at_rim_as_drawn", kNote,
-     "verb load: an internal gear has no rim diameter and is held at the rim diameter of its CAD "
-     "files"},
+     "verb load: an internal gear has no rim diameter, so it is held at the rim diameter of its "
+     "CAD files"},
     {C::no_load, "no_load", kNote,
      "verb run: an analysis under load cannot be computed for these gears; the message gives the "
      "reason"},
@@ -306,8 +305,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::edges_left_out, "edges_left_out", kNote,
      "verb search: the borders of the regions are omitted for more than 10 000 designs"},
     {C::changes_left_out, "changes_left_out", kNote,
-     "verb search: changes of the limits were searched only in part or not at all; the message "
-     "gives the reason"},
+     "verb search: the search for a change of the limits that would help was incomplete or "
+     "omitted; the message gives the reason"},
     // Warnings about whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
      "verb drive: no profile shift brings all meshes of a planet to the same centre distance, or "

@@ -40,9 +40,10 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
 }
 
 // Returns the transition from `last` to `next`. The lower envelope of the half angles is
-// continuous. If the height ranges of the two branches only touch, or if one branch ends before it
-// crosses the other, the two branches share this end within rounding. Examples are undercut that
-// begins at this end and a corner of the cutter's edge on the pitch line.
+// continuous. If the height ranges of the two branches only touch, or if one branch ends before
+// it crosses the other, the two branches share this end within rounding. This happens if
+// undercut begins at the end of a branch, or if a corner of the cutter's edge lies on the pitch
+// line.
 Joint joint(const Branch& last, const Branch& next) {
   if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // `next` has no extent
   const double lo = std::max(last.height_lo, next.height_lo);
@@ -212,8 +213,8 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
   double from = own->height_lo;
   std::vector<Branch> lower;
   const std::size_t most = 8 * branches.size();  // upper limit for the number of crossings
-  // The number of turns is limited, because two branches that alternately pass below each other
-  // would cause an endless loop. If the limit is reached, the result is empty.
+  // The number of iterations is limited, because two branches that alternately pass below each
+  // other would cause an endless loop. If the limit is reached, the result is empty.
   for (std::size_t turns = 0; lower.size() < most && turns < 8 * most; ++turns) {
     const double end = std::min(own->height_hi, tip_height);
     double until = end;

@@ -18,8 +18,8 @@ namespace {
 using detail::Branch;
 using detail::branch_of;
 
-// Two arcs join smoothly if their normals differ by at most this angle, rad. If the normal turns by
-// an angle at a corner, the point that the corner cuts moves by only λ²/w times this angle.
+// Two arcs join smoothly if their normals differ by at most this angle, rad. If the normal
+// turns by ε at a corner, the point that the corner cuts moves by only ε λ²/w.
 constexpr double kSameNormal = 1e-12;
 
 // Returns the angle ν of the outward normal at an end of an arc. ν lies in the half turn that
@@ -102,8 +102,8 @@ class Cutting {
   }
 
  private:
-  // Adds the branches that a curve of the cutter cuts behind the tooth, ordered from the root side
-  // to the tip side of this curve.
+  // Adds the branches that a curve of the cutter cuts behind the tooth, in the order from the
+  // root side to the tip side of this curve.
   void pieces(std::vector<Branch>& all, const CurvePtr& curve, Walk walk, double t_root,
               double t_tip) const {
     const auto envelope = std::make_shared<PinionEnvelope>(motion_, curve, walk, Meeting::behind);

@@ -3,8 +3,7 @@
 //   r    pitch radius, mm        β    helix angle
 //   e    height of the datum line over the pitch circle, mm
 //   (x, y, τ)   a point of the cutter's edge with its normal angle as in tool/cutter_edge.hpp,
-//   except
-//               that x includes e
+//               except that x includes e
 //
 // A point of the edge cuts when its normal passes through the pitch point. With k = x cot τ cos β,
 // the gear has then turned by φ = (y/cos β − k)/r, and the point of the gear is [T3.7]

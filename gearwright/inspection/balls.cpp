@@ -31,8 +31,8 @@ struct Base {
   double eta;    // η_b; negative if there is no space on the base cylinder
 };
 
-// The base cylinder of a gear, for teeth with this transverse thickness on the base cylinder, mm.
-// [T10.5]
+// The base cylinder of a gear whose teeth have this transverse thickness on the base cylinder,
+// mm. [T10.5]
 Base base_of(const Gear& gear, double base_thickness) {
   const ReferenceGeometry<double>& g = gear.reference();
   return {g.base_diameter, std::cos(g.base_helix_angle), std::tan(g.base_helix_angle), gear.side(),
@@ -79,8 +79,8 @@ bool projects(const Gear& gear, const UsableFlank& flank, const BallSeat& seat) 
   return gear.side() * (seat.radial - flank.tip / 2) > 0.0;
 }
 
-// The end of a message: the diameters of the balls that touch on the usable flank, clear of the
-// root, and project beyond the tip.
+// The end of a message. It gives the diameters of the balls that touch on the usable flank, do
+// not touch the root, and project beyond the tip.
 std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const auto low = ball_touching_at(gear, flank.root_end);
   const auto high = ball_touching_at(gear, flank.tip_end);
@@ -93,7 +93,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
   const std::array<double, 3> tried{*low, middle, *high};
   const auto inside = std::find_if(tried.begin(), tried.end(), fits);
   if (inside == tried.end()) return "no ball that touches on the usable flank can be measured";
-  // The ball at the end of the flank, or the ball nearest to it that fits.
+  // The ball that touches at the end of the flank or, if it does not fit, the ball nearest in
+  // size that fits.
   const auto nearest = [&](double outside) {
     if (fits(outside)) return outside;
     double fitting = *inside;
@@ -174,8 +175,8 @@ Across least_across(double delta, double T) {
     const auto f = [&](double e) {
       return Slope<double>{e - T * std::sin(e) - delta, 1.0 - T * std::cos(e)};
     };
-    // The root lies above the e at which e − T sin e has its minimum, where this expression
-    // increases.
+    // If T > 1, e − T sin e has a minimum between 0 and π, and the root lies above this
+    // minimum.
     const double lo = T > 1.0 ? std::acos(1.0 / T) : 0.0;
     const double start = std::clamp(delta + T * std::sin(delta), lo, pi);
     const auto root = newton_in_bracket<double>(f, lo, pi, start, true);

@@ -8,7 +8,7 @@
 //   η_b    half angle of the space on the base cylinder, rad [T10.5]
 //   β_K    helix angle at d_K, rad             δ     π/|z| if |z| is odd, otherwise 0
 //   ε      angle by which two free pins at their least distance deviate from opposite positions,
-//   rad
+//          rad
 //   M_d    dimension over two balls, mm        M_r   dimension from the gear axis over one ball, mm
 //                                              theory: docs/theory/10-inspection.md
 //

@@ -78,7 +78,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   }
   return off_flank(diameter,
                    fmt::format("the tooth spans {} degrees about the axis, which is too much for a "
-                               "calliper; use a greater diameter; allowed: {}",
+                               "calliper; use a greater diameter, which must be {}",
                                format_number(2 * arc.half_angle * kDegPerRad), range->ends));
 }
 

@@ -43,9 +43,9 @@ struct ChordalThickness {
   T half_angle_used;  ///< θ*   rad
 };
 
-/// Least θ_t, rad. For every θ_t of at least this value, θ* is a normal floating-point number for
-/// every T up to 1e33, which is tan² of the double next to π/2. The θ_t of every real tooth is much
-/// greater, and so is a θ_t of about 1e-17 that is only a rounding error.
+/// Least θ_t, rad. For every greater θ_t and every T up to 1e33 (tan² of the double next to
+/// π/2), θ* is a normal floating-point number. The θ_t of a real tooth is much greater, and so
+/// is a θ_t of about 1e-17 that is only a rounding error.
 inline constexpr double kMinHalfAngle = 1e-100;
 
 /// The half angle θ* of the shortest chord: the root of T sin 2θ + 2θ = 2θ_t.

@@ -80,8 +80,8 @@ class Searching {
     return pitch && (*pitch)[0] > 0.0 ? std::optional((*pitch)[0] / pi) : std::nullopt;
   }
 
-  // True if a gear of this rack can agree with the base pitch and, approximately, with the size
-  // that the readings give.
+  // True if a gear of this rack can agree with the measured base pitch or, if no base pitch was
+  // measured, approximately with the readings that depend on the size.
   bool possible(double m, double alpha) const {
     if (const auto pitch = base_pitch())
       return std::abs(pi * m * std::cos(alpha) - (*pitch)[0]) < 6 * (*pitch)[1];
@@ -231,8 +231,8 @@ std::vector<IdentifiedGear> candidates_of(const IdentifyProblem& p,
   return list;
 }
 
-// Finds a reading that contradicts all others: the other readings agree with a standard gear if
-// this reading is left out.
+// Finds the reading that contradicts all others. Without this reading, the others agree with a
+// standard gear.
 std::optional<Contradiction> contradiction(const IdentifyProblem& p,
                                            const std::vector<Observation>& readings,
                                            std::vector<Found>& found) {

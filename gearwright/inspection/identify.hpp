@@ -6,13 +6,14 @@
 //   x_E    generating profile shift, including the allowance       p_bn  normal base pitch
 //                                              theory: docs/theory/10-inspection.md
 //
-// A gear of z teeth is described by module, pressure angle, helix angle and x_E. In a hypothesis,
-// module and pressure angle are standard values, and the helix angle is 0, a whole number of
-// degrees, or free. x_E and a free helix angle are fitted. The evidence of a hypothesis combines
-// the quality of the fit, the fraction of the prior range that agrees with the readings, and the
-// prior probability of such gears. Readings of tip and root are only rough, because tips may be
-// worn and roots may be cut by several racks. These readings select the basic rack of the drawing.
-// The reading of the tip also distinguishes a profile shift from a thickness allowance.
+// A gear of z teeth is described by module, pressure angle, helix angle and x_E. In a
+// hypothesis, module and pressure angle are standard values, and the helix angle is 0, a whole
+// number of degrees, or fitted. x_E is always fitted. If spans give the base pitch, a fitted
+// module is also tried. The evidence of a hypothesis combines the quality of the fit, the
+// fraction of the prior range that agrees with the readings, and the prior probability of such
+// gears. Readings of tip and root are only rough, because tips may be worn and roots may be cut
+// by several racks. These readings select the basic rack of the drawing. The reading of the tip
+// also distinguishes a profile shift from a thickness allowance.
 #pragma once
 
 #include <array>
@@ -67,8 +68,8 @@ struct IdentifyProblem {
 /// The series of standard modules to which a candidate belongs.
 enum class ModuleSeries { iso54_1, iso54_2, diametral_pitch, none };
 
-/// The quantities that are read on an unknown gear, the exact ones first. `all` stands for the
-/// readings of all lengths, and `span_teeth` for the numbers of teeth in the spans.
+/// The quantities that are read on an unknown gear, the exact ones first. `all` means all
+/// lengths that are read, and `span_teeth` means the numbers of teeth in the spans.
 enum class Reading {
   span,
   over_balls,
@@ -147,9 +148,9 @@ struct Identification {
                                                ///< measurement distinguishes the candidates
   std::string reason;                          ///< the reason if there is no candidate
   std::optional<Alternative> alternative{};    ///< present if the readings do not agree with the
-                                               ///< first candidate, or if this candidate is not
-                                               ///< standard or not plausible, and if such a gear is
-                                               ///< found
+                                               ///< first candidate, or if it is nonstandard or
+                                               ///< implausible, and if the correction of one
+                                               ///< input gives a gear that agrees
 };
 /// Greatest number of candidates in a result.
 inline constexpr int kMostCandidates = 8;

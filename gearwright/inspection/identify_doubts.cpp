@@ -54,8 +54,8 @@ IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
   return p;
 }
 
-// The identification. If the tip or the root contradicts the flanks of the likeliest gear, that
-// reading is left out.
+// The identification. If the reading of the tip or the root contradicts the flanks of the
+// likeliest gear, this reading is left out.
 Identification without_contradiction(const IdentifyProblem& problem) {
   Identification answer = detail::identify_readings(problem, detail::LeaveOut::one);
   if (answer.contradiction || !answer.reason.empty() || answer.candidates.empty()) return answer;
@@ -81,8 +81,8 @@ bool sound(const Identification& found) {
          found.candidates.front().plausible();
 }
 
-// Greatest magnitude of the thickness allowance, in modules, of a gear that is proposed as an
-// alternative.
+// A gear is proposed as an alternative only if the magnitude of its thickness allowance, in
+// modules, does not exceed this value.
 constexpr double kUsualAllowanceOfMistake = 0.1;
 
 // True if tip and thickness of the gear are so usual that the gear is credible as an alternative.

@@ -35,7 +35,7 @@ constexpr double kShortestTip = 0.25;        // greatest plausible deviation fro
 // backlash.
 constexpr std::string_view kUsualSeries = "c27";
 
-// Standard deviations, in modules, with which racks are compared, and the costs of a tip and of a
+// Standard deviations, in modules, for the comparison of racks, and the costs of a tip and of a
 // root that no rack explains.
 constexpr double kWearScatter = 0.05;
 constexpr double kUsualAllowance = 0.06;
@@ -109,7 +109,8 @@ class Drawing {
     gear.rack = choice.name;
     gear.profile_shift = shift(choice.rack);
     const double allowance = 2 * m_ * tan_ * (x_E_ - gear.profile_shift);
-    // If the tooth is thicker than x gives, but only within the uncertainty, the allowance is 0.
+    // If the tooth is thicker than x gives, but only by less than the uncertainty, the
+    // allowance is 0.
     const bool within = allowance > 0.0 && !known_ && x_E_ - gear.profile_shift <= u_;
     gear.thickness_allowance = within ? 0.0 : allowance;
     gear.nominal_tip_diameter = d_ + side_ * 2 * m_ * (choice.rack.addendum + gear.profile_shift);

@@ -46,9 +46,10 @@ std::optional<double> residual(const GearNumbers& gear, const Observation& o);
 constexpr double kLength =
     0.02;  ///< mm, usual uncertainty of a measured tip, root or centre distance
 
-// Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle and
-// module if they are free. The evidence of the hypothesis is the probability of the readings if the
-// hypothesis is true, times the prior probability of the fitted values.
+// Fits the unknowns of one hypothesis by least squares: the profile shift, and also helix angle
+// and module if the hypothesis does not fix them. The evidence of the hypothesis is the
+// probability of the readings if the hypothesis is true, times the prior probability of the
+// fitted values.
 
 struct Unknowns {
   bool shift = true, helix = false, module = false;

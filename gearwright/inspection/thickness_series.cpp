@@ -77,9 +77,9 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 
 constexpr int kMaxGrade = 12;
 
-// Magnitudes of the fundamental deviations of ISO 286-1, table 3, that lie below the nominal size,
-// µm. For P, the values of grades above IT7 are listed for the first sizes. For N, the value of
-// grades above IT8 is not 0 only up to 3 mm.
+// Magnitudes, µm, of the negative fundamental deviations of ISO 286-1, table 3. kDeviationP
+// contains the values of P for grades above IT7 and the first sizes. kDeviationN is the value
+// of N for grades above IT8 and sizes up to 3 mm; for greater sizes, it is 0.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 
@@ -174,10 +174,10 @@ Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_di
   const std::string_view grade = fit.substr(zone.size());
   if (!known || grade_of(grade) == 0)
     return Error{"tolerance.tip_fit", std::string(fit),
-                 internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, because the tip of an "
-                            "internal gear is a hole, for example H9"
-                          : "must be h1 to h12 or js1 to js12 of ISO 286, because the tip of an "
-                            "external gear is a shaft, for example h9"};
+                 internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, for example H9, because "
+                            "the tip of an internal gear is a hole"
+                          : "must be h1 to h12 or js1 to js12 of ISO 286, for example h9, because "
+                            "the tip of an external gear is a shaft"};
   const auto hole =
       hole_deviations((zone.size() == 1 ? "H" : "JS") + std::string(grade), tip_diameter);
   if (!hole) return Error{"tip_diameter", hole.error().value, hole.error().rule};

@@ -32,12 +32,12 @@ struct CampaignOptions {
   bool together = false;          ///< true for a rank; the first rank opens the folder for all
                                   ///< ranks
   std::string writer = "search";  ///< name of this process in the journal
-  /// Returns the number of the next chunk in a queue that several processes share. If this function
-  /// is empty, the process has its own queue. One thread at a time calls it.
+  /// Returns the number of the next chunk in a queue that several processes share. If the
+  /// function is not set, the process has its own queue. Only one thread at a time calls it.
   std::function<std::int64_t()> next_chunk;
-  /// Shares among the ranks whether the first rank could open the folder, and returns this result.
-  /// The first rank passes the result. Every other rank passes true before it opens the folder, and
-  /// does not open it if the function returns false.
+  /// Every rank calls this function once. The first rank passes whether it could open the
+  /// folder, and the function returns this value on all ranks. Every other rank passes true,
+  /// and does not open the folder if the function returns false.
   std::function<bool(bool opened)> folder_is_open;
   /// Waits until all processes are done. Returns true if this process makes the files.
   std::function<bool()> finish_together;
@@ -76,8 +76,9 @@ class ChunkQueue {
 /// The reason why this build cannot keep finished chunks in a folder, or nothing if it can.
 std::optional<Error> refuse_folder();
 
-/// The store in options.out. For the other ranks, there is no store if the first rank could not
-/// open the folder. If `refused` is set, the folder must not be used, and `refused` is the error.
+/// The store in options.out. If the first rank could not open the folder, all other ranks get
+/// no store. If `refused` is set, the folder is not opened, and `refused` is returned as the
+/// error.
 ///
 /// Throws    IoError
 /// Errors    `refused`; the errors of ChunkStore::open

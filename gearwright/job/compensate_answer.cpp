@@ -101,9 +101,9 @@ std::optional<std::array<double, kErrorCount>> worse_inside_ranges(const Contact
   return value;
 }
 
-// Computes the corrections for the scenarios. Then the ranges are searched for errors under which
-// the corrected pair is worse than in every scenario. If there are such errors, they become another
-// scenario, and the corrections are computed again.
+// Computes the corrections for the scenarios. Without load, also searches the ranges for errors
+// under which the corrected pair is worse than in every scenario. Such errors become another
+// scenario, and the corrections are computed again, at most kMostInside times.
 Compensation compensated(const SolvedJob& job, const ContactSetup& setup, CompensationTask& task,
                          const std::vector<WorkshopCorrection>& corrections, bool gear2_drives,
                          std::vector<NamedErrors>& scenarios) {
@@ -165,7 +165,8 @@ std::vector<AimedLoad> aimed_loads(const LoadedAim& load, const CompensationTask
   return loads;
 }
 
-// The verdict on the corrected spec. `loads` is the effect of the corrections under torque.
+// The verdict on the corrected spec. `loads` contains the scores under torque without and with
+// the corrections.
 Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
                                 const std::vector<AimedLoad>& loads) {
   auto read = read_spec_tree(corrected);
@@ -305,7 +306,7 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!verdict) return verdict.error();
   answer.verdict = std::move(verdict).take();
   if (!answer.nothing_to_correct)
-    answer.verdict.headline.insert(0, "This verdict is on the pair with all corrections. ");
+    answer.verdict.headline.insert(0, "This verdict applies to the pair with all corrections. ");
   return answer;
 }
 

@@ -54,8 +54,8 @@ class LoadedAim {
   ///           slices are too fine
   static Result<LoadedAim> of(SolvedJob& job, Progress* progress);
 
-  /// The peak-to-peak transmission error in rad, or the pressure in MPa, for the worst of the
-  /// torques. The gears that `corrections` modify must have fields of removed material.
+  /// The peak-to-peak transmission error in rad, or the pressure in MPa, under the worst
+  /// torque. The gears that `corrections` modify must have fields of removed material.
   CompensationAim aim(const std::vector<WorkshopCorrection>& corrections) const;
   /// The score for each torque with this number of positions per pitch. loaded_scores describes the
   /// cases in which a score is NaN.

@@ -24,7 +24,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   };
   out +=
       quantity_listing(units, compensate_quantities().table(), {compensate_quantities().of(a)}, {});
-  head("All corrections together, chosen for the worst of the errors");
+  head("All corrections together, chosen for the worst combination of errors");
   for (const FoundCorrection& c : a.corrections) {
     row(c.words, fmt::format("{:>11} {}{}", text_in(units, unit_of(c.key), c.value, 4),
                              unit_text(units, unit_of(c.key)),

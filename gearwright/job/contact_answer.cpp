@@ -45,8 +45,8 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
     return removal && !removal->none();
   };
   const char* as_cut = modified(false) || modified(true)
-                           ? " The fillet is as cut here, although in CAD files it follows the "
-                             "modified flank, which can remove this contact."
+                           ? " This result is for the fillet as cut. In CAD files, the fillet "
+                             "follows the modified flank, which can remove this contact."
                            : "";
   warnings.push_back(
       {WarningCode::fillet_contact,
@@ -66,8 +66,8 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
 // computation can take half a minute.
 constexpr double kDeepOverlap = 0.05;
 
-// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
-// outlines of the gears alone determine whether this happens, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors,
+// this depends only on the outlines of the gears, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const Gear& gear_2 = answer.setup->gear(2);
@@ -85,8 +85,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter or for circular fillets."});
     return;
   }
-  // Only one pitch is examined. All pitches are equal, and positions in several pitches might have
-  // the same phase.
+  // Only the first pitch is examined, because the positions in the other pitches repeat its
+  // phases.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;

@@ -75,7 +75,8 @@ std::optional<ContactPoint> middle_of(const std::vector<ContactPoint>& points) {
   return best;
 }
 
-// True if this error is possible. A change of lead may be possible with one sign only.
+// True if this error is possible. For some gears, a change of lead is possible with one sign
+// only.
 bool can_be(const ContactSetup& setup, std::size_t index, double value) {
   const ErrorEntry& e = error_entries()[index];
   return !e.of_cutter() || !check_cutter_lead(setup.gear(e.gear), e.gear, Angle::degrees(value));
@@ -289,8 +290,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the reason is the rule of the error alone, because the rule describes the
-    // whole pair. Otherwise the reason also names the invalid number.
+    // If nothing touches, the warning states only the rule of the error, because the rule
+    // describes the whole pair. Otherwise, it also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

@@ -41,7 +41,7 @@ std::string kinds_of(const ContactResult& result, std::string& legend) {
   return text;
 }
 
-// The displacement over the common face that an angle of the axes causes.
+// The displacement that an angular error of the axes causes over the common face width, as text.
 std::string over_face(const SolvedJob& job, double degrees) {
   double face = kInfinity;
   for (const Gear& gear : job.gears) face = std::min(face, gear.spec.face_width);
@@ -78,8 +78,8 @@ std::string halves_listing(const ContactAnswer& answer, UnitSystem units) {
                 mm(b.height[0]));
   }
   return out +
-         "\n  axial float: movement of gear 1 relative to gear 2; z 1: height from the middle of "
-         "the half\n";
+         "\n  axial float: movement of gear 1 relative to gear 2; z 1: axial position from the "
+         "middle of the half\n";
 }
 
 }  // namespace

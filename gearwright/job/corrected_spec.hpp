@@ -25,7 +25,8 @@ std::string spec_key(const ContactSetup& setup, const WorkshopCorrection& correc
                      bool gear2_drives);
 
 /// True if the value is at the end of the searched range, so that a larger correction might be
-/// better. A crowning of 0 is also an end of its range, but the result is then false.
+/// better. For a value of 0, the result is false, although 0 is an end of the range of a
+/// crowning.
 bool at_bound(const Correction& range, double value);
 
 FoundCorrection found_correction(const WorkshopCorrection& correction, double value,

@@ -62,8 +62,9 @@ Result<std::string> nominal_csv(const SolvedJob& job, const PointGrid& grid,
 
 // The K-diagrams of all flanks that have modifications or an accuracy grade, for the page.
 
-/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A modification
-/// that does not fit its flank is omitted, because the verb `contact` reports it.
+/// One diagram for each gear if both flanks are equal, otherwise one for each flank. A gear
+/// with a modification that does not fit its flank has no diagram, because the verb `contact`
+/// reports the modification.
 std::vector<KDiagram> k_diagrams(const SolvedJob& job);
 
 }  // namespace gearwright

@@ -25,8 +25,8 @@ namespace gearwright {
 
 namespace {
 
-// The function of a body in the drive, "input", "held" or "output". For a body without such a
-// function, the number of its copies if it has several.
+// The function of a body in the drive, "input", "held" or "output". For any other body with
+// several copies, the number of its copies.
 std::string part_of(const Drive& drive, std::size_t body) {
   if (drive.graph.is_input(body)) return "input";
   if (drive.graph.is_fixed(body)) return "held";
@@ -251,8 +251,8 @@ struct RatedLoad {
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life and the
-// reversed bending are given for the gear with the more severe use.
+// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life and
+// the reversed bending are the more severe ones of the two gears.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The solids and outlines of a drive. A kind of file that does not exist for the drive is omitted.
-// If the user has named this kind, the reason is returned as an error instead.
+// The solids and outlines of a drive. A kind of file that is not possible for the drive is
+// omitted or, if the user has named this kind, causes an error with the reason.
 Result<std::vector<JobFile>> shape_files(const DriveJob& job, const fs::path& folder,
                                          const FileOptions& options) {
   std::vector<JobFile> files;

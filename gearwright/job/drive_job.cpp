@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// The key for a change, in the table that describes the drive. It is empty if there is no such key.
+// The key for a change in the table that describes the drive; empty if there is no such key.
 std::string key_of(const Json& tree, const DriveGraph& graph, const DriveChange& change) {
   const auto key = [&]() -> const char* {
     switch (change.what) {

@@ -45,8 +45,8 @@ std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
 /// Computes the drive under its [load].
 ///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
-///           contradictory; the errors of mesh_spec() for a pair under load, whose rule then names
-///           the mesh; the errors of loaded_drive()
+///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh
+///           named in the rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
 /// Whether the meshes of a drive are rated.

@@ -53,8 +53,8 @@ Result<double> torque_of(const JobSpec& spec, const Drive& drive) {
   return given.empty() ? std::abs(*own) : given.front();
 }
 
-// The position errors of the pins in mm. A single number applies to the first pin, and all other
-// pins then have no error.
+// The position errors of the pins in mm. A single number applies to the first pin, and the
+// other pins have no error.
 std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   std::vector<double> pins;
   for (const double error : input.pin_errors) pins.push_back(error * kMmPerUm);
@@ -71,8 +71,8 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   return false;
 }
 
-// For each gear of a mesh, adds a finding if the computation holds the gear although it has no
-// bore.
+// If a gear of a mesh has no bore, the computation assumes a diameter at which its body is
+// held. Adds a finding for each such gear that has no earlier mesh.
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {
@@ -91,8 +91,8 @@ Result<LoadRequest> request_of(DriveJob& job, const Json& expanded, std::size_t 
                                const LoadInput& load) {
   Json tables = mesh_spec(job, expanded, mesh).tables;
   for (const char* table : {"rating", "scatter", "drawing"}) tables.erase(table);
-  // [load] must have a torque. Its value has no effect, because the request is used only for the
-  // gear bodies, the slices and the accuracy.
+  // [load] must have a torque. Its value has no effect, because only the gear bodies, the
+  // slices and the accuracy of the request are used.
   tables["load"]["torque_Nm"] = 1.0;
   const auto spec = read_spec_tree(tables);
   if (!spec) return spec.error();

@@ -33,7 +33,7 @@ struct FoundDrives {
   std::optional<double> default_face_load{};
 };
 
-// A change that the user may try if no drive is listed.
+// A change that the user may try if the search finds no drive.
 std::string advice(const FoundDrives& f) {
   auto left_out = f.designs.left_out;
   left_out[static_cast<std::size_t>(DriveFault::safety)] += f.designs.hopeless;
@@ -95,12 +95,12 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
   if (designs.hopeless > 0)
     text += fmt::format(
-        "{} trains were ruled out, because their safeties, estimated from rated trains, are too "
-        "small.\n",
+        "{} trains were ruled out, because the safeties estimated for them from rated trains are "
+        "too small.\n",
         designs.hopeless);
   if (designs.beyond_limit > 0)
     text += fmt::format(
-        "{} sets were not computed, because at most {} sets of each module are computed.\n",
+        "{} sets were not computed, because at most {} sets are computed for each module.\n",
         designs.beyond_limit, kMostComputedDrives);
   if (designs.list.empty()) return text + "\n" + wrapped(sentence_in(units, advice(f)));
   if (!f.problem.base.series.empty())
@@ -182,8 +182,8 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
     return Error{
         "search.stages", std::to_string(problem.stages[1]),
         fmt::format("gives too many trains; a search finds at most {} trains and tries at most {} "
-                    "combinations of all numbers of teeth except the last. Narrow the band ratio, "
-                    "pinion_teeth or wheel_teeth, or give coaxial_teeth",
+                    "combinations of the numbers of teeth of all gears except the last. Narrow the "
+                    "band ratio, pinion_teeth or wheel_teeth, or give coaxial_teeth",
                     kMostTrains, kMostTrainTrials)};
   if (rated && problem.modules.empty())
     return absent_input(

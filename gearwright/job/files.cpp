@@ -43,7 +43,8 @@ std::string deviations(const std::vector<ToothedBody>& bodies) {
     if (body.same_as) continue;
     for (const SolidGear& gear : body.gears())
       if (const auto& [name, why] = std::tie(gear.body->name, gear.body->unmodified); !why.empty())
-        note += fmt::format("; {} is without its flank modifications, because {}", name, why);
+        note +=
+            fmt::format("; {} is written without its flank modifications, because {}", name, why);
     if (!body.separate.empty()) note += "; " + body.separate;
   }
   return note;
@@ -121,7 +122,7 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 
 // The error if the spec requests results that are not available for these gears. A rack and its
 // pinion have only geometry, contact, a report and files. Double-helical gears have everything
-// except corrections and scatter.
+// except corrections.
 std::optional<Error> beyond(const SolvedJob& job) {
   const bool halves = job.halves[0] && job.pair;
   if (!job.rack && !halves) return std::nullopt;
@@ -135,17 +136,18 @@ std::optional<Error> beyond(const SolvedJob& job) {
     if (!given) continue;
     if (halves)
       return Error{table, "",
-                   "is not supported for double-helical gears; if this table is left out, run "
-                   "writes the report and the files"};
-    return Error{table, "",
-                 "needs two gears, but gear 2 is a rack; without this table, run writes the report "
-                 "and the files. In load and rate, a gear 2 with teeth = 200 can replace a rack"};
+                   "is not supported for double-helical gears; if this table is left out, the verb "
+                   "run writes the report and the files"};
+    return Error{
+        table, "",
+        "needs two gears, but gear 2 is a rack; without this table, the verb run writes the report "
+        "and the files. For the verbs load and rate, a gear 2 with teeth = 200 can replace a rack"};
   }
   return std::nullopt;
 }
 
-// The corrections, or nothing if the spec has no [compensate]. If nothing touches, there are no
-// corrections either, and the contact analysis or this function adds a warning.
+// The corrections, or nothing if the spec has no [compensate]. If they cannot be computed, for
+// example because nothing touches, the result is also empty, and the job has a warning.
 Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
   auto answer = answer_compensate(job, progress);
@@ -267,7 +269,7 @@ Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
   };
   auto made = make(bodies);
   if (made) return made;
-  // Modified teeth may have too many faces for a file. In this case, the file contains the teeth as
+  // Modified teeth may have too many faces for a file. If so, the file contains the teeth as
   // cut.
   std::vector<ToothedBody> as_cut = bodies;
   bool modified = false;

@@ -67,9 +67,9 @@ std::string_view ending(FileKind kind);
 ///           through the axis
 Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
 
-/// Converts an error of the room cad about a body to an error about the gear. An error about teeth
-/// or bore keeps its member. An error about a tolerance or a number of faces, which a spec does not
-/// contain, names the whole gear.
+/// Converts an error of cad/ about a body to an error about the gear. An error about teeth or
+/// bore keeps its member. An error about a tolerance or a number of faces, which a spec does
+/// not contain, names the whole gear.
 Error of_body(Error error, const std::string& name);
 
 /// Makes one file with these bodies, in memory, so that all errors occur before anything is
@@ -101,8 +101,8 @@ struct RunFiles {
 Result<RunFiles> make_everything(SolvedJob& job, const std::filesystem::path& folder,
                                  const FileOptions& options);
 
-/// Writes those of the following files that exist for the job into `folder`: result.json,
-/// report.html, drawing.pdf, gear1.*, gear2.* and pair.*. If FileOptions::only is not empty, only
+/// Writes the files of the job into `folder`: result.json, report.html, drawing.pdf, gear1.*,
+/// gear2.* and pair.*, as far as the job has them. If FileOptions::only is not empty, only
 /// these parts are written. A gear without an outline has no files, and the job gets a warning.
 Result<RunFiles> write_everything(SolvedJob& job, const std::filesystem::path& folder,
                                   const FileOptions& options);

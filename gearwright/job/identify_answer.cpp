@@ -128,8 +128,8 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
     facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
   if (g.thickness_allowance != 0.0 && !spec.contains("thickness_allowance_mm")) {
     facts.push_back(
-        fmt::format("The spec has x = {:.4f}. Its backlash or tolerance determines the thickness "
-                    "allowance, which is {:.4f} mm according to the readings.",
+        fmt::format("The spec has x = {:.4f}. The backlash or tolerance in the spec determines the "
+                    "thickness allowance, which is {:.4f} mm according to the readings.",
                     g.profile_shift, g.thickness_allowance));
   } else if (g.thickness_allowance != 0.0) {
     const char* const why =
@@ -189,11 +189,10 @@ std::string undecided_text(const Identification& found) {
   const double other = found.candidates[1].helix_angle.deg();
   return fmt::format(
       "\nNo further span and no dimension over balls distinguishes candidates 1 and 2{}.\n",
-      std::abs(one - other) < kClear
-          ? ""
-          : fmt::format("; measure the helix angle at the reference cylinder, {:.3f}° or {:.3f}°, "
-                        "more accurately",
-                        one, other));
+      std::abs(one - other) < kClear ? ""
+                                     : fmt::format("; measure the helix angle at the reference "
+                                                   "cylinder ({:.3f}° or {:.3f}°) more accurately",
+                                                   one, other));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ std::vector<std::string> not_judged(const SolvedJob& job, const JudgedParts& par
   return list;
 }
 
-// The verdict on the pinion and on its mesh with the rack. Changes of the spec are not tried, so
-// remedies have no numbers.
+// The verdict on the pinion and on its mesh with the rack. The remedies contain no numbers,
+// because changes of the spec are not tried.
 Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
   Judged judged;
   judged.gears = {&job.gears[0]};

@@ -1,7 +1,8 @@
 // The verdict on the gears, the pair and other results of a job.
 //
-// The verdict is computed in the same way as by judge() for arranged gears (arrange/judge.hpp), but
-// with the keys of the file. Results under load are computed once, at the mean of the tolerances.
+// The verdict is computed in the same way as by judge() for arranged gears (arrange/judge.hpp),
+// but its messages name the keys of the file. Results under load are computed once, at the mean
+// of the tolerances.
 #pragma once
 
 #include <string>
@@ -22,7 +23,7 @@ struct JudgedParts {
                       ///< job
 };
 
-/// The verdict, with the keys of a file.
+/// The verdict. Its messages name the keys of the file.
 Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
 /// The verdict as the last lines of a listing, for a terminal of 80 columns.

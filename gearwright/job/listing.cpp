@@ -39,11 +39,11 @@ std::string pair_interval_listing(const SolvedJob& job) {
   // Each limit has a listing of its own, because the values of two gears already need two columns.
   auto [lower, upper] = pair_limits(job);
   const auto both = differing(std::move(lower), std::move(upper));
-  return "\nValues with the thinnest teeth and the most backlash, or the least of all "
-         "combinations\n" +
+  return "\nValues with the thinnest teeth and the most backlash, or the least value if other "
+         "combinations give less\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash, or the greatest of all "
-         "combinations\n" +
+         "\nValues with the thickest teeth and the least backlash, or the greatest value if other "
+         "combinations give more\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 
@@ -109,7 +109,8 @@ std::string interval_listing(const SolvedJob& job, std::size_t gear, const Quant
   return fmt::format(
              "\nValues of {} at {}{}{}{}\n{}", subject, allowances, both ? " with " : "", tips,
              distance,
-             both ? "  The values at other combinations lie between the two of each row.\n" : "") +
+             both ? "  The values at other combinations lie between the two values of each row.\n"
+                  : "") +
          quantity_listing(units, table, ends, {subject + " lower", subject + " upper"});
 }
 
@@ -164,7 +165,8 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    // The deviation follows the first part of the note and precedes the omissions of the file.
+    // The deviation is inserted before the first semicolon, after which the note states what
+    // the file omits.
     if (f.deviation_mm)
       note.insert(std::min(note.find(';'), note.size()),
                   fmt::format(", within {:.2g} µm", *f.deviation_mm * kUmPerMm));

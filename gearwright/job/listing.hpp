@@ -22,14 +22,15 @@ std::string pair_listing(const Pair& pair, UnitSystem units);
 /// The values of the pair and their ranges within the tolerances. The listing is empty without a
 /// pair.
 std::string pair_listing(const SolvedJob& job);
-/// Lists records side by side, in these units, under the headings `columns`. Without `columns`
-/// there is one record, which may have two values for each quantity. `note` returns the text at the
-/// end of a quantity's line.
+/// Lists records side by side, in these units, under the headings `columns`. If `columns` is
+/// empty, there is only one record, which may have two values for each quantity. `note` returns
+/// the text at the end of a quantity's line.
 std::string quantity_listing(UnitSystem units, const QuantityTable& table,
                              const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note = nullptr);
-/// The rows of a gear's record that differ between the two ends of its tolerances.
+/// The rows of a gear's record that differ between the lower and the upper end of its
+/// tolerances.
 ///
 /// Domain    the gear has tolerances
 std::string interval_listing(const SolvedJob& job, std::size_t gear, const QuantityTable& table,
@@ -60,9 +61,9 @@ std::string padded(const std::string& text, std::size_t width);
 /// The text, filled on the left with blanks to `width` characters.
 std::string padded_left(const std::string& text, std::size_t width);
 
-/// Sentences broken at blanks into lines of at most kLineWidth characters, if no word is longer.
-/// Blanks at the start are kept, the lines after the first begin with two more blanks, and every
-/// line ends with a line break.
+/// Sentences broken at blanks into lines of at most kLineWidth characters. A longer word has a
+/// line of its own. Blanks at the start are kept, the lines after the first begin with two more
+/// blanks, and every line ends with a line break.
 std::string wrapped(std::string_view text);
 
 /// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
@@ -79,9 +80,9 @@ struct ListingColumn {
                                                     ///< empty for columns of words
 };
 
-/// The columns of those quantities in `keys` for which at least one record shows a value, in these
-/// units. A heading is the symbol or, if another column has the same symbol, the words. The key of
-/// an inner record is "record.key".
+/// Makes a column for each quantity of `keys` for which at least one record shows a value. The
+/// values are given in `units`. A heading is the symbol or, if another column has the same
+/// symbol, the words. The key of a member of an inner record is "record.key".
 std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,
                                            std::initializer_list<std::string_view> keys);
@@ -92,9 +93,10 @@ std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys);
 
-/// Lists designs below each other. The first column names the designs. If there are at least two
-/// designs, any other column that has the same text in all rows, or the same numbers as an earlier
-/// column, becomes a line of the list "Common to all designs" above the table.
+/// Lists designs below each other. The first column names the designs. If there are at least
+/// two designs, some columns are replaced by lines of the list "Common to all designs" above
+/// the table: those with the same text in all rows, and those whose numbers are equal or
+/// opposite to the numbers of an earlier column.
 std::string design_listing(const std::vector<ListingColumn>& columns);
 
 }  // namespace gearwright

@@ -24,15 +24,16 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.
 
-/// The report contains pointers into the job. Its positions always cover one pitch, even if the
-/// result has other rotations.
+/// The report contains pointers into the job. The positions in the report always cover one
+/// pitch, even if the result has other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if only probes were requested
 };
 
-/// The load part, or nothing if [load] requests neither torques nor probes. For gears that loaded
-/// contact does not support, there is no part either, and the job gets a warning.
+/// The load part, or nothing if [load] requests neither torques nor probes. There is also no
+/// load part, and the job gets a warning, if torques are given for a single gear, if the gears
+/// have no contact, or if loaded contact does not support them.
 ///
 /// Errors    the errors of answer_load that are about a wrong number of the spec
 Result<std::optional<LoadPart>> load_part(SolvedJob& job, Progress* progress = nullptr);

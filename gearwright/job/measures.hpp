@@ -43,10 +43,10 @@ struct RackQuestion {
 /// Reads "3,20", ",17.5" or "3,". Other texts give no rack.
 std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
-/// The data of the gear, with its teeth as cut, for the rack of the question.
+/// Describes the gear, with its teeth as cut, by the rack of `question`.
 ///
-/// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for the
-///           angle, or the greatest angle
+/// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for
+///           the angle, or the greatest angle
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
 
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,

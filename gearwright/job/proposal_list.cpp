@@ -50,17 +50,15 @@ std::string why_none(const SolvedJob& job, ReliefLength length) {
                    "tooth pair ever carries the whole load.",
                    words_of(length), ratio)
              : fmt::format(
-                   "There are no {} reliefs, because the flanks touch over {:.3f} base pitches and "
-                   "a "
-                   "relief needs more than one.",
+                   "There are no {} reliefs, because the flanks touch over only {:.3f} base "
+                   "pitches, and a relief needs more than one.",
                    words_of(length), ratio);
 }
 
 std::string still_loaded(ReliefLength length, int gear) {
   return fmt::format(
-      "With the greatest {} relief that is tried, a fortieth of the module, the tips of gear {} "
-      "still "
-      "carry load.",
+      "Even with the greatest {} relief that is tried (a fortieth of the module), the tips of gear "
+      "{} carry load.",
       words_of(length), gear);
 }
 

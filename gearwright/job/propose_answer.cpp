@@ -149,19 +149,19 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   const bool scored =
       std::isfinite(given.worst.peak_to_peak.rad()) && std::isfinite(pressed(given).max_pressure);
   std::string text =
-      best == 0 ? std::string(
-                      "Among the proposals with at most the transmission error of the spec as "
-                      "given, none is better than this spec.")
+      best == 0
+          ? std::string(
+                "No proposal improves the spec as given without increasing its transmission error.")
       : !scored
           ? fmt::format(
                 "The spec as given has no result under this load. {}Among the proposals, this one "
                 "has the least sum of transmission error and pressure.",
                 edges)
           : fmt::format(
-                "{}Among the proposals with at most the transmission error of the spec as given, "
-                "this one has the least sum of transmission error ({}″) and pressure ({} N/mm²{}), "
-                "each relative to the spec as given. A proposal with more changes is recommended "
-                "only if it is better by 1 %.",
+                "{}Among the proposals that do not increase the transmission error of the spec as "
+                "given, this one has the least sum of transmission error ({}″) and pressure ({} "
+                "N/mm²{}), each relative to the spec as given. A proposal with more changes is "
+                "recommended only if it is better by 1 %.",
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
@@ -298,8 +298,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     for (const std::string& remark : remarks) a.reason += " " + remark;
   if (job.spec.errors.any())
     a.reason +=
-        " No proposal contains a helix slope against [errors]. The verb compensate computes "
-        "corrections of these errors.";
+        " No proposal corrects [errors] by a helix slope. The verb compensate computes corrections "
+        "of these errors.";
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;
   a.verdict = judge(jobs[a.recommended], {.load = true});

@@ -71,8 +71,9 @@ struct ProposalList {
 };
 
 /// Proposes reliefs for the load alone and, if there is a pitch deviation, for the load and the
-/// pitch deviation. The helix modifications of `lead` are added to all proposals except the first
-/// reliefs at the tips, which show the effect of reliefs alone.
+/// pitch deviation. If `lead` has helix modifications, the list begins with tip reliefs without
+/// them, which show the effect of reliefs alone. All other proposals contain the modifications
+/// of `lead`.
 ///
 /// Domain    involute gears on parallel axes (contract)
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
@@ -81,10 +82,10 @@ ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
 
 // The spec of a proposal is the spec of the job with other flank modifications.
 
-/// The tree with the modifications of the proposal. Its reliefs replace all profile modifications
-/// of both gears. Its crowning and slope replace all helix modifications. Reliefs, crowning and
-/// slope each also replace a topography. The slope applies to the loaded flank of gear 1, which is
-/// the left flank if gear 2 drives.
+/// The tree with the modifications of the proposal. The reliefs of the proposal replace all
+/// profile modifications of both gears. The crowning and the slope of the proposal replace all
+/// helix modifications. Reliefs, crowning and slope each also replace a topography. The slope
+/// applies to the loaded flank of gear 1, which is the left flank if gear 2 drives.
 Json with_proposal(const Json& tree, const Proposal& proposal, bool gear2_drives);
 
 }  // namespace gearwright

@@ -64,10 +64,10 @@ std::array<ValueRecord, 2> limits_of(const SolvedJob& job, const RecordAt& recor
 std::array<ValueRecord, 2> gear_limits(const SolvedJob& job, std::size_t i);
 std::array<ValueRecord, 2> pair_limits(const SolvedJob& job);
 
-/// {key: [first limit, second limit]} for the numbers that differ. The quantities of all interfaces
-/// are included, for example the thickness allowance, which other JSON results omit because it
-/// belongs to the page only. An inner record stays an inner record. In a list, null replaces a
-/// number that does not differ. Lists of records are omitted.
+/// {key: [first limit, second limit]} for the numbers that differ. Unlike other JSON results, this
+/// object also contains quantities that are shown only in tables for users, for example the
+/// thickness allowance. The numbers of an inner record are in an inner object. In a list, null
+/// replaces a number that does not differ. Lists of records are omitted.
 Json interval_json(const ValueRecord& lower, const ValueRecord& upper);
 
 /// Both limits as records for a listing. The listing shows only the rows that differ.

@@ -100,7 +100,7 @@ class Schema {
   Json definitions_ = Json::object();
 };
 
-// The schema of a finished search, or of the state of a stopped search.
+// The schema of a search: the result of a finished search, or the state of a stopped search.
 Json search_schema(Schema& schema) {
   const Json stopped{{"type", "object"},
                      {"properties",
@@ -114,7 +114,8 @@ Json search_schema(Schema& schema) {
                          schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
-// The schema of a finished study of designs, or of the state of a study that other shards continue.
+// The schema of a study of designs: the result of a finished study, or the state of a study
+// that other shards continue.
 Json study_schema(Schema& schema) {
   const Json unfinished{{"type", "object"},
                         {"properties",
@@ -176,11 +177,12 @@ Json result_schema() {
   gear.update(halves);
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
-  // Results within tolerances also have an interval, which has the same keys with two numbers each.
+  // If a result is computed within tolerances, these records also have an interval, in which
+  // each key has two numbers.
   const Json interval{{"type", "object"},
                       {"description",
-                       "numbers that depend on the tolerances, each at the lower and at the upper "
-                       "end of the tolerances"}};
+                       "numbers that depend on the tolerances, each with two values: at the lower "
+                       "and at the upper end of the tolerances"}};
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;

@@ -99,7 +99,7 @@ class Writer {
     model_.relations.push_back({std::move(type), std::move(refs)});
   }
 
-  /// Adds to the note of the file that REXS does not contain this part of the spec.
+  /// Adds to the note of the file that REXS cannot contain the part `what` of the spec.
   void leave_out(const std::string& what) {
     if (note_.find(what) == std::string::npos) note_ += ", without " + what;
   }
@@ -216,7 +216,7 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
     const std::string& name = graph.gears[g].name;
     if (graph.gears[g].rack)
       return Error{name, "",
-                   "is a rack, which is not supported in a REXS file, whose cylindrical stages "
+                   "is a rack, which a REXS file does not support, because its cylindrical stages "
                    "have two gears"};
     if (!graph.gears[g].spec)
       return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};

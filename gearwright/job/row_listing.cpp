@@ -50,7 +50,7 @@ constexpr std::size_t kHeadWidth = 12;       // width of headings
 constexpr std::size_t kDesignHeadWidth = 8;  // width of headings of designs, which have many
                                              // columns
 
-// Breaks words into lines of at most `most` characters, if no word is longer.
+// Breaks words into lines of at most `most` characters. A longer word has a line of its own.
 std::vector<std::string> broken(const std::string& words, std::size_t most) {
   std::vector<std::string> lines;
   std::istringstream text(words);
@@ -81,7 +81,8 @@ ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const s
   return column;
 }
 
-// The lines of a column: its heading of this width in `heads` lines, its unit, and its cells.
+// The lines of a column: its heading, broken at `head_width` and filled up to `heads` lines,
+// its unit, and its cells.
 std::vector<std::string> lines_of(const ListingColumn& column, std::size_t head_width,
                                   std::size_t heads) {
   std::vector<std::string> lines = broken(column.head, head_width);
@@ -120,7 +121,7 @@ bool all_equal(const ListingColumn& column) {
 // True if every number of `a` is `factor` times the number of `b`, and the columns have the same
 // unit.
 bool proportional(const ListingColumn& a, const ListingColumn& b, double factor) {
-  // Two formulas of one quantity differ by rounding only.
+  // If one quantity is computed by two formulas, the results differ by rounding errors only.
   constexpr double kRounding = 1e-9;
   const auto same = [&](const std::optional<double>& x, const std::optional<double>& y) {
     return x && y && std::abs(*x - factor * *y) <= kRounding * std::abs(*x);
@@ -129,8 +130,8 @@ bool proportional(const ListingColumn& a, const ListingColumn& b, double factor)
          std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), same);
 }
 
-// "equal to u" if the column u of `columns` has the same numbers as `column`, or "opposite to β1"
-// if the numbers of β1 differ only in sign; otherwise nothing.
+// Returns "equal to u" if a column u of `columns` has the same numbers as `column`, or
+// "opposite to u" if the numbers of u differ only in sign. Otherwise returns nothing.
 std::optional<std::string> relation(const ListingColumn& column,
                                     const std::vector<const ListingColumn*>& columns) {
   for (const ListingColumn* other : columns) {

@@ -19,7 +19,7 @@ namespace gearwright {
 
 namespace {
 
-// Greatest total number of samples from which patterns are computed, over all replicates.
+// Greatest number of samples from which patterns are computed, summed over all replicates.
 constexpr int kPatternSamples = 256;
 // Number of positions per pitch for loaded teeth, if [load] does not give it.
 constexpr int kLoadedPositions = 16;
@@ -69,7 +69,8 @@ class Grades {
   }
 
  private:
-  // The error if a key is given that needs a grade. It is called for gears without a grade.
+  // Returns an error if a key is given that requires a grade. This function is called only for
+  // gears without a grade.
   std::optional<Error> needs_grade(int which) const {
     const ScatterGear& gear = job_.spec.scatter.gears[static_cast<std::size_t>(which - 1)];
     const char* const key = gear.pitch           ? "pitch"
@@ -258,8 +259,9 @@ Result<RobustTask> robust_task(const ContactSetup& setup, const ScatterRobust& i
   return task;
 }
 
-// Returns the number of samples of each replicate. It is the greatest power of two for which all
-// replicates together have at most `most` samples, but at least 1.
+// Returns the number of samples of each replicate for patterns and loaded teeth: the greatest
+// power of two at which no replicate has more than task.samples, and all replicates together
+// have at most `most` samples. The result is at least 1.
 int few_samples(const ScatterTask& task, int most) {
   int samples = 1;
   while (2 * samples <= std::min(task.samples, most / task.replicates)) samples *= 2;

@@ -24,8 +24,9 @@ struct ScatterAnswer {
   std::optional<RobustAnswer> robust;
 };
 
-/// The tooth thickness of each involute gear and the centre distance as toleranced numbers. Each
-/// varies within the tolerance of the drawing, around the value with which the pair is computed.
+/// The tooth thickness of each involute gear and the centre distance as toleranced numbers.
+/// Each varies within the tolerance of the drawing, around the value with which the pair is
+/// computed. The centre distance is omitted if [scatter] contains bearings.
 std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 
 /// The correlations of [scatter], for tolerances in these groups.
@@ -61,8 +62,8 @@ std::optional<Error> other_driver(const JobSpec& spec);
 ///           group with an unknown input; the errors of scatter_of() and ContactSetup::of
 Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress = nullptr, int threads = 0);
 
-/// The request for a density of patterns from the first samples of each replicate. `most` limits
-/// the number of samples of all replicates, and 0 selects the default limit.
+/// The request for a density of patterns from the first samples of each replicate. `most` is
+/// the greatest number of samples of all replicates together; 0 selects the default.
 DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, int most = 0);
 /// Computes the density of density_request(), for figures whose answer does not contain it.
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,

@@ -70,7 +70,8 @@ Result<StudiedDesign> studied_design(const JobSpec& spec, const Search& search,
   return StudiedDesign{rows[0], std::move(pair).take()};
 }
 
-// The error of [scatter] or of its load that every design would have, found before the study starts.
+// An error of [scatter] or [load] that concerns every design. If there is one, the study is not
+// started.
 std::optional<Error> refused_study(const JobSpec& spec, const Search& search,
                                    const std::vector<ListedDesign>& list,
                                    const StudyOptions& options) {
@@ -102,7 +103,7 @@ Result<std::vector<ListedDesign>> listed_designs(const fs::path& given) {
         given, "the folder has no search.json; name the --out folder of a finished search");
   if (path.extension() == ".parquet" || path.extension() == ".csv")
     return refused_list(given,
-                        "name the folder of the search or its search.json instead, which list the "
+                        "name the folder of the search or its search.json instead; both list the "
                         "designs in the order of `search --take`");
   const std::string text = text_of_file(path);
   const auto other = [&] {

@@ -3,10 +3,10 @@
 //
 //   N   rank of a design in the search, as in `search --take N`
 //
-// The row of a design contains exactly the numbers of `scatter` for the spec that `search --take N`
-// prints. Rows do not depend on each other. A study can therefore be divided into chunks of designs
-// and use a folder, shards and ranks, in the same way as a search with its chunks of trials.
-// Internal to job/ and the programs.
+// The row of a design contains exactly the numbers of `scatter` for the spec that
+// `search --take N` prints. Rows do not depend on each other. A study can therefore be divided
+// into chunks of designs, and it uses a folder, shards and ranks in the same way as a search
+// with its chunks of trials. Internal to job/ and the programs.
 #pragma once
 
 #include <array>
@@ -60,8 +60,9 @@ struct StudyRun {
 Result<Json> study_row(const JobSpec& spec, const Search& search, const ListedDesign& design,
                        const StudyOptions& options);
 
-/// Computes the missing rows of this process in options.out. If no row is missing afterwards, the
-/// run contains all rows, without a ranking.
+/// Computes those rows of this process that are missing in the folder options.out. If no row of
+/// the study is missing afterwards, all rows are appended to `rows`, in the order of the list
+/// and without a ranking.
 ///
 /// Throws    IoError, WorkStopped
 /// Errors    "--out" if the folder belongs to another study; the errors of study_row()
@@ -90,9 +91,9 @@ std::size_t ranking_percentile(const JobSpec& spec);
 /// the percentile of the ranking.
 bool loses_contact(const JobSpec& spec, const Json& row);
 
-/// Ranks the rows. A row that loses contact in more than (100 − p) % of the samples comes after all
-/// others. Within each group, the rows are sorted by the percentile p, then by N. Rows without a
-/// scatter are moved to `refused`.
+/// Ranks the rows. Rows that lose contact in more than (100 − p) % of the samples come after
+/// all other rows. Within each of these two groups, the rows are sorted by the percentile p,
+/// then by N. Rows without a scatter are moved to `refused`.
 void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 
 /// The result, which is `scatter_designs` in JSON.

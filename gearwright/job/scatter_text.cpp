@@ -192,7 +192,7 @@ void add_spread(NonzeroRows& rows, UnitSystem units, const SpreadEntry& entry,
 }
 
 std::string spread_listing(const ScatterAnswer& a, UnitSystem units) {
-  std::string out = head(fmt::format("Distribution over {} samples, {} replicates of {}",
+  std::string out = head(fmt::format("Distribution over {} samples ({} replicates of {})",
                                      a.scatter.samples.size(), a.task.replicates, a.task.samples));
   NonzeroRows rows;
   for (const ScatterEntry& entry : scatter_entries())
@@ -300,10 +300,10 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   const auto arcsec = [](double rad) {
     return fixed_decimals(Angle::radians(rad).arcsec(), scatter_entries()[0].digits);
   };
-  std::string out = head(fmt::format(
-      "Factor by which each tolerance may grow until the {} % point of the "
-      "peak-to-peak transmission error over the first {} samples, {} ″, grows by {:g} %",
-      format_number(l.percent), a.task.samples, arcsec(l.percentile), 100 * kLooser));
+  std::string out = head(
+      fmt::format("Factor on one tolerance alone that increases the {} % point of the peak-to-peak "
+                  "transmission error over the first {} samples ({} ″) by {:g} %",
+                  format_number(l.percent), a.task.samples, arcsec(l.percentile), 100 * kLooser));
   out += fmt::format("  {:<44}{:>12}{:>22}\n", "", "factor", "point if halved  ″");
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {
     const Loosening::Change& c = l.by_tolerance[i];
@@ -315,10 +315,11 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   if (l.tighten_first) {
     const std::size_t i = *l.tighten_first;
     const ScatterTolerance& t = a.task.tolerances[i];
-    out += fmt::format("  Tighten {}{} first, because halving this tolerance gives {} ″.\n",
-                       key_in(units, t.name), t.of_grade(), arcsec(l.by_tolerance[i].halved));
+    out += fmt::format(
+        "  Tighten {}{} first, because halving this tolerance lowers the percentile to {} ″.\n",
+        key_in(units, t.name), t.of_grade(), arcsec(l.by_tolerance[i].halved));
   } else {
-    out += "  Halving any one tolerance does not lower the percentile.\n";
+    out += "  Halving a single tolerance does not lower the percentile.\n";
   }
   return out;
 }
@@ -347,10 +348,10 @@ std::string robust_load_listing(const RobustView& r) {
 }
 
 std::string robust_listing(const RobustView& r, UnitSystem units) {
-  std::string out = head(fmt::format(
-      "Corrections for the {} % point of the {}", format_number(r.percent),
-      r.under_load ? "loaded transmission error, peak to peak, under the worst of the torques"
-                   : "transmission error, peak to peak"));
+  std::string out =
+      head(fmt::format("Corrections for the {} % point of the {}", format_number(r.percent),
+                       r.under_load ? "loaded transmission error, peak to peak, at the worst torque"
+                                    : "transmission error, peak to peak"));
   for (const FoundCorrection& c : r.corrections)
     out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, text_in(units, unit_of(c.key), c.value, 4),
                        unit_text(units, unit_of(c.key)),

@@ -117,7 +117,7 @@ std::string face_words(const SearchProblem& p) {
     if (!words.empty()) words += " and ";
     words += (*band)[0] == (*band)[1]
                  ? fmt::format("{:g}{}", (*band)[0], unit)
-                 : fmt::format("the least sufficient width from {0:g}{2} to {1:g}{2}", (*band)[0],
+                 : fmt::format("{0:g}{2} to {1:g}{2} (the least sufficient width)", (*band)[0],
                                (*band)[1], unit);
   };
   add(p.face_width, " mm");
@@ -126,10 +126,12 @@ std::string face_words(const SearchProblem& p) {
   return words.empty() ? fmt::format("{:g} modules", kFaceModules) : words;
 }
 
-// The tables for pairs that a search does not use but copies to the specs of its designs.
+// Tables of the spec that apply to a pair. A search does not use them, but copies them to the
+// specs of its designs.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
-// A pitch without the rounding error of the module that was computed from it: 3 for 25.4/(25.4/3).
+// A pitch that was computed back from a module, without the rounding error: 3 for
+// 25.4/(25.4/3).
 double without_rounding(double pitch) {
   return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
 }
@@ -156,8 +158,8 @@ std::string margin_line(const SearchLimits& limits) {
   return text;
 }
 
-// One line for each limit that rejected candidates, "tip clearance: 2698", in the order of the
-// limits.
+// One line for each limit that rejected candidates, for example "tip clearance: 2698", in the
+// order of the limits.
 std::vector<std::string> rejected_lines(const SearchCounts& counts) {
   constexpr const char* kWords[kLimits] = {
       "limits of the profile shifts (undercut, tip, given limits)",
@@ -169,7 +171,7 @@ std::vector<std::string> rejected_lines(const SearchCounts& counts) {
       "interference",
       "safety against pitting at the profile shifts of the design",
       "safety against root breakage at the profile shifts of the design",
-      "verdict of the pair, drawn at all tolerance ends"};
+      "verdict of the drawn pair at all ends of the tolerances"};
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < counts.rejected.size(); ++i)
     if (counts.rejected[i] > 0)

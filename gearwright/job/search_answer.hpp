@@ -42,8 +42,9 @@ std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 /// The search as an HTML page.
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
 
-/// If the rating has an accuracy grade and the table of the gear has none, copies the grade to this
-/// table, so that the drawing of the gear has tolerances. `which` is 0 for gear 1 and 1 for gear 2.
+/// Copies the accuracy grade of the rating to the table of the gear, so that the drawing of the
+/// gear has tolerances. Does nothing if the rating has no grade, or if the table already has
+/// one. `which` is 0 for gear 1 and 1 for gear 2.
 void add_grade(Json& gear, const RatingInput& rating, std::size_t which);
 
 /// A design as a spec for the other verbs.

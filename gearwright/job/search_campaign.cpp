@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// The counts in the order of the store's names: first the limits, then the points of the grid.
+// The counts in the order of count_names(): first the limits, then the points of the grid.
 ChunkCounts as_chunk(const SearchCounts& c) {
   ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
   chunk.rejected.push_back(c.points_tested);

@@ -1,5 +1,5 @@
-// The folder of a search. It contains the chunks while the search runs, and then the files, each
-// written completely or not at all. Internal to job/.
+// The folder of a search. While the search runs, the folder contains the chunks. At the end, it
+// contains the files below, each written completely or not at all. Internal to job/.
 //
 //   search.parquet   every feasible design, in the order of the trials
 //   points.parquet   every feasible point of the grid of shifts, by trial, if shift_step is set
@@ -56,8 +56,8 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
 /// not write files into it. Nothing if the folder contains no such search.
 std::optional<Error> refuse_other_search(const std::filesystem::path& folder, const JobSpec& spec);
 
-/// Runs the missing chunks of the search in options.out. If no chunk is missing, the files are
-/// made.
+/// Runs the missing chunks of the search in options.out. If no chunk is missing afterwards,
+/// makes the files.
 ///
 /// Throws    IoError
 /// Errors    an existing campaign, or a finished search of another spec; --resume without a

@@ -77,8 +77,9 @@ std::int64_t chunk_size(const SearchProblem& problem, std::int64_t trials) {
   constexpr std::int64_t kChunks = 4096;
   const std::int64_t size = std::clamp((trials + kChunks - 1) / kChunks, kMinChunk, kMaxChunk);
   if (!problem.shift_step) return size;
-  // The area of a region is about one square module. The size of a chunk is limited so that at most
-  // this number of its grid points must fit into memory.
+  // The grid points of a chunk must fit into memory. The area of a region is about one square
+  // module, so the size of a chunk is limited to a number of trials with about this number of
+  // grid points.
   constexpr double kPoints = 5e4;
   const double step = *problem.shift_step;
   return std::clamp<std::int64_t>(static_cast<std::int64_t>(kPoints * step * step), 1, size);

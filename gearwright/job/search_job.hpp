@@ -1,9 +1,10 @@
-// The verb `search`: runs a search in memory, or as a campaign whose finished chunks stay on disk.
+// The verb `search`: runs a search in memory, or as a campaign whose finished chunks stay on
+// disk.
 //
 //   trials   0 … N − 1, divided into chunks of equal size      campaign   many chunks and a folder
 //
-// The result does not depend on the number of threads, shards or ranks, because chunks are
-// independent and the files are made from them in order.
+// Chunks are independent, and the files are made from them in order. The result therefore does
+// not depend on the number of threads, shards or ranks.
 #pragma once
 
 #include <atomic>

@@ -27,9 +27,10 @@ RegionDetail detail_of(const SearchProblem& problem, bool files) {
 
 namespace {
 
-// The speed of one thread in trials per second, measured for half a second at places that are
-// spread over the search. Tables of a helix are made before the measurement, because the search
-// makes them only once. The measurement ends after its time even if trials are slow.
+// The speed of one thread in trials per second, measured for half a second in total at ten
+// trial numbers that are spread over the search. The tables for a helix angle are made before
+// each measurement, because the search makes them only once. A measurement ends after its time
+// even if trials are slow.
 double measured_rate(const Search& search, std::int64_t trials, const std::atomic<bool>* stop) {
   using Clock = std::chrono::steady_clock;
   constexpr double kSeconds = 0.5;
@@ -38,7 +39,7 @@ double measured_rate(const Search& search, std::int64_t trials, const std::atomi
   std::int64_t done = 0;
   double seconds = 0.0;
   for (int i = 0; i < kPlaces && !(stop && *stop); ++i) {
-    // The golden ratio spreads the places evenly.
+    // Multiples of the golden ratio spread these trial numbers evenly.
     const double share = std::fmod(i * 0.6180339887498949, 1.0);
     const auto from = static_cast<std::int64_t>(share * static_cast<double>(trials - step));
     std::vector<DesignRow> rows;
@@ -63,10 +64,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.0f} years", seconds / 31557600);
 }
 
-// Rejects a grid of profile shifts with too many points. The number of points follows from the sum
-// of the areas of the regions. This sum is estimated from a thousand trials that pass the filter,
-// or from all such trials if there are fewer. An error of a few percent does not matter, because
-// the limit is only for the size of the files.
+// Rejects a grid of profile shifts with too many points. The number of points follows from the
+// sum of the areas of the regions. This sum is estimated from a thousand trials that pass the
+// filter, or from all such trials if there are fewer. An error of a few percent does not
+// matter, because the limit only serves to prevent very large files.
 std::optional<Error> refuse_many_points(const Search& search, const SearchOptions& options) {
   if (!search.problem().shift_step || options.yes_large) return std::nullopt;
   const double step = *search.problem().shift_step;
@@ -128,13 +129,14 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
   const double rate = measured_rate(search, *search.space().size(), options.stop) * threads;
   return Error{
       "--yes-large", fmt::format("{:.3g}", size),
-      fmt::format("{:.3g} candidates would take about {} on this machine, at {:.3g} candidates per "
-                  "second on {} thread{}. Narrow the bands, or add --yes-large. With --out DIR the "
-                  "search can be stopped and resumed, and --shard i/N divides it among machines{}",
-                  size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
-                  search.problem().draw
-                      ? ". With `mounting` in [search] designs are not drawn, which is faster"
-                      : ""),
+      fmt::format(
+          "{:.3g} candidates would take about {} on this machine, at {:.3g} candidates per "
+          "second on {} thread{}. Narrow the bands, or add --yes-large. With --out DIR the "
+          "search can be stopped and resumed, and --shard i/N divides it among machines{}",
+          size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
+          search.problem().draw
+              ? ". If `mounting` is given in [search], designs are not drawn, which is faster"
+              : ""),
       FailureKind::option};
 }
 

@@ -15,7 +15,8 @@
 
 namespace gearwright {
 
-/// Adds the headings of a column: one heading, or one for each gear or end.
+/// Adds the headings of a column to `heads`: one heading, or one for each gear or for each
+/// limit.
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>

@@ -42,7 +42,8 @@ void SearchWorkers::work(const Done& done) {
     if (!c) return;
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // The grid points themselves are only written to files, but every result contains their counts.
+    // Only files need the grid points themselves, but every result contains the number of grid
+    // points.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),
@@ -86,7 +87,7 @@ bool look_for_changes(const Search& search, const SearchOptions& options, Search
   if (run.answer.counts.feasible > 0) return true;
   if (*search.space().size() > kMaxForChange) {
     run.changes_left_out = fmt::format(
-        "the smallest change that would help is not searched for if there are more than {} "
+        "the smallest change that would help is searched for only if there are at most {} "
         "candidates",
         kMaxForChange);
     return true;

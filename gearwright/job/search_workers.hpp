@@ -20,8 +20,8 @@ class SearchWorkers {
   /// rejected. Several threads call it at once.
   using Done = std::function<void(std::int64_t, ChunkFinds, const SearchCounts&)>;
 
-  /// `todo` contains the numbers of the chunks in ascending order. Each has `chunk` trials.
-  /// `search` and `options` must outlive this object.
+  /// `todo` contains the numbers of the chunks in ascending order. Each chunk has `chunk`
+  /// trials; the last one may have fewer. `search` and `options` must outlive this object.
   SearchWorkers(const Search& search, std::int64_t chunk, std::vector<std::int64_t> todo,
                 const SearchOptions& options);
 

@@ -13,8 +13,8 @@ namespace gearwright {
 
 namespace {
 
-// A note about the material and the quality that gear 2 takes from gear 1. The dimensions of gear 2
-// do not show that they were taken.
+// A note about the material and the quality that gear 2 takes from gear 1. The note is
+// necessary, because the dimensions of gear 2 do not show where these values come from.
 std::optional<Warning> note_inherited(const JobSpec& spec) {
   std::string text;
   for (const std::string& key : spec.inherited) {
@@ -70,7 +70,7 @@ std::optional<Error> find_halves(SolvedJob& job) {
   const bool any = job.halves[0] || job.halves[1];
   if (!any || !job.pair || !job.pair->crossed()) return std::nullopt;
   return Error{"pair.shaft_angle", "",
-               "makes the axes cross, but double-helical gears run on parallel axes only, with "
+               "makes the axes cross, but double-helical gears run only on parallel axes and with "
                "opposite hands"};
 }
 
@@ -115,7 +115,8 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   SolvedJob job{std::move(arranged).take(), spec};
   if (auto error = find_halves(job)) return *error;
-  // Warnings are for the author of the file, so members in their text are replaced by keys.
+  // Warnings are for the author of the file, so names of members in their text are replaced by
+  // keys of the file.
   for (Warning& w : job.warnings)
     w.message = spelled(w.message, spec.given, w.gear == 0 ? "" : gear_field(w.gear));
   return job;
@@ -150,7 +151,7 @@ std::optional<Error> two_gears_error(const JobSpec& spec) {
       "gear2.form", "rack",
       "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, outline, "
       "export and run compute a rack and its pinion. For load and rate, a gear 2 with teeth = 200 "
-      "can replace the rack; docs/spec.md gives its bore, its flank stress and its life"};
+      "can replace the rack; docs/spec.md describes the bore, flank stress and life of this gear"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

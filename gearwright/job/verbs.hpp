@@ -1,9 +1,9 @@
 // The table of the verbs, which all interfaces use.
 //
 // Each row of the table is a verb with its name, its meaning, an example, the properties of its
-// result and its function. The command line with its help, completion and manual page, batch, case
-// files, Python and the page read this table. A new verb needs one row and one function. Internal
-// to job/ and the programs.
+// result and its function. The command line (with its help, completion and manual page), batch,
+// case files, Python and the page read this table. A new verb needs one row and one function.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <functional>
@@ -71,7 +71,7 @@ struct Verb {
   Result<Answer> run(const JobSpec& spec, Progress* progress) const;
 };
 
-/// All verbs, in the order for users.
+/// All verbs, in the order in which users see them.
 std::span<const Verb> verbs();
 /// The verb of this name, or null if there is none.
 const Verb* find_verb(std::string_view name);
@@ -93,9 +93,9 @@ struct BatchLine {
     violated,  ///< the text is the error of a defect of Gearwright (base/contract.hpp)
   } outcome = Outcome::answered;
 };
-/// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so the other
-/// lines of the batch are not affected. It is also an error if the spec lacks an input that `use`
-/// requires.
+/// Computes a spec in JSON with `answer`. A failure becomes the error of this line, so the
+/// other lines of the batch are not affected. A spec without an input that `use` requires is
+/// also an error.
 BatchLine batch_line(const std::function<Result<Json>(const JobSpec&)>& answer,
                      const std::string& spec, SpecUse use = SpecUse::geometry);
 /// Computes a spec in JSON with a verb, like answer_json.

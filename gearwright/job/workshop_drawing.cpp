@@ -329,9 +329,9 @@ DrawingInput title_words(const SolvedJob& job) {
   return words;
 }
 
-// A surface without its own texture has a blank symbol, unless the title block contains a texture,
-// which then applies to this surface. Flanks without their own texture take Rz from [rating] if it
-// is given there.
+// A flank without a texture of its own takes Rz from [rating] if it is given there. The texture
+// of the title block applies to every other surface without a texture of its own. If the title
+// block contains no texture, such a surface has a blank symbol.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   const DrawingInput& words = job.spec.drawing;
   const auto texture = [&](const std::string& own) {
@@ -420,7 +420,7 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   const DrawingInput words = title_words(job);
   const SheetWords about{words.title, words.author};
   std::string note = fmt::format("{}, scale {}", size == SheetSize::a4 ? "A4" : "A3", made->scales);
-  if (job.rack) note += "; of the pinion only, because a rack has no drawing";
+  if (job.rack) note += "; only the pinion is drawn, because a rack has no drawing";
   const bool pdf = format == SheetFormat::pdf;
   const int unknown = pdf ? letters_not_in_pdf(made->sheets) : 0;
   if (unknown > 0)

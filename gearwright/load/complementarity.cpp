@@ -91,7 +91,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     }
     for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
     if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
-      // If no place is left, the place that touches at the least rotation is added again.
+      // If no loaded place is left, the place that touches at the least rotation is added
+      // again.
       Index nearest = 0;
       (q.gap.array() / q.arm.array()).minCoeff(&nearest);
       active[nearest] = 1;
@@ -110,8 +111,8 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     x.line_load = next;
     x.approach_per_gap = VectorXd::Zero(n);
     for (Index i = 0; i < m; ++i) x.approach_per_gap[at[i]] = q.length * turned[i] / stiffness;
-    // Under a very small moment, each load is a small difference of large terms. These terms are
-    // caused by the gaps, and the load contains their rounding errors.
+    // Under a very small moment, each load is a small difference of large terms, which are
+    // caused by the gaps. The load contains the rounding errors of these terms.
     const double cancelling =
         free.cwiseAbs().maxCoeff() + std::abs(x.approach) * turned.cwiseAbs().maxCoeff();
     const double still =

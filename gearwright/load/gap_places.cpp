@@ -60,9 +60,9 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The distance of a point of flank 1 from the nearest border of the patch `b` of flank 2, and the
-// derivative of this distance with respect to s. The distance is ≥ 0 if the point lies opposite the
-// patch.
+// The signed distance, in u or z, of a point of flank 1 from the nearest border of the patch
+// `b` of flank 2, and the derivative of this distance with respect to s. The distance is ≥ 0 if
+// the point lies opposite the patch.
 struct Margin {
   double v, s;
 };
@@ -73,9 +73,9 @@ Margin margin(const FlankPatch& b, const GapJet& j) {
                            [](const Margin& x, const Margin& y) { return x.v < y.v; });
 }
 
-// The point of flank 1 at s = `good` lies opposite the patch `b` of flank 2, and the point at s =
-// `bad` does not. Returns the last s on the way from `good` to `bad`, except for rounding, at which
-// the point lies opposite the patch.
+// The point of flank 1 at s = `good` lies opposite the patch `b` of flank 2, and the point at
+// s = `bad` does not. Returns the last s on the way from `good` to `bad` at which the point
+// lies opposite the patch, except for rounding.
 template <class At>
 double last_inside(const FlankPatch& b, const At& at, double good, double bad, double rounding) {
   const double border = newton_in_bracket<double>(

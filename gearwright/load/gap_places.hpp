@@ -48,7 +48,7 @@ class GapSearch {
   ///
   /// Domain    the slice has a place; otherwise as row_slope() (contract)
   double slope(const PairPlaces& pair, std::size_t height, const Influence& influence);
-  /// The effect of material removed from gear `gear` on `te` at the place of a slice.
+  /// The effect that material removed from gear `gear` has on `te` at the place of a slice.
   RemovalTurn turn(const PairPlaces& pair, std::size_t height, int gear);
 
  private:

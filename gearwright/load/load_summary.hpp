@@ -27,7 +27,7 @@ struct SummaryBasis {
   LoadRegime regime;   ///< for point contact, only `whole_pitch` is used
 };
 
-/// Computes those members of `torque` that follow from its members `torque` and `positions`.
+/// Computes the members that follow from `torque.torque` and `torque.positions`.
 void summarise(LoadedTorque& torque, const SummaryBasis& basis);
 
 /// Amplitudes of the loaded TE at the orders 1, 2, …, at most 20, of the mesh frequency.

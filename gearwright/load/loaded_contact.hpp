@@ -1,13 +1,14 @@
-// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates through
-// one pitch under torque.
+// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates
+// through one pitch under torque.
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
-// The gap at every position is computed by the folder contact/, and the compliance by means of the
-// section modes of both gears. At each rotation, the loads are the solution of a complementarity
-// problem. The problem is linear except for the logarithm of the Hertz contact.
+// The gap at every position is computed by the functions of contact/, and the compliance is
+// computed from the section modes of both gears. At each rotation, the loads are the solution
+// of a complementarity problem. The problem is linear except for the logarithm of the Hertz
+// contact.
 #pragma once
 
 #include <array>
@@ -131,9 +132,9 @@ LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const 
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// Performs the computation of loaded_contact() in parts. The caller must call solve() for ranges
-/// that cover all positions, in any order and from any threads, before result(). The inputs must
-/// outlive the object.
+/// Performs the computation of loaded_contact() in parts. Before result(), the caller must call
+/// solve() for ranges that together cover all positions. The order of these calls does not
+/// matter, and they may run in several threads. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

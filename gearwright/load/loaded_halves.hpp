@@ -1,8 +1,8 @@
 // Computes the loaded contact of a double-helical pair from the results of its two halves.
 //
-// The axial forces on a gear that floats along its axis cancel, so each half carries half of the
-// torque. The loaded transmission error of the whole gears is the mean of the loaded transmission
-// errors of both halves, as without load.
+// The axial forces on a gear that floats along its axis cancel, so each half carries half of
+// the torque. The loaded transmission error of the whole gears is the mean of the loaded
+// transmission errors of both halves. The same is true without load.
 //                                    theory: docs/theory/12-loaded-contact.md, [T12.26]
 #pragma once
 

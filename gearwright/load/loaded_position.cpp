@@ -20,8 +20,9 @@ void reverse(LoadedPair& pair) {
 
 bool deflects(const LoadRequest& r) { return r.deflection_slope != 0.0 || r.deflection_bow != 0.0; }
 
-// The heights of the middles of the slices, mm. With deflections, the borders of the slices are
-// appended, because the first touch is then searched for only at the heights of this list.
+// The heights of the middles of the slices, mm. If there are deflections, the borders of the
+// slices are appended, because in this case the first contact is searched for only at the
+// heights of this list.
 std::vector<double> heights_of(const FaceSlices& s, bool borders) {
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));

@@ -45,8 +45,9 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in N. Slices::all includes all slices of the tooth pairs. It
-  /// is used if the flanks are changed afterwards, because a change can close the gap of any slice.
+  /// Gaps and compliance at a rotation in N. Slices::all includes all slices of the tooth
+  /// pairs. This is necessary if the flanks are changed afterwards, because a change can close
+  /// the gap of any slice.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
@@ -61,8 +62,8 @@ class PositionSolver {
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // The approach of the flanks due to the additional deflection that the request gives, mm, at a
-  // height z in N.
+  // The approach of the flanks at a height z in N, mm, that the additional deflection of the
+  // request causes.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

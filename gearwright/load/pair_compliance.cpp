@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
-// In modules; narrower slices have no solution.
+// Least width of a slice, in modules. Narrower slices have no solution.
 constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints = 0.18;
 constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
                                      // if R is one module
@@ -42,8 +42,9 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
-// The slices of the part that may be loaded, measured from the middle of the gear's face, mm, in N.
-// The narrower face lies within the wider face, so the narrower face is the common face.
+// The slices of the part of the face that may be loaded, in N, mm from the middle of the gear's
+// face. For line contact, this part is the narrower of the two faces, because it lies within
+// the wider face.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime);
@@ -94,8 +95,8 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R at the place where the pinion's tip touches, for the reference centre distance. R is
-    // greatest there.
+    // The relative radius of curvature R of the flanks is greatest where the tip of the pinion
+    // touches. It is computed for the reference centre distance.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
     const double rho = roll_length(gear_1.tip_form_radius(), gear_1.base_radius());

@@ -39,7 +39,8 @@ struct LoadRequest {
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
-  /// z of the middle of the face of each gear, mm, in frame N; equal for gears with shafts.
+  /// z of the middle of the face of each gear in frame N, mm. Both values are equal if the
+  /// gears have shafts.
   std::array<double, 2> middle{};
   bool root_stress = true;  ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
@@ -52,24 +53,28 @@ struct LoadRequest {
 };
 
 /// A number of slices of the common face that is great enough for accurate results, and usually
-/// small enough for a solution to exist. It is 32, or less if the slices would be narrower than a
-/// quarter of a module (0.4 modules for helical teeth), but at least 4.
+/// small enough for a solution to exist. It is 32, or less if the slices would be narrower than
+/// a quarter of a module (0.4 modules for helical teeth), but at least 4.
 ///
 /// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
-/// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite matrix at
-/// a width of 0.36 modules, but a quarter of the pairs had one at 0.32 modules.
+/// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite
+/// matrix at a width of 0.36 modules, but a quarter of the pairs had one at 0.32 modules.
 ///
-/// The contact of internal pairs is wider. Slices of internal pairs are therefore at least four
-/// times as wide as the half width of the contact at the pinion's tip under 125 N/mm per mm of
-/// module. With slices of this width, all of six pairs with tooth numbers from 14:30 to 40:52 had a
-/// solution up to 400 MPa at the roots. For point contact, the wider face is divided into slices.
+/// The contact of internal pairs is wider, so their slices must also be wider. The least width
+/// is four times the half width of the contact at the pinion's tip under a line load of 125
+/// N/mm per mm of module. With slices of this width, all six tested pairs, with tooth numbers
+/// from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
+///
+/// For point contact, the number of slices is computed for the wider face.
 int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime);
 
-/// True if the slices are too narrow for the resolution of modes and elements: below 0.15 modules,
-/// or 0.2 modules for helical teeth (0.18 for point contact). The matrix of [T12.14] is then
-/// indefinite for every torque: none of a dozen pairs (external and internal, draft and full) had a
-/// solution at 0.16 and 0.2 modules. For point contact, the compliance of a place would be
-/// negative. The check needs no table.
+/// True if the slices are too narrow for the section modes and the finite elements. The limit is
+/// 0.15 modules for spur teeth, 0.2 modules for helical teeth with line contact, and 0.18 modules
+/// for helical teeth with point contact. The matrix of [T12.14] is indefinite for such slices,
+/// whatever the torque is. A dozen external and internal pairs were tested with draft and full
+/// accuracy. None had a solution at a width of 0.16 modules (spur teeth) or 0.2 modules (helical
+/// teeth). For point contact, the compliance of a place would be negative. The check needs no
+/// tooth table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The compliance of both gears. The tables depend only on the outlines, faces and materials.
@@ -81,8 +86,9 @@ struct PairCompliance {
   std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< for the shafts of the request
 };
 
-/// Computes the compliance. `ready` may contain tables from an earlier call for which
-/// same_compliance() is true. They are used instead of new ones. The shafts are always computed.
+/// Computes the compliance. `ready` may contain tables from an earlier call, for which
+/// same_compliance() must be true. These tables are used instead of new ones. The shafts are
+/// always computed.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
 ///           LoadRegime::point, gear 2 is also external (contract)

@@ -34,9 +34,9 @@ constexpr double kStraightest =
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. If the ellipsoidal
-// pressure of a Hertz contact is integrated across the major axis, the load along this axis is
-// ¾ (1 − x²).
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along
+// the major axis is ¾ (1 − x²), which is the integral of the ellipsoidal pressure of a Hertz
+// contact across this axis.
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
@@ -197,9 +197,9 @@ MatrixXd PointSolver::yields(const PointPosition& at, const std::vector<Laid>& l
   return yield.selfadjointView<Eigen::Lower>();
 }
 
-// The function w ≈ c0 + c1 x + ½ c2 x² is fitted to the displacement over the footprint, weighted
-// by the load shares. The gap is then least at x0 = −c1/(k1 + c2). If x0 lies beyond an end of a
-// flank, the gap is least at this end.
+// The function w ≈ c0 + c1 x + ½ c2 x² is fitted to the displacement over the footprint,
+// weighted by the load shares. With this displacement, the gap is least at x0 = −c1/(k1 + c2).
+// If x0 lies beyond an end of a flank, the gap is least at this end.
 Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid,
                           const VectorXd& force, std::size_t i) {
   const Laid& here = laid[i];
@@ -209,8 +209,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double mean = 0.0;
   // x is measured from the middle of the footprint, which is the first node, and divided by the
-  // distance of the last node from the middle. Without this, the fit would be inaccurate for a
-  // short footprint far from the touch.
+  // distance of the last node from the middle. Otherwise the fit would be inaccurate for a
+  // short footprint that is far from the point of contact without load.
   const double center = here.x.front();
   const double length = std::abs(here.x.back() - center);
   for (std::size_t m = 0; m < here.x.size(); ++m) {
@@ -235,7 +235,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   const double from = center / length;
   Ellipse e;
   e.curvature = std::clamp(k1 + c[2] / (length * length), kStraightest * k1, place.curvature[1]);
-  // The slope of w at the touch.
+  // The slope of w at the point of contact without load.
   const double tilt = (c[1] - c[2] * from) / length;
   e.middle = reach(place, 0.0, -tilt / e.curvature);
   e.relief = c[0] - (c[1] - 0.5 * c[2] * from) * from +
@@ -268,7 +268,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
       const PointPlace& p = at.places[i];
-      // An unloaded place has the footprint of a small force, so that its ellipse is defined.
+      // For an unloaded place, the footprint is computed with a small force, because the
+      // contact ellipse is not defined without a force.
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;

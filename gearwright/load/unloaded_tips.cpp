@@ -146,10 +146,10 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
                       path, compliance.slices[0], alike_sections(setup, request));
   }
-  // The first reliefs are so great that no tip carries load. Each iteration reduces the relief of a
-  // gear by the least distance that remains at its tips. With less relief, the load is spread over
-  // more teeth. The distance therefore decreases by less than the relief, and the reliefs approach
-  // the least possible reliefs from above.
+  // The iteration starts with reliefs that are usually so great that no tip carries load. Each
+  // iteration reduces the relief of a gear by the least distance that remains at its tips. With
+  // less relief, the load is spread over more teeth. The distance therefore decreases by less
+  // than the relief, and the reliefs approach the least possible reliefs from above.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};

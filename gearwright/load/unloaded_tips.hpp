@@ -4,10 +4,11 @@
 //   s     mm, normal distance that remains under load between a tip and its mating flank
 //   ρ_1   mm, radius of curvature of flank 1, as the coordinate along the path of contact
 //
-// Under load, the gears approach each other. Without relief, a tooth pair would therefore overlap
-// (s < 0) where it enters the mesh, at the tip of gear 2, and where it leaves the mesh, at the tip
-// of gear 1. The reliefs are computed from the solution of the complementarity problem. If a tip
-// carries no load, its relief is too great by about s.
+// Under load, the gears approach each other. Without relief, a tooth pair would therefore
+// overlap (s < 0) at both ends of the path of contact: at the tip of gear 2 where it enters the
+// mesh, and at the tip of gear 1 where it leaves the mesh. The reliefs are computed from the
+// solution of the complementarity problem. If a tip carries no load, its relief is too great by
+// about s.
 //                                     theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 
@@ -31,17 +32,18 @@ struct UnloadedTips {
   std::array<bool, 2> unloaded{true, true};
 };
 
-/// Computes the least reliefs of the pair of `setup` under the greatest torque of the request. The
-/// errors, deflections and helix modifications of the pair are included. Its profile modifications
-/// and topographies are ignored, because the reliefs replace them.
+/// Computes the least reliefs of the pair of `setup` under the greatest torque of the request.
+/// The errors, deflections and helix modifications of the pair are included. The profile
+/// modifications and topographies of the pair are ignored, because the reliefs replace them.
 ///
 /// Formula   [T12.27]
 /// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`
 ///           (contract)
 /// Accuracy  the amounts exceed the least possible amounts by at most 0.005 µm
 /// Errors    `gearN.modifications.tip_relief.reach` as make_removal_field
-/// Laws      for aligned gears: (1) if the gears are exchanged, the amounts are exchanged   (2) the
-///           amounts grow with the torque
+/// Laws      for aligned gears:
+///           (1) if the gears are exchanged, the amounts are exchanged
+///           (2) the amounts grow with the torque
 Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& path,
                                    const PairCompliance& compliance, const LoadRequest& request,
                                    bool gear2_drives);

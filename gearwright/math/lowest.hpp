@@ -6,8 +6,8 @@
 
 namespace gearwright {
 
-/// The least value of f at steps + 1 equally spaced points of [0, 1], and the interval between the
-/// two neighbours of the point at which f has this value.
+/// The least value of f at steps + 1 equally spaced points of [0, 1]. `lo` and `hi` are the two
+/// neighbours of the point at which f has this value.
 struct LeastNode {
   double lo, hi;
   double least;

@@ -15,8 +15,8 @@ enum class Minimiser {
   downhill    ///< Subplex, a local search from the start point
 };
 
-/// A search ends after `evaluations` evaluations. It also ends when a step changes the best value
-/// of f by less than the fraction `relative_gain` of this value, or by less than `gain`.
+/// A search ends after `evaluations` evaluations, or earlier when a step changes the best value
+/// of f by less than `gain`, or by less than the fraction `relative_gain` of this value.
 struct MinimiserTask {
   std::vector<double> lo{}, hi{};  ///< ends of the box
   std::vector<double> step{};      ///< first step of each variable (downhill only), > 0

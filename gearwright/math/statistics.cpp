@@ -33,8 +33,8 @@ double combined(double exact_at_0, double exact_at_1, double weight_of_second) {
 Moments moments(std::span<const double> samples) {
   GW_EXPECTS(!samples.empty());
   const auto n = static_cast<double>(samples.size());
-  // The first sample is subtracted from each sample, because the sum would lose digits if the mean
-  // is far from 0.
+  // The first sample is subtracted from each sample, because the sum would otherwise lose
+  // digits if the mean is far from 0.
   double sum = 0.0;
   for (const double x : samples) sum += x - samples[0];
   const double mean = samples[0] + sum / n;
@@ -109,7 +109,7 @@ std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<c
   SobolIndices indices;
   for (const std::vector<double>& m : mixed) {
     GW_EXPECTS(m.size() == a.size());
-    // Estimates of S, 1 − S, S_T and 1 − S_T, each multiplied by `rows` V.
+    // Estimates of S, 1 − S, S_T and 1 − S_T, each multiplied by `rows` and by V.
     double first = 0.0, others = 0.0, total = 0.0, others_alone = 0.0, rows = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (std::isnan(a[i] + b[i] + m[i])) continue;
@@ -143,8 +143,8 @@ double beta_cdf(double x, double p, double q) {
 double beta_quantile(double u, double p, double q) {
   GW_EXPECTS(p > 0.0 && q > 0.0 && u >= 0.0 && u <= 1.0);
   if (u == 0.0 || u == 1.0) return u;
-  // The inverse of Boost fails for some values of p and q that differ greatly. Newton's iteration
-  // within a bracket cannot fail.
+  // The inverse function of Boost fails for some values of p and q that differ greatly.
+  // Newton's iteration within a bracket cannot fail.
   const auto f = [&](double x) {
     return Slope<double>{beta_cdf(x, p, q) - u, boost::math::ibeta_derivative(p, q, x)};
   };

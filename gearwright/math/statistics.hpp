@@ -76,9 +76,9 @@ struct SobolIndices {
 /// Estimates the Sobol indices of groups of inputs of a function f. A and B are two independent
 /// sets of n points. `a` contains the values of f at the points of A, and `b` the values at the
 /// points of B. For each group, `mixed` contains the values of f at the points of A after the
-/// inputs of the group are replaced by the inputs of B. For a group, the points are used at which
-/// `a`, `b` and `mixed` are all not NaN. None if a group has no such point, or if the variance of f
-/// is at most `least_variance`.
+/// inputs of the group are replaced by the inputs of B. The indices of a group are computed
+/// from those points at which none of `a`, `b` and `mixed` is NaN. None if a group has no such
+/// point, or if the variance of f is at most `least_variance`.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)

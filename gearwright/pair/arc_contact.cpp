@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// w: distance along the centre line between two points, one of each rack, at which the normal angle
-// is θ. [T7.15]
+// w, the distance along the centre line between the points of both racks at which the normal
+// angle is θ. [T7.15]
 double height_gap(const ArcMeshInput& in, double theta) {
   return (in.convex.radius - in.concave.radius) * std::sin(theta) - (in.convex.b - in.concave.b);
 }
@@ -82,8 +82,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
   // exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // The first step is short even for a very small change of the centre distance. The bracket grows
-  // fourfold with each step.
+  // The first step is short enough for a very small change of the centre distance. Each further
+  // step is four times as long.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {

@@ -78,9 +78,9 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in);
 /// All quantities of the contact at the normal angle θ.
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
-// The setting b_F of the rack that cuts the convex teeth of circular-arc gears. The functions
-// compute the setting that restores the contact after a change of the centre distance, and the
-// effect of a changed setting on the tooth thickness.
+// The tool setting b_F, which is the b of the rack that cuts the convex teeth of circular-arc
+// gears. The functions compute the tool setting that restores the contact after a change of the
+// centre distance, and the effect of its change on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
 //   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance between the points of the two racks, mm
@@ -93,8 +93,9 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 /// Domain    0 < θ < π/2 (contract)
 double tool_setting_change(const ArcMeshInput& in, Angle theta, double delta_distance);
 
-/// The change of the normal thickness of the convex tooth that Δb_F causes, mm; < 0 if the tooth
-/// becomes thinner. It applies at the height of the point with the normal angle θ.
+/// The change of the normal thickness of the convex tooth that Δb_F causes, mm; < 0 if the
+/// tooth becomes thinner. The thickness is measured at the height of the point with the normal
+/// angle θ.
 ///
 /// Formula   2 (√(ρ² − (x + b)²) − ρ cos θ), exact; slope [T8.23]
 double thickness_change(const WorkingArc& convex, Angle theta, double delta_b);

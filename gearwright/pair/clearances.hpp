@@ -1,6 +1,6 @@
-// Closed forms for two mounted gears: the clearance between the tip of each gear and the root of
-// the other gear, the radius down to which the mating tip touches each flank, and the tip diameter
-// with which contact stays on the usable flank of the mating gear.
+// Closed forms about the reach of the tips of two mounted gears. They compute the clearance
+// between each tip and the mating root, the radius down to which each tip touches the mating
+// flank, and the tip diameter with which contact stays on the usable flank of the mating gear.
 //
 //   r_a, r_f   tip and root radius        d_Nf/2   radius down to which the mating tip touches
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]
@@ -13,8 +13,9 @@
 
 namespace gearwright {
 
-/// An overlap of at most this fraction of the base pitch is a rounding error, not interference. It
-/// occurs in a pair of a gear and the gear that has cut it, because the clearance is 0 there.
+/// An overlap of at most this fraction of the base pitch is a rounding error, not interference.
+/// Such an overlap occurs if one gear has cut the other gear, because their clearance is then
+/// 0.
 constexpr double kNoCollision = 1e-11;
 
 /// The clearances c on the centre line, mm, from tip 1 to root 2 and from tip 2 to root 1. `side`
@@ -27,11 +28,11 @@ std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
                                                         const Mesh<double>& mesh);
 
-/// The tip diameter of gear `tip` (1 or 2) with which contact on the mating gear ends at a radius
-/// `margin` mm greater than the start of the mating gear's usable flank. If this start is not
-/// known, the base circle of the mating gear is used. None if the present tip of gear `tip` does
-/// not reach past this point, or if the mating gear is an internal gear without a known start of
-/// its flank.
+/// The tip diameter with which gear `tip` (1 or 2) touches the mating gear down to a radius
+/// that is `margin` mm greater than the radius at which the usable flank of the mating gear
+/// starts. If this start is not known, the base circle of the mating gear is used. None if the
+/// present tip does not reach past this radius, or if the mating gear is an internal gear
+/// without a known start of its flank.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
-// Collisions of two finished outlines. In a collision, either the bodies overlap, or parts other
-// than the flanks touch while the gears can still turn.
+// Collisions of two finished outlines. In a collision, either the bodies overlap, or parts
+// other than the flanks touch while the gears can still turn.
 //
-// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp are
-// based on circles and corners. They only explain the collisions.
+// Collisions are computed from the outlines [T2.29]…[T2.33]. The findings of interference.hpp
+// are based on circles and corners, and serve only to explain the collisions.
 #pragma once
 
 #include <optional>

@@ -120,8 +120,9 @@ double crossing(const F& beyond, double deepest, double away, double z) {
 /// cylinder. They return an empty GapOver if there is no such point.
 using GapOver = std::function<TipGap(double, double)>;
 
-/// External pairs: u maps to ψ, measured from the direction of the axis of B, and v maps to the
-/// position across the strip that lies within the form cylinder of B.
+/// External pairs: u maps to ψ, measured from the direction of the axis of B. The part of the
+/// tip cylinder within the form cylinder of B is a strip, and v maps to the position across
+/// this strip.
 GapOver outside(const TipMotion& motion, double distance) {
   const double form = motion.b().form_radius;
   const Vec3 axis = motion.axis();
@@ -241,8 +242,8 @@ TipGap least_outside(const GapOver& gap_at) {
   return descend(gap_at, *best, 1.0 / (kGrid - 1));
 }
 
-// The least gap of an internal pair. The search starts from every node with a value that is not
-// greater than the values of its neighbours, because the tip passes several teeth of B.
+// The least gap of an internal pair. The tip passes several teeth of B, so the gap may have
+// several minima. The search starts from every node that has no neighbour with a smaller value.
 TipGap least_inside(const GapOver& gap_at) {
   constexpr int kColumns = 49, kRows = 9;
   const std::vector<Node> nodes = grid_of(gap_at, kColumns, kRows);

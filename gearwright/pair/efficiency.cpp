@@ -92,9 +92,9 @@ std::vector<ContactZone> contact_zones(double begin, double end, double step) {
     cuts.push_back(end - k * step);
   }
   std::sort(cuts.begin(), cuts.end());
-  // Cuts closer together than this, relative to the pitch, count as one. Such cuts occur if the
-  // contact ratio is an integer, because one tooth pair then enters contact where another pair
-  // leaves contact.
+  // If two cuts are closer together than this, relative to the pitch, they count as one. Such
+  // cuts occur if the contact ratio is an integer, because one tooth pair then enters contact
+  // where another pair leaves contact.
   constexpr double kSameCut = 1e-9;
   const double nothing = kSameCut * step;
   std::vector<ContactZone> zones;

@@ -123,12 +123,12 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // A smaller angle between two arcs is a rounding error, or the corner is so blunt that contact of
-  // the arcs is equivalent to contact of the corner.
+  // If the angle between two arcs is smaller than this, it is a rounding error, or the corner
+  // is so blunt that contact of the arcs is equivalent to contact of the corner.
   constexpr double kSmooth = 1e-7;  // rad
-  // The mating gear cannot reach a concave corner. An angle near half a turn may be a cusp, where
-  // the sign of the turn is undetermined. A cusp is included, because an additional corner does no
-  // harm.
+  // The mating gear cannot reach a concave corner. If the angle is near half a turn, the corner
+  // may be a cusp, at which rounding determines the sign of the angle. Such a corner is
+  // included, because an additional corner does no harm.
   constexpr double kCusp = 2.5;  // rad
   const double inward = ring_ ? 1.0 : -1.0;
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {

@@ -72,8 +72,8 @@ double nearer_at_ends(const InvolutePair& p, int tip) {
 
 }  // namespace
 
-// Computes for each gear the diameter down to which the tip of the mating gear touches this gear,
-// and the radial distance from the start of the usable flank to this diameter. [T2.25]
+// Computes for each gear the diameter down to which the mating tip touches it, and the radial
+// distance of this diameter from the start of the usable flank. [T2.25]
 void find_form_clearance(InvolutePair& p) {
   const std::array<double, 2> rho{p.mesh.rho1_A, p.mesh.rho2(p.mesh.rho1_E)};
   const auto contact_root = contact_root_radii(p.input, p.mesh);
@@ -170,7 +170,7 @@ void find_internal_margins(ParallelPair& p) {
          "gear."});
   }
   if (margins.trimming && margins.trimming->rad() < 0.0) {
-    // This concerns assembly only. Mounted gears do not collide.
+    // Trimming interference concerns assembly only. Mounted gears do not collide.
     p.warnings.push_back({WarningCode::trimming,
                           "Trimming interference: the pinion cannot be mounted radially with a "
                           "tooth space on the centre line. Mount the pinion axially.",

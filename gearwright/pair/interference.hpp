@@ -18,15 +18,16 @@ void find_internal_margins(ParallelPair& pair);
 /// Computes the clearances between tip corners and fillets. Finding: `tip_to_fillet`. [T2.26]
 void find_fillet_clearance(ParallelPair& pair);
 /// Finds overlap of the outlines and contact beyond the flanks, and computes the free play.
-/// [T2.29]…[T2.33] `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is
-/// the whole play along the normal, mm. `saddle` is the depth, mm, to which flanks overlap beside
-/// their line of action.
+/// `half_play` is half the play of the flanks as a turn of gear 2. `normal_play` is the whole
+/// play along the normal, mm. `saddle` is the depth, mm, to which flanks overlap beside their
+/// line of action. [T2.29]…[T2.33]
 ///
-/// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating gear:
-///           with its fillets [T4.33] and, if one gear is an internal gear, also with its flanks
+/// Domain    both gears with a tooth. On crossed axes, only tips are compared with the mating
+///           gear: with its fillets [T4.33] and, if one gear is an internal gear, also with its
+///           flanks
 void find_collisions(MountedGears& pair, double half_play, double normal_play, double saddle = 0.0);
-/// Calls find_collisions() for an involute pair. This function must be called last, because it
-/// removes from `interference` all findings that do not explain an overlap.
+/// Calls find_collisions() for an involute pair. Findings that do not explain an overlap are
+/// then removed from `interference`, so this function must be called last.
 void find_overlap(InvolutePair& pair, double saddle);
 
 }  // namespace gearwright::detail

@@ -94,10 +94,10 @@ void warn_about_backlash(InvolutePair& p) {
 void warn_about_friction(InvolutePair& p) {
   if (p.efficiency && !(p.efficiency->gear1_drives && p.efficiency->gear2_drives)) {
     const int gear = p.efficiency->gear1_drives ? 2 : 1;
-    warn(
-        p, WarningCode::self_locking,
-        fmt::format("With this friction the pair is self-locking, and gear {} cannot drive.", gear),
-        gear);
+    warn(p, WarningCode::self_locking,
+         fmt::format("With this friction, the pair is self-locking, and gear {} cannot drive.",
+                     gear),
+         gear);
   }
 }
 
@@ -110,8 +110,8 @@ void warn_about_collisions(InvolutePair& p) {
 // backlash-free pair exceeds this sum.
 constexpr double kMinCrossedDistance = 0.5;
 
-// Checks that the pinion lies inside the internal gear, and that L > 0, which means that the flanks
-// of the pinion are more curved than the flanks of the internal gear. [T4.34]
+// Checks that the pinion lies inside the internal gear, and that L > 0. If L > 0, the flanks of
+// the pinion are more curved than the flanks of the internal gear. [T4.34]
 std::optional<Error> check_place_inside(const CrossedPair& p, const CommonRack<double>& rack) {
   const BasePair<double>& gears = p.input.gears;
   const auto& sides = rack.sides;
@@ -184,10 +184,11 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
-// with the square of the distance from the contact, and at b/2 it equals the needed lead crowning.
-// The contact lies up to f'/2 from the middle of the face. Higher orders add less than half of the
-// second-order depth (tested).
+// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth
+// grows with the square of the distance from the contact, and at the distance b/2 it equals the
+// needed lead crowning. The contact lies up to f'/2 from the middle of the face, so this
+// distance is at most (b + f')/2. Higher orders add less than half of the second-order depth
+// (tested).
 double saddle_depth(const ParallelPair&) { return 0.0; }
 double saddle_depth(const CrossedPair& p) {
   constexpr double kHigherOrders = 1.5;

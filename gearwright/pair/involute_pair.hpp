@@ -70,8 +70,8 @@ struct InvolutePair : MountedGears {
   /// The point on the line of action of the leading flanks that belongs to the given ρ_1. On
   /// parallel axes, the point lies in the section z = 0. [T1.6], [T4.20]
   Point<Housing> on_line_of_action(double rho1) const;
-  /// The corresponding point for the trailing flanks. A half turn about the centre line moves the
-  /// line of action of the leading flanks to the line of action of the trailing flanks. [T1.7]
+  /// The corresponding point for the trailing flanks. Their line of action is the line of
+  /// action of the leading flanks after a half turn about the centre line. [T1.7]
   Point<Housing> on_trailing_line(double rho1) const;
 };
 

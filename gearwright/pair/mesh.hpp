@@ -221,8 +221,8 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Face widths that contain the line of action on crossed axes, mm: for one flank, and for both
-/// flanks if the middle of the face is on the common perpendicular.
+/// Face widths on crossed axes, mm, that contain the line of action of one flank, and the lines
+/// of action of both flanks if the middle of the face is on the common perpendicular.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]
 template <class T>

@@ -48,8 +48,9 @@ struct MountedGears {
   /// of action, and its tips are closest to the roots at the ends of the faces. [T4.35], [T4.37]
   bool crossed_inside() const { return side() < 0.0 && shaft_angle != Angle(); }
   double side() const { return gears[1].side(); }  ///< σ  +1 external pair, −1 internal
-  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical gears,
-  /// it includes both halves and the wider gap of the two gears.
+  /// The whole face width, mm, of gears whose teeth are `face` mm wide. For double-helical
+  /// gears, it includes both halves and the gap between them, which is the wider gap if the
+  /// gears have different gaps.
   double whole_face(double face) const;
   /// σ Σ. Axis 2 has the direction (0, sin σΣ, cos σΣ). [T1.8]
   Angle axis_angle() const { return side() * shaft_angle + Angle(); }  // without −0

@@ -96,7 +96,7 @@ struct Motion {
     return first_moves ? i * OutlineGap::kNames + j : j * OutlineGap::kNames + i;
   }
 
-  /// The gap above which a value is not needed, in turns of B.
+  /// The gap, as a turn of B, above which a value is not needed.
   double known(int e) const {
     const auto& touch = table.at(e);
     return (touch ? std::min(touch->gap, table.limit) : table.limit) / unit;
@@ -216,7 +216,8 @@ class CornerFamily {
       u_0_ = arc.u_at_radius(deepest_);
       if (!(u_0_ < 1.0)) reaches_ = false;
     } else {
-      // Where the straight line through the values of excess() at both ends of the arc is 0.
+      // u at which the straight line through the values of excess() at both ends of the arc is
+      // 0.
       u_0_ = -at_root / (at_tip - at_root);
       t_0_ = std::sqrt(-u_0_ / (1.0 - u_0_));
     }

@@ -32,8 +32,8 @@ struct OutlineTouch {
   double height = 0.0;      ///< position along axis 1, mm; 0 on parallel axes
   std::array<OutlinePlace, 2> places{};
 
-  /// The distance between the two places along the common normal, mm, to first order, after gear 2
-  /// has turned by `play` from the middle of its play towards the touch. If the distance is < 0,
+  /// The distance between the two places, mm along the common normal, to first order, if gear 2
+  /// is turned by `play` from the middle of its play towards the touch. If the distance is < 0,
   /// its magnitude is the depth of the overlap.
   double distance(double play = 0.0) const { return (gap - play) * arm; }
 };

@@ -82,7 +82,8 @@ Result<Kind> mount_as(Gear gear_1, Gear gear_2, const PairSpec& spec = {}) {
   return *pair->template as<Kind>();
 }
 
-// The backlash of a pair of involute or circular-arc gears, in four forms.
+// The backlash of a pair of involute or circular-arc gears, in four forms, and its part without
+// collisions.
 
 struct PairBacklash {
   double normal_base;                        ///< j_bn  mm, along the common normal

@@ -36,13 +36,13 @@ constexpr Hands kExternal{
     "opposite",
     "the angle is positive for two right-hand gears and negative for two left-hand gears",
     "widens"};
-constexpr Hands kInternal{
-    "of the same hand",
-    "the angle is the helix angle of gear 1 minus the helix angle of the internal gear, "
-    "right hand > 0",
-    "shifts"};
+constexpr Hands kInternal{"of the same hand",
+                          "the angle is the helix angle of gear 1 minus the helix angle of the "
+                          "internal gear, where right-hand angles are positive",
+                          "shifts"};
 
-// `rule` contains kReach. The ends of the range replace its two placeholders.
+// The error of a shaft angle that is out of reach. `rule` contains kReach, whose two
+// placeholders are replaced by the ends of the range.
 Error beyond(const ShaftAngleRange<double>& range, double sigma, const std::string& rule) {
   return refused("pair.shaft_angle", deg(sigma),
                  {deg(std::min(range.from, range.to)), deg(std::max(range.from, range.to))}, rule);
@@ -65,8 +65,8 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   if (sigma == 0.0) {
     return beyond(
         range, 0.0,
-        fmt::format("parallel axes need equal and opposite base helix angles, so with the same "
-                    "module gear 2 needs a helix angle of {}°; with the given angles {}",
+        fmt::format("parallel axes need equal and opposite base helix angles, so for the same "
+                    "module, gear 2 needs a helix angle of {}°; with the given angles {}",
                     format_number(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {
@@ -146,9 +146,9 @@ std::optional<Error> check_partners(const CylindricalSpec& g1, const Cylindrical
     // internal pair therefore cross only if the user gives a shaft angle.
     return refused(
         gear_field(2, "helix_angle"), g2.helix_angle.deg(),
-        fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes the "
-                    "helix angle must be {}° (the same hand) on an internal gear of the same "
-                    "module; for crossed axes give `pair.shaft_angle`",
+        fmt::format("the axes of this internal pair would cross at {:.6g}°; for parallel axes, an "
+                    "internal gear of the same module needs the helix angle {}° (the same hand); "
+                    "for crossed axes give `pair.shaft_angle`",
                     deg(gears[0].helix_angle - gears[1].helix_angle),
                     format_number(g1.helix_angle.deg(), g2.helix_angle.deg())));
   }

@@ -1,7 +1,7 @@
 // Conditions under which two gears can mesh, and the possible positions of their axes.
 //
-// Two gears mesh if their normal base pitches agree. If their base helix angles are equal and
-// opposite (equal for an internal gear), the axes are parallel. Otherwise the axes cross.
+// Two gears mesh if their normal base pitches agree. The axes are parallel if the base helix
+// angles are equal and opposite or, in an internal pair, equal. Otherwise the axes cross.
 #pragma once
 
 #include <optional>

@@ -16,9 +16,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kNoLength = 1e-9;  // modules: a shorter length is a rounding error
-// The tip of the rack may reach this far, in modules, below the start of the pinion's usable flank
-// without a warning, because the fillet radii of ISO 53 are rounded to two digits (0.38 for
-// 0.37993).
+// There is no warning if the tip of the rack reaches at most this far, in modules, below the
+// start of the pinion's usable flank. The limit allows for the fillet radii of ISO 53, which
+// are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
 // If the number of teeth of a rack is not given, the rack has at least this many in pictures and
@@ -164,9 +164,9 @@ Pose<Housing, Gear1> RackPair::pose_1() const {
 }
 
 Pose<Housing, Gear2> RackPair::pose_2() const {
-  // A half turn about z makes the teeth of the rack point towards axis 1. If the number of teeth is
-  // odd, a tooth is in the middle of the rack, so the rack is displaced by half a pitch to put a
-  // space there.
+  // A half turn about z makes the teeth of the rack point towards axis 1. If the number of
+  // teeth is odd, a tooth is in the middle of the rack. The rack is then displaced by half a
+  // pitch, so that a space is there.
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.linear().diagonal() << -1.0, -1.0, 1.0;
   const bool odd = rack.teeth % 2 == 1;

@@ -113,7 +113,7 @@ Result<ShiftSolution> complete_shifts(const ShiftProblem& p) {
   if (!(nominal_working_involute(p.z1, p.z2, alpha_n, alpha_t, sum) >= 0.0)) {
     const double limit = -involute(alpha_t) * (p.z1 + p.z2) / (2 * std::tan(alpha_n));
     return refused("profile_shift", sum, {limit},
-                   fmt::format("with the sum of both profile shifts, {}, the teeth are too {} for "
+                   fmt::format("if the sum of both profile shifts is {}, the teeth are too {} for "
                                "any backlash-free centre distance; the sum must be {} than {{}}",
                                format_number(sum, limit), external ? "thin" : "thick",
                                external ? "greater" : "less"));

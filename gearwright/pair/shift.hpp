@@ -102,8 +102,8 @@ T tight_shift_sum(int z1, int z2, const T& normal_module, const T& alpha_n, cons
 /// Domain    as angles_at_shaft_angle (contract)
 double crossed_shift_sum(const ShiftProblem& problem, double a);
 
-/// Divides a sum of shifts into x1 and x2. In an external pair, λ determines the shares. In an
-/// internal pair, the pinion gets the whole sum. [T2.18a]
+/// Divides a sum of shifts into x1 and x2. In an external pair, λ determines how the sum is
+/// divided. In an internal pair, the pinion gets the whole sum. [T2.18a]
 std::array<double, 2> divided_shift_sum(int z1, int z2, double sum, double lambda = 0.625);
 /// Computes the absent values of the problem (docs/spec.md, Shift and centre distance).
 ///

@@ -11,8 +11,8 @@
 //   Q, K, X, u, τ   as in pair/common_rack.hpp     L   distance of the base tangent points along n
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The unknown is α, because all quantities are smooth functions of α over 0 < α ≤ π/2, even where
-// β_g reaches 90°. They are not smooth functions of α_n there.
+// The equations are solved for α instead of α_n, because all quantities are smooth functions of
+// α over 0 < α ≤ π/2, even where β_g reaches 90°. They are not smooth functions of α_n there.
 #pragma once
 
 #include <cmath>
@@ -207,8 +207,8 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
 }
 
 /// The α at which the sum of the pitch radii of an external pair is a. If the teeth have no
-/// backlash there (X = 0), a is the least distance of the pair. None if a does not exceed the sum
-/// of the base radii or lies beyond the domain.
+/// backlash there (X = 0), a is the least distance of the pair. None if a does not exceed the
+/// sum of the base radii.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
 template <class T>

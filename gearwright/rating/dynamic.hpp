@@ -67,7 +67,7 @@ Dynamic dynamic_factor(const DynamicInput& in);
 //   C_M      correction by measurements, 0.8
 //   C_R, C_B, E/E_St   corrections for gear body, basic rack and material
 
-/// A gear body with web and rim. If it is absent, the body is a solid disc.
+/// A gear body with web and rim. A gear without a RatedBody is a solid disc.
 struct RatedBody {
   double web_share = 1.0;    ///< b_s/b, 0.2 … 1.2
   double rim_modules = 5.0;  ///< s_R/m_n, ≥ 1
@@ -81,7 +81,7 @@ struct Stiffness {
   double C_R, C_B;
   bool in_range;  ///< true if x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2, the range of the formula for q'
 };
-/// The gear body with the thickness of its web and the thickness of its rim on the drawing, mm.
+/// The gear body whose web and rim have these thicknesses on the drawing, mm.
 inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }

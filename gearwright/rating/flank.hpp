@@ -21,8 +21,8 @@ Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  �
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]
 Factor flank_helix_factor(const RatedPair& pair);                    ///< Z_β [T11.21]
 
-/// Inputs of the lubricant film factors. `sigma_Hlim` is the lower σ_Hlim of the two materials; it
-/// determines the constants of the factors.
+/// Inputs of the lubricant film factors. `sigma_Hlim` is the lower σ_Hlim of the two materials
+/// and determines the constants of the factors.
 struct Film {
   double sigma_Hlim = 0.0;                  ///< N/mm²
   std::optional<double> viscosity;          ///< ν_40  mm²/s
@@ -31,7 +31,7 @@ struct Film {
 };
 
 // The following three functions return values at the reference number of cycles. For a limited
-// life, the values are raised to the power Life::reference.
+// life, rate() raises these values to the power Life::reference.
 Factor lubricant_factor(const Film& film);                         ///< Z_L [T11.23]
 Factor velocity_factor(const Film& film);                          ///< Z_v [T11.24]
 Factor roughness_factor(const RatedPair& pair, const Film& film);  ///< Z_R [T11.25]

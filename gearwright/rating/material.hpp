@@ -40,7 +40,7 @@ std::string_view material_letters(MaterialKind kind);
 
 /// Pairs of temperature, °C, and value, N/mm², by ascending temperature.
 using ByTemperature = std::vector<std::array<double, 2>>;
-/// The value at a temperature, by linear interpolation; none outside the list.
+/// The value at a temperature, by linear interpolation. None outside the range of the list.
 std::optional<double> at_temperature(const ByTemperature& list, double celsius);
 
 struct Material {
@@ -54,7 +54,7 @@ struct Material {
   std::optional<double> hardness_HV{};      ///< hardness of the surface
   std::optional<double> yield_strength{};   ///< R_e  N/mm²
   bool from_table = false;                  ///< true if the limits come from the built-in table
-  /// Values of a plastic by temperature. If a list is not empty, it replaces the single number.
+  /// Values of a plastic by temperature. A non-empty list replaces the member without `_by`.
   ByTemperature sigma_Hlim_by{}, sigma_Flim_by{}, youngs_modulus_by{};
 
   bool surface_hardened() const {
@@ -121,13 +121,13 @@ struct LifeChoice {
   double at_10_10 = 0.85;        ///< Z_NT, Y_NT at 10¹⁰ cycles, 0.85 … 1
 };
 
-/// The life factor of the flank. By default, `cycles` is the reference number.
+/// The life factor of the flank. Without `cycles`, it is 1, the factor at the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-2, clause 10; confirmed at 10⁹ and 10¹⁰ by printed reports
 /// Law       the factor is continuous and does not increase with N
 Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});
 
-/// The life factor of the root. By default, `cycles` is the reference number.
+/// The life factor of the root. Without `cycles`, it is 1, the factor at the reference number.
 ///
 /// Formula   [T11.41]; ISO 6336-3, clause 12
 Life root_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice = {});

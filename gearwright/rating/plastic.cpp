@@ -31,9 +31,9 @@ HeatTransfer heat_transfer(const std::array<Material, 2>& materials) {
                                                         : HeatTransfer{6300, 895};
 }
 
-// Returns 1 or 2: the number in the spec of the gear with the index `place` in RatedPair::gears.
+// Returns the number, 1 or 2, that the spec gives to the gear RatedPair::gears[place].
 int gear_at(const RatedPair& pair, std::size_t place) { return pair.place(1) == place ? 1 : 2; }
-// The value of a material at a temperature. If the list is empty, the given number is returned.
+// Interpolates `list` at the temperature `celsius`. If the list is empty, returns `number`.
 Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemperature& list,
                         double number, double celsius, const char* what) {
   if (list.empty()) return number;
@@ -41,7 +41,7 @@ Result<double> value_at(const RatedPair& pair, std::size_t place, const ByTemper
   return refused(gear_field(gear_at(pair, place), "material.temperatures"), celsius,
                  {list.front()[0], list.back()[0]},
                  std::string("is the temperature in °C of the ") + what +
-                     ", but the values of this plastic are given from {} to {} °C only");
+                     ", but the values of this plastic are given only from {} to {} °C");
 }
 
 Factor given_or_one(const std::optional<double>& factor) {

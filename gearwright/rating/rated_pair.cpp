@@ -11,10 +11,10 @@ namespace gearwright {
 
 namespace {
 
-// The tool that determines the root of a gear. For an internal gear without a given cutter,
-// gear/pinion_cut.hpp has chosen a cutter that has no profile shift and the same tip rounding as
-// the rack of the gear. For a given cutter, the profile shift follows from the generating centre
-// distance, and the rounding is the rounding of its tip corners.
+// The tool that determines the root of a gear. If an internal gear has no given cutter,
+// gear/pinion_cut.hpp has chosen a default cutter, which has no profile shift and the tip
+// rounding of the gear's rack. For a given cutter, the profile shift is computed from the
+// generating centre distance, and the rounding is that of the tip corners.
 RootTool root_tool(const Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   RootTool tool;
@@ -24,8 +24,9 @@ RootTool root_tool(const Gear& gear) {
       std::min(rack.root_fillet_radius, full_radius(rack, gear.spec.normal_pressure_angle));
   tool.protuberance = rack.protuberance;
   if (!gear.cut_by) return tool;
-  // The dedendum is computed from the root diameter. The shift of the cutter is computed from the
-  // generating centre distance with  inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0).
+  // The dedendum is computed from the root diameter. The profile shift x_0 of the cutter is
+  // computed with  inv α_0 = inv α_t + 2 (x + x_0) tan α_n/(z + z_0)  from the generating
+  // centre distance.
   const ReferenceGeometry<double>& r = gear.reference();
   const double m = gear.spec.normal_module;
   tool.dedendum = gear.side() * (r.reference_diameter - gear.root_diameter) / (2 * m) +

@@ -75,7 +75,7 @@ struct RatedPair {
   std::size_t place(int which) const { return static_cast<std::size_t>((which == 1) == exchanged); }
 };
 
-/// Converts a list in the order gear 1, gear 2 to the order pinion, wheel, or back.
+/// Converts a list from the order gear 1, gear 2 to the order pinion, wheel, or vice versa.
 template <class T>
 std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
   return pair.exchanged ? std::array<T, 2>{list[1], list[0]} : list;

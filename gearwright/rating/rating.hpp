@@ -102,8 +102,8 @@ Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 // The missing inputs of a rating, as a list. User interfaces add missing loads and materials to
 // this list.
 
-/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears, for
-/// which a mounting does not give the face load factor.
+/// The errors that missing_input() joins into one. `halves` is 2 for double-helical gears,
+/// whose face load factor is not computed from a mounting.
 std::vector<Error> missing_inputs(const RatingInput& input, int halves = 1);
 
 }  // namespace gearwright

@@ -63,8 +63,8 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.theta = *theta;
   s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
-  // The load acts at the tip, or at the outer point of single pair contact, which is one base pitch
-  // after the start of contact.
+  // If `at` is LoadPoint::tip, the load acts at the tip. Otherwise it acts at the outer point
+  // of single pair contact, ε_αn − 1 base pitches from the tip along the line of action.
   const double side = gear.side();
   const double d_n = m * z_n;
   const double d_bn = d_n * cos_a;
@@ -162,7 +162,7 @@ Factor notch_sensitivity_factor(const Material& material, const CriticalSection&
     std::size_t i = 1;
     while (i + 1 < line.size() && re > line[i].strength) ++i;
     const double share = (re - line[i - 1].strength) / (line[i].strength - line[i - 1].strength);
-    // The thickness of the layer varies by powers of ten, so its logarithm is interpolated
+    // The thickness of the layer varies over powers of ten, so its logarithm is interpolated
     // linearly.
     return line[i - 1].thickness * std::pow(line[i].thickness / line[i - 1].thickness, share);
   };

@@ -47,7 +47,7 @@ double root_face_width(const RatedPair& pair, const RatedGear& gear);
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]
-/// Y_B [T11.35] for a rim thickness `rim` in mm. By default the rim is thick enough.
+/// Y_B [T11.35] for a rim thickness `rim` in mm. Without `rim`, the rim counts as thick enough.
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim);
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade);  ///< Y_DT [T11.36]
 

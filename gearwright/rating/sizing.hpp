@@ -46,8 +46,8 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 /// Alternative steels of the table, the weakest first.
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
-/// The weakest of these steels that is sufficient. It replaces the material of the gears whose
-/// safety factors are too low.
+/// The weakest of these steels that makes the safety factors sufficient if it replaces the
+/// material of the gears whose safety factors are too low.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
                                            const WantedSafety& wanted);
 

@@ -20,9 +20,10 @@ namespace {
 constexpr double kAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
-// The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's rack.
-// Each point is (height towards the mating gear, position along the datum line). If `mate`, the
-// outline is turned upside down and moved by half a pitch, as for the rack of the mating gear.
+// The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's
+// rack. Each point is (height towards the mating gear, position along the datum line). If
+// `mate` is true, the outline is turned upside down and moved by half a pitch, which gives the
+// rack of the mating gear.
 std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   const double pitch = kPi * gear.spec.normal_module;
   const std::vector<Vec2> half = rack_half_tooth(gear);
@@ -37,7 +38,7 @@ std::vector<Vec2> rack_over_pitches(const Gear& gear, bool mate) {
   return chain;
 }
 
-// The polygon that consists of a chain of points and of a line at the height `depth`, inside the
+// Closes a chain of points to form a polygon, by a line at the height `depth` inside the
 // material.
 std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
   const Vec2 first = chain.front();
@@ -88,9 +89,9 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // Finds the convex and the concave arc that touch: their points at the normal angle of the
-  // contact coincide. The distance of these points is computed for all combinations of arcs, and
-  // the combination with the least distance is used.
+  // Finds the convex and the concave arc that touch each other. Two arcs touch if their points
+  // at the normal angle of the contact coincide. For each combination of arcs, the distance of
+  // these points is computed, and the combination with the least distance is used.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));

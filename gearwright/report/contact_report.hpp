@@ -1,5 +1,5 @@
-// The data of the report on tooth contact. In addition to the data of ContactScene, these are the
-// patterns, maps, and the names and values of the assumed errors.
+// The data of the report on tooth contact: in addition to ContactScene, the patterns, the maps,
+// and the names and values of the assumed errors.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ struct ContactReport : ContactScene {
   std::vector<ContactReport> halves;
 };
 
-/// arcsec; a smaller peak-to-peak transmission error is due to rounding, and the flanks are
-/// conjugate
+/// arcsec. If the peak-to-peak transmission error is smaller, it is due to rounding, and the
+/// flanks are conjugate.
 inline constexpr double kConjugate = 1e-6;
 
 /// The result of tooth contact in one or two sentences of plain text, for all interfaces: the

@@ -19,8 +19,9 @@ namespace {
 constexpr double kPlanWidth = 640.0;
 constexpr double kPlanAspect = 640.0 / 520.0;
 constexpr double kWholeWidth = 420.0;
-// The plan is at most kMaxReduction times smaller and at most kMaxEnlargement times larger than a
-// picture of the whole gears. It is smaller if the lines of action lie far outside the faces.
+// The scale of the plan is at least 1/kMaxReduction and at most kMaxEnlargement times the scale
+// of a picture of the whole gears. The plan is reduced if the lines of action lie far outside
+// the faces.
 constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // with more teeth, no tooth lines are drawn
@@ -96,13 +97,12 @@ void add_axes(Figure& f, const InvolutePair& pair, double width) {
 
 Figure plan_figure(const InvolutePair& pair) {
   const Vec2 half = plan_window(pair);
-  Figure f =
-      plane_figure("plan", "Lines of action",
-                   "Both gears seen along the centre line from gear 2: the faces of their pitch "
-                   "cylinders as rectangles, tip cylinders thin, both axes, the direction of the "
-                   "teeth, and the leading and trailing lines of action with their ends and base "
-                   "tangent points.",
-                   {-half, half});
+  Figure f = plane_figure(
+      "plan", "Lines of action",
+      "Both gears seen along the centre line from gear 2, with the pitch cylinders as rectangles "
+      "and the tip cylinders as thin rectangles, both axes, the direction of the teeth, and the "
+      "leading and trailing lines of action with their ends and base tangent points.",
+      {-half, half});
   f.caption = " seen along the centre line from gear 2. " + line_key() +
               " The rectangles are the pitch cylinders from face to face, and the thin rectangles "
               "the tip cylinders. The dashed line is the common direction of the teeth.";

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int kSteps = 240;
 constexpr double kMargin = 0.07;  // added at either end, as a fraction of the range of angles
-// rad. At the limit of the pressure angle, the helix angle of one gear is 90° and its pitch radius
-// is infinite. The range ends at this distance from the limit of the transverse pressure angle.
-// There, α_n is within 1e-6 rad of its limit.
+// rad. At the limit of the pressure angle, the helix angle of one gear is 90° and its pitch
+// radius is infinite. The range ends where the transverse pressure angle is this far from its
+// limit. α_n is then within 1e-6 rad of its limit.
 constexpr double kBeforeLimit = 1e-3;
-// rad. Transverse pressure angles are kept at this distance from 90°, where the involute function
-// is infinite. A mounted pair may lie at this limit within rounding. The change of its centre
-// distance is at most r_b kAtLimit.
+// rad. Transverse pressure angles are limited to 90° minus this value, because the involute
+// function is infinite at 90°. Through rounding, a mounted pair may exceed this limit. Its
+// centre distance then changes by at most r_b kAtLimit.
 constexpr double kAtLimit = 1e-8;
 constexpr double kMinAngle = 2e-3;  // rad, least α_wn of the range; a rack cannot have α_wn = 0
 

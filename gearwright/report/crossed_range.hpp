@@ -40,9 +40,9 @@ struct Approximation {
   Angle normal_pressure_angle;
 };
 
-/// The approximate solutions of pair/series.hpp for the least centre distance. Empty if the pair is
-/// internal or if the gears have different racks, which means that the modules or the pressure
-/// angles differ by more than a relative 1e-9. Solutions for which no rack exists are omitted.
+/// The approximate solutions of pair/series.hpp for the least centre distance. Empty if the
+/// pair is internal, or if the modules or the pressure angles of the racks of both gears have a
+/// relative difference above 1e-9. Solutions for which no rack exists are omitted.
 std::vector<Approximation> approximations(const CrossedPair& pair);
 
 /// The figure axis of α_wn in degrees.

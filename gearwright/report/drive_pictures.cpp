@@ -26,7 +26,7 @@ constexpr double kTeethPerSecond = 1.2;  // teeth per second in the fastest mesh
 constexpr int kSliderSteps = 240;        // number of positions of the slider
 
 // Degrees, clockwise as in SVG, by which a body turns while t runs from 0 to 1. `ratio` is the
-// speed of the body relative to the input.
+// speed of the body divided by the speed of the input.
 double turn_of(double ratio, double input_turns) { return -360.0 * ratio * input_turns; }
 
 class Pictures {
@@ -63,8 +63,8 @@ class Pictures {
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
 
-  // Draws a gear whose axis is at the point `at`. Within its group, the gear turns with the speed
-  // ratio `relative` to the input.
+  // Draws a gear whose axis is at the point `at`. `relative` is the speed of the gear within
+  // its group, divided by the speed of the input.
   void add_gear(Figure& f, std::size_t placed, double height, const Vec2& at, double turned,
                 double relative, int group = -1) {
     const PlacedGear& p = layout_.gears[placed];

@@ -159,8 +159,8 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// The position after the names that begin at `at`. They end at a quote, or at a parenthesis if
-// `mark`, the text before them, is "url(#".
+// The position after the names that begin at `at`. The names are followed by a parenthesis if
+// `mark`, the text before them, is "url(#", and otherwise by a quote.
 std::size_t end_of_names(const std::string& html, std::string_view mark, std::size_t at) {
   return std::min(html.find(mark.front() == 'u' ? ')' : '"', at), html.size());
 }

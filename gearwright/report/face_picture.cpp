@@ -18,10 +18,10 @@ namespace {
 
 double deg(double rad) { return Angle::radians(rad).deg(); }
 
-// The upper end of the axis of face widths. The axis contains the required widths, the actual
-// widths, and the part of the curves with ε ≥ 1 that is below 1.8 times the greatest of these
-// widths. The curves are cut off there, because f′ is unbounded if the lines of action move along
-// the teeth.
+// The upper end of the axis of face widths. The axis contains the required and the actual
+// widths. It also contains the curves for ε ≥ 1 up to 1.8 times the greatest of these widths.
+// Above this limit, the curves are cut off, because f′ is unbounded if the lines of action move
+// along the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;
@@ -144,12 +144,12 @@ Figure face_use_figure(const CrossedPair& pair) {
   Figure f{
       "faces",
       "Use of the faces",
-      "For each gear its face from end to end, and the parts that the leading and the trailing "
+      "The face of each gear from end to end, with the parts that the leading and the trailing "
       "line of action use.",
       fmt::format(" as mounted. {} {} Thick parts lie within the usable flanks and the faces.{}",
                   caption_key("action", "leading flanks A–E"),
                   caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)),
-      {"along the axis of each gear from the common perpendicular", "mm", -1.1 * reach,
+      {"distance from the common perpendicular along the axis of each gear", "mm", -1.1 * reach,
        1.1 * reach},
       {"", "", 0.0, 2.0}};
   f.tall = 0.32;

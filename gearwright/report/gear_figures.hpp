@@ -78,7 +78,7 @@ struct ShiftedTooth {
 };
 
 /// True if the gear has at most 8 teeth, is cut by a rack, and has a circular root fillet or
-/// undercut. Only then does the choice of the shift need a picture.
+/// undercut. For other gears, a picture does not help to choose the profile shift.
 bool shift_is_worth_a_picture(const Gear& gear);
 
 /// The gear at x = 0.3, 0.5, 0.7, 0.9, 1.0 and at its own shift, sorted by x, with the tip

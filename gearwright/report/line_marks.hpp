@@ -21,8 +21,8 @@ struct PathMark {
   const char* style = "";  ///< style of its dot
 };
 
-/// Those of the points A to E that lie between A and `last`, in alphabetical order. B = E − step is
-/// omitted if the path is shorter than one step, because B then lies before A.
+/// The points A to E that lie between A and `last`, in alphabetical order. B = E − step is
+/// omitted if the path is shorter than one step, because B would lie before A.
 std::vector<PathMark> path_marks(const Mesh<double>& mesh, double last);
 
 /// A point whose letter or words (SVG markup) are written at the upper border of a plot, with a
@@ -43,9 +43,9 @@ std::vector<double> line_ends(const InvolutePair& pair);
 
 enum class Lines { leading, both };
 
-/// Draws the lines of action in a figure of a plane. `on` maps points of the housing to the plane.
-/// Each letter is on that side of its line that faces away from the other line, or at a free
-/// position.
+/// Draws the lines of action in a figure of a plane. `on` maps points of the housing to the
+/// plane. Each letter is on the side of its line that faces away from the other line, or at
+/// another position if it would overlap another label there.
 void add_lines_of_action(Figure& figure, const InvolutePair& pair,
                          const std::function<Vec2(const Point<Housing>&)>& on,
                          Lines lines = Lines::both);

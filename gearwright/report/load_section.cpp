@@ -29,7 +29,7 @@ std::string finding(const LoadScene& report) {
       : t.beyond_flank ? " (a lower bound, because an ellipse extends beyond the flank)"
                        : "",
       fixed(t.max_root_stress[0], 0), fixed(t.max_root_stress[1], 0),
-      t.edge_carries ? ", which depend on the number of slices for the same reason" : "");
+      t.edge_carries ? ", which depend on the number of slices because an edge carries load" : "");
   if (const LoadedTorque* quiet = quietest(report.contact); quiet && quiet != &t)
     text += fmt::format(" The pair is quietest at {}, with {}″.", torque_words(*quiet),
                         shown_arcsec(quiet->peak_to_peak.arcsec()));

@@ -67,8 +67,8 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
                                "show the greatest principal stress during a mesh.",
                                {{worst.y() - half, lo}, {worst.y() + half, hi}});
   figure.caption = fmt::format(
-      " at the dot, on a diameter of {} mm, {} mm along the face from its middle. The bars show "
-      "the greatest principal stress at each point of the fillet during a mesh.",
+      " at the dot, on a diameter of {} mm and at z = {} mm from the middle of the face. The bars "
+      "show the greatest principal stress at each point of the fillet during a mesh.",
       fixed(2 * worst.norm(), 2),
       fixed(report.contact.slices[which].middle(static_cast<int>(f.slice)), 2));
   add_upright_gear(figure, gear, shape, fmt::format("body g{}", which + 1));

@@ -43,9 +43,9 @@ Figure path_figure(const InvolutePair& pair);
 /// Transverse, overlap and total contact ratio as bars.
 Figure ratio_figure(const InvolutePair& pair);
 
-/// True if the centrodes are worth a picture. This is so if the axes are parallel, the centre
-/// distance differs from the reference centre distance by at least 0.02 m_n, and profile shifts or
-/// a pinion cutter are the reason for this difference.
+/// True if a picture of the centrodes is useful. The axes must be parallel, and the centre
+/// distance must differ from the reference centre distance by at least 0.02 m_n because of
+/// profile shifts or a pinion cutter.
 bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// Two figures: the reference circles at the reference centre distance, and the working pitch

@@ -17,8 +17,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kDeepest = -8.0;  // least specific sliding at the lower end of the axis
-// At a base tangent point, the specific sliding decreases without bound. The axis then shows it
-// down to this value.
+// If a flank reaches a base tangent point, the specific sliding there decreases without bound.
+// The range of the axis is then computed with this value.
 constexpr double kEndless = -4.0;
 constexpr double kRest = 1e-9;  // pitches; a shorter last piece of the path is a rounding error
 

@@ -20,8 +20,7 @@ bool scored(const LoadedScore& s) {
   return std::isfinite(s.peak_to_peak.rad()) && std::isfinite(s.max_pressure);
 }
 
-// A figure in which each proposal is a dot over its transmission error and its pressure, with its
-// number.
+// A figure with a numbered dot for each proposal, at its transmission error and its pressure.
 std::string effects(const ProposeView& v) {
   std::vector<DesignDot> dots;
   std::vector<std::string> numbers;

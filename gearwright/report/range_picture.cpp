@@ -103,7 +103,7 @@ constexpr double kWorthShowing = 1e-6;
 
 constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; angles that differ by less count as equal
 
-// The centre distance at α_wn, in degrees, minus the least centre distance, µm.
+// The centre distance at the angle α_wn (degrees) minus the least centre distance, µm.
 double above_min(const CrossedPair& pair, double degrees) {
   const auto s = crossed_sample(pair, Angle::degrees(degrees));
   return s ? kUmPerMm * (s->place.center_distance - pair.min_distance->center_distance) : 0.0;
@@ -121,19 +121,20 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
   const double most = box.hi.y();
   if (most < kWorthShowing) return std::nullopt;
   const double reach = std::max(box.size().x(), 1e-9);
-  Figure f{"least",
-           "Approximations of the least centre distance",
-           "Excess of the centre distance over the least centre distance, over the normal pressure "
-           "angle of the common rack, with marks at the exact and the approximate solutions.",
-           ". Mark 0 is the exact solution. Marks 1 to 3 are the series with one to three terms, "
-           "v is the virtual spur pair, and v′ is the corrected virtual spur pair. The curve is "
-           "the exact centre distance at each angle, which hardly changes near its least value.",
-           angle_axis(box.lo.x() - 0.12 * reach, box.hi.x() + 0.12 * reach),
-           {.words = "excess over the least centre distance",
-            .unit = "µm",
-            .lo = -0.06 * most,
-            .hi = 1.25 * most,
-            .symbol = "a"}};
+  Figure f{
+      "least",
+      "Approximations of the least centre distance",
+      "The curve shows how much the centre distance exceeds its least value at each normal "
+      "pressure angle of the common rack, with marks at the exact and the approximate solutions.",
+      ". Mark 0 is the exact solution. Marks 1 to 3 are the series with one to three terms, v is "
+      "the virtual spur pair, and v′ is the corrected virtual spur pair. The curve is the exact "
+      "centre distance at each angle. Near its least value, the centre distance hardly changes.",
+      angle_axis(box.lo.x() - 0.12 * reach, box.hi.x() + 0.12 * reach),
+      {.words = "excess over the least centre distance",
+       .unit = "µm",
+       .lo = -0.06 * most,
+       .hi = 1.25 * most,
+       .symbol = "a"}};
   f.tall = 0.3;
   std::vector<Vec2> curve;
   for (int k = 0; k <= kZoomSteps; ++k) {

@@ -143,9 +143,9 @@ std::string foot(const ReportInput& input) {
       "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
       "given {}. Symbols and terms are those of ISO 21771. Lengths are in {} and angles in "
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
-      "precision, by closed formulas, or by iteration until only rounding errors remain. They are "
-      "shown with {} decimals of {} and {} of a degree. Outlines of teeth follow the "
-      "exact curves within {:g} normal modules. {}{}{}</p>\n</footer>\n",
+      "precision, by closed formulas, or by iteration until only rounding errors remain. Lengths "
+      "are shown with {} decimals of {}, and angles with {} decimals of a degree. Outlines of "
+      "teeth follow the exact curves within {:g} normal modules. {}{}{}</p>\n</footer>\n",
       version, by_pinion ? "racks and pinion cutters" : "racks", to_string(input.units), kNoValue,
       crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
                 "these points on the line of action."

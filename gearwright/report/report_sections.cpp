@@ -40,7 +40,7 @@ std::string finding_under_load(const CompensateView& v) {
   };
   const char* unit = pressure ? " N/mm²" : "″";
   return fmt::format(
-      "With these corrections the {1} under {0:.6g} N m is {2}{3} instead of {4}{5}.",
+      "With these corrections, the {1} under {0:.6g} N m is {2}{3} instead of {4}{5}.",
       worst->torque / kMmPerM,
       pressure ? "greatest pressure on the flanks" : "peak-to-peak transmission error",
       text(worst->after), unit, text(worst->before), unit);

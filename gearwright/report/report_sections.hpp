@@ -92,15 +92,15 @@ std::string compensate_section(const CompensateView& view, UnitSystem units = Un
 ///
 /// Domain    a scatter with samples (contract)
 std::string scatter_section(const ScatterView& view, UnitSystem units = UnitSystem::mm);
-/// The values of a quantity in all samples, and its percentiles. None if the quantity is the same
-/// in all samples. `id` is the id of the figures.
+/// The values of a quantity in all samples, and its percentiles. None if the quantity is the
+/// same in all samples. `id` becomes the id of the figures.
 std::optional<DistributionScene> distribution_scene(const ScatterView& view,
                                                     ScatterQuantity quantity, const char* id);
 /// The figures of a scatter, for the report, the web page and notebooks: one or more for each
 /// quantity that varies, and the density of contact patterns if the view contains it.
 std::vector<Figure> scatter_figures(const ScatterView& view);
 
-/// Strength: inputs, factors, stresses and safeties, each with its clause of the standard.
+/// Strength: inputs, factors, stresses and safety factors with their clauses of the standard.
 std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
 // The section of the report about a rack and its pinion: a picture of the mesh, and the quantities

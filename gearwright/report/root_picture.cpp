@@ -134,8 +134,8 @@ Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::str
                const std::string& name) {
   Figure f = plane_figure("root-" + shape, name + ": root of the tooth",
                           "The tooth in the transverse section with its arcs in colours. Behind "
-                          "the tooth, dashed lines show the root that the rack alone would leave, "
-                          "and the base circle. F, C and J are points on the flank.",
+                          "the tooth, dashed lines show the base circle and the root that the rack "
+                          "alone would leave. F, C and J are points on the flank.",
                           window(gear, rack));
   add_upright_gear(f, gear, shape, "neighbour");
   f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");

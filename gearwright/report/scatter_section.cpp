@@ -124,8 +124,8 @@ std::string robust_part(const ScatterView& view, UnitSystem units) {
     return shown(scatter_entries()[0], j.family->percentile().estimate.value);
   };
   return fmt::format(
-             "<p>The following corrections lower the {} % point of the {}: {}. This point is then "
-             "{}″ instead of {}″ for samples that the search did not use.</p>\n",
+             "<p>Corrections that lower the {} % point of the {}: {}. For samples that the search "
+             "did not use, this point is {}″ instead of {}″.</p>\n",
              format_number(r.percent),
              r.under_load ? "transmission error at the worst torque" : "transmission error",
              escaped(list), percentile(r.after), percentile(r.before)) +
@@ -137,7 +137,7 @@ std::string loosening_part(const ScatterView& view, UnitSystem units) {
   const Loosening& l = *view.scatter->loosening;
   const SpreadEntry& te = scatter_entries()[0];
   TableBuilder table(
-      fmt::format("Factor by which each tolerance may grow until the {} % point grows by {:g} %",
+      fmt::format("Factor on one tolerance alone that increases the {} % point by {:g} %",
                   format_number(l.percent), 100 * kLooser),
       {"Factor", fmt::format("{} % point with half the tolerance", format_number(l.percent))});
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {

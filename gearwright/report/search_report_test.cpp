@@ -97,7 +97,7 @@ TEST(SearchReport, SeveralObjectivesAreSaid) {
   const std::string page = search_report(testing::pareto_search().report());
   EXPECT_TRUE(has(page,
                   "the Pareto front over size m²(z₁² + z₂²), contact ratio and area of the "
-                  "region of profile shifts first"));
+                  "region of profile shifts come first"));
   EXPECT_TRUE(has(page, "The best design by size"));
 }
 

@@ -32,7 +32,7 @@ constexpr Entry kEntries[] = {
     {"profile_shift", "in modules"},
     {"point",
      "“balanced” is a point on the line on which the teeth of both gears are about equally strong; "
-     "“middle” is the middle of the region, used if that line does not cross the region"},
+     "“middle” is the middle of the region and is used if this line does not cross the region"},
     {"contact_ratio", "from tip to tip, by the formula"},
     {"contact_ratio_true", "for the part of the path on which both flanks are usable"},
     {"overlap_ratio", ""},
@@ -205,7 +205,7 @@ namespace {
 
 // The order is the order of the enumerators of Limit.
 constexpr std::array<std::string_view, kLimits> kLimitWords{
-    "no profile shift without undercut or a thin tip",
+    "undercut or a thin tip at every profile shift",
     "centre distance out of reach",
     "contact ratio too small",
     "overlap ratio too small",

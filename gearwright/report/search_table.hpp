@@ -61,8 +61,8 @@ struct ObjectiveWords {
 };
 ObjectiveWords words_of(Objective objective);
 
-/// The value of the objective for any design, ranked or not. None for the objective |ζ|, specific
-/// sliding, if a flank reaches its base tangent point.
+/// The value of the objective for any design, ranked or not. None for the specific sliding |ζ|
+/// if a flank reaches its base tangent point.
 std::optional<double> value_of(const SearchProblem& problem, const DesignRow& row,
                                Objective objective);
 

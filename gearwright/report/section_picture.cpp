@@ -44,8 +44,8 @@ Bounds window(const InvolutePair& pair) {
   const double m = pair.gears[0].spec.normal_module;
   const Vec2 size = box.size().cwiseMax(Vec2(2 * m, 2 * m));
   const double scale = std::min((kPlot - 60) / size.x(), (kHigh - 110) / size.y());  // px/mm
-  // Beyond its least value, the height is only as great as the lines of action with their letters
-  // and a part of the cylinders require.
+  // The height is at least kLow. It is greater if the lines of action with their letters and a
+  // part of the cylinders need more.
   const Vec2 half = 0.5 / scale * Vec2(kPlot, std::max(kLow, scale * size.y() + 110.0));
   const Vec2 center = (box.lo + box.hi) / 2;
   return {center - half, center + half};
@@ -55,14 +55,14 @@ bool inside(const Figure& f, const Vec2& p) {
   return p.x() >= f.x.lo && p.x() <= f.x.hi && p.y() >= f.y.lo && p.y() <= f.y.hi;
 }
 
-// Draws the part of the ellipse of a cylinder that is within the plot. The name of the cylinder is
-// on the side `side` (+1 to the right), at the point where the ellipse leaves the plot if it is
-// followed from the mesh.
+// Draws the part of a cylinder's ellipse that is within the plot. The name of the cylinder is
+// at the point at which the ellipse first leaves the plot on its way from the mesh to the side
+// `side` (+1 to the right).
 void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const NamedCircle& cut,
                   double side) {
   const SectionEllipse e = section_of_cylinder(pair, i, cut.radius);
-  // Gear 1 is below the mesh, so the mesh is at the top of gear 1. If gear 2 is internal, the mesh
-  // is at the bottom of both gears.
+  // The mesh is at the top of gear 1 and at the bottom of gear 2. If gear 2 is internal, the
+  // mesh is at the bottom of both gears.
   const double up = i == 0 ? pair.side() : -1.0;
   const auto at = [&](int k, double to) {
     const double angle = up * kHalfPi * (1.0 - to * k / kSteps);
@@ -93,10 +93,9 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
 Figure section_of(const InvolutePair& pair) {
   Figure f = plane_figure(
       "section", "Section normal to the teeth",
-      fmt::format(
-          "Tip, pitch and base cylinders of both gears cut by the plane of the leading line "
-          "of action, {}, with both pitch planes and both lines of action.",
-          pair.side() > 0.0 ? "gear 1 below, gear 2 above" : "both axes above"),
+      fmt::format("Tip, pitch and base cylinders of both gears cut by the plane of the leading "
+                  "line of action ({}), with both pitch planes and both lines of action.",
+                  pair.side() > 0.0 ? "gear 1 below, gear 2 above" : "both axes above"),
       window(pair));
   for (const std::size_t i : {0u, 1u}) {
     // Names of gear 1 are on the right, and names of gear 2 on the left.
@@ -135,8 +134,8 @@ Figure section_figure(const InvolutePair& pair) {
   const Mesh<double>& m = pair.mesh;
   Figure f = section_of(pair);
   f.caption = fmt::format(
-      " of the common rack, through the leading line, with {}. The lines have their true length "
-      "and the angle {} = {}°. Tip cylinders are full, pitch cylinders dash-dotted and base "
+      " of the common rack, through the leading line, with {}. The lines are drawn in true length, "
+      "at the angle {} = {}°. Tip cylinders are full, pitch cylinders dash-dotted and base "
       "cylinders dashed. The pitch planes are {} = {} mm apart, and the lines are {} mm on either "
       "side of the centre line, along the teeth.",
       pair.side() > 0.0 ? "gear 1 below" : "both axes above", symbol_html("α_wn"),

@@ -37,8 +37,8 @@ std::string description(const ShiftRegion& region, const DesignRow& row) {
 std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSystem units) {
   const SearchProblem& problem = graph.problem();
   const std::string area =
-      region.area >= 0.01 ? "the area " + fixed(region.area, 4)
-      : region.area > 0.0 ? fmt::format("the area {:.3g}", region.area)
+      region.area >= 0.01 ? "an area of " + fixed(region.area, 4) + " modules²"
+      : region.area > 0.0 ? fmt::format("an area of {:.3g} modules²", region.area)
                           : std::string("no area, because the limits leave only a line or a point");
   const std::string line =
       problem.internal()
@@ -47,10 +47,9 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSyst
                 "the line on which the teeth of both gears are about equally strong ({} = {:g})",
                 symbol_html("λ"), problem.lambda);
   return fmt::format(
-      ". The filled region has {}, in normal modules. The faint rectangle shows the limits of the "
-      "profile shifts. {}The dashed line is {}; its feasible part is thick. The dots mark "
-      "the middle of the region on its lines of least and greatest {}. The ring marks the design. "
-      "Edges of the region:",
+      ". The filled region has {}. The faint rectangle shows the limits of the profile shifts. "
+      "{}The dashed line is {}; its feasible part is thick. The dots mark the middles of the lines "
+      "of least and greatest {} in the region. The ring marks the design. Edges of the region:",
       area,
       problem.center_distance
           ? fmt::format("The thin lines are centre distances in {}. ", to_string(units))

@@ -286,7 +286,7 @@ std::string shift_figures(const Gear& gear, const std::string& shape, const std:
   if (teeth.empty()) return {};
   const Bounds view = window(teeth);
   std::string text = fmt::format(
-      "<h3>{}: profile shift and root</h3>\n<p>The pictures show the same tooth, cut at other "
+      "<h3>{}: profile shift and root</h3>\n<p>The pictures show the tooth, cut with different "
       "profile shifts, to the same scale. {} {} that begins {}the undercut limit. The dashed "
       "circle is the base circle.</p>\n<div class=\"multiples\">\n",
       name, caption_key("before", "as the rack cuts it"),

@@ -46,7 +46,7 @@ std::optional<Matrix> cholesky(const Matrix& r) {
   return l;
 }
 
-// The matrix after two of its rows, and the same two columns, are moved to the end.
+// The matrix with two of its rows, and the same two columns, moved to the end.
 Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < r.size(); ++i)
@@ -84,16 +84,16 @@ std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCo
   return std::array{middle - half, middle + half};
 }
 
-// The multiple of kShownStep inside the range that is nearest to `value`, unless `value` itself
-// lies inside.
+// Returns `value` if it lies inside the range, otherwise the nearest multiple of kShownStep
+// inside the range.
 double nearest_inside(double value, const std::array<double, 2>& range) {
   const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
   const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;
   return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
 }
 
-// The greatest multiple of kStep such that R is positive definite if all correlations are
-// multiplied by it.
+// The greatest multiple of kStep by which all correlations can be multiplied so that R is
+// positive definite.
 double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   double factor = 1.0;
   const auto exists = [&](double f) {

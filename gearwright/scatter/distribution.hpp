@@ -30,8 +30,8 @@ class Distribution {
  public:
   /// Checks the spec and makes the distribution.
   ///
-  /// Errors    `range` if l > h or if an end is not finite (l = h is valid, but the number then
-  ///           does not vary); `cpk` ≤ 0, `offset` not inside the range, `shape` ≤ 0
+  /// Errors    `range` if l > h or if an end is not finite; `cpk` ≤ 0; `offset` not inside the
+  ///           range; `shape` ≤ 0. A range with l = h is valid, but the number does not vary
   static Result<Distribution> of(const DistributionSpec& spec);
 
   /// F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]

@@ -57,7 +57,7 @@ class LinearFamily {
   ContactSetup setup_;                       // with a field of removed material on both gears
   std::array<bool, 2> left_{};               // true if the left flank of the gear touches
   std::vector<std::vector<Row>> positions_;  // over a pitch, both ends included
-  // continuous_peak_to_peak() minus the first-order value, both of the nominal pair, rad
+  // continuous_peak_to_peak() of the nominal pair minus its first-order estimate, rad
   double correction_ = 0.0;
 };
 

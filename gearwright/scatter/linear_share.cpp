@@ -10,17 +10,17 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// The ratio of the second differences with kStep and with kWideStep is 1/16 for a smooth function,
-// and 1/4 at a kink. A greater ratio than kBend means a kink.
+// The ratio of the second difference with kStep to the one with kWideStep is 1/16 for a smooth
+// function, and 1/4 at a kink. A ratio above kBend indicates a kink.
 constexpr double kBend = 1.0 / 8;
-// Limit of the change of slope at a kink, multiplied by w_i and divided by the standard deviation
-// of the quantity. A smaller change explains at most 0.5 % of the variance.
+// A kink is ignored if its change of slope, multiplied by w_i, is at most this fraction of the
+// standard deviation of the quantity. Such a kink explains at most 0.5 % of the variance.
 constexpr double kSmallBend = 0.5;
 // A second difference below this value, rad, is a rounding error of the peak to peak. Other
 // quantities are more accurate.
 constexpr double kRoundingBend = 4e-12;
 
-// True if the member changes continuously with the coordinates about x = 0.
+// True if the member is a continuous function of the coordinates at x = 0.
 bool is_continuous(const ScatterTolerance& t) {
   return !std::holds_alternative<VaryingWave>(t.of) && !std::holds_alternative<VaryingPitch>(t.of);
 }
@@ -31,8 +31,9 @@ struct Probe {
   FamilyMember member{};
 };
 
-// The members from which the derivatives by one coordinate are computed, or which show whether a
-// tolerance without derivatives changes a quantity.
+// The members that are computed for one coordinate. They give the derivatives by this
+// coordinate. For a tolerance without derivatives, they show whether the tolerance changes a
+// quantity.
 struct Probes {
   std::size_t coordinate;
   double half_width = 0.0;  // w_i; 0 for a tolerance without derivatives
@@ -76,7 +77,8 @@ bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   return !check_ends(setup, narrow);
 }
 
-// ∂f/∂x for one coordinate; none if f has a kink at x = 0 or has no value at a probe.
+// ∂f/∂x for one coordinate. None if f has a kink at x = 0, if f has no value at a probe, or if
+// a tolerance without derivatives changes f.
 std::optional<double> slope_of(const Probes& probes, double drawn, std::size_t quantity,
                                double deviation) {
   const auto f = [&](std::size_t i) { return probes.at[i].member.value[quantity]; };

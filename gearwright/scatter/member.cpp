@@ -19,8 +19,8 @@ namespace gearwright {
 
 namespace {
 
-// True if the member differs from the nominal pair. The numbers of the nominal pair must be equal
-// to those of the verb `contact`, so the nominal pair is not searched in lanes.
+// True if the member differs from the nominal pair. The nominal pair is not searched in SIMD
+// lanes, because its numbers must be equal to those of the verb `contact`.
 bool deviates(const ContactSetup& drawn, const Deviation& deviation) {
   return deviation.modified || !(deviation.errors == drawn.place().errors);
 }
@@ -52,8 +52,8 @@ namespace {
 // of a double-helical pair. If both halves are equal, they are computed once.
 class FlankTouches {
  public:
-  // `lanes` permits the search in lanes. Its touches differ by rounding from those of the verb
-  // `contact`.
+  // `lanes` permits the search in SIMD lanes. The touches that this search finds differ by
+  // rounding from those of the verb `contact`.
   FlankTouches(const ContactSetup& setup, const ContactErrors& errors, const MemberRequest& request,
                bool gear2_drives, bool lanes) {
     if (request.stagger) {
@@ -73,7 +73,7 @@ class FlankTouches {
   }
 
   double turned() const { return pairs_[0]->turned(); }
-  // TE in N; for a double-helical pair, the mean of both halves. NaN without contact.
+  // TE in the frame N; for a double-helical pair, the mean of both halves. NaN without contact.
   double te(std::size_t position) const {
     double sum = 0.0;
     for (const auto& touches : touches_)
@@ -81,7 +81,7 @@ class FlankTouches {
     return sum / static_cast<double>(touches_.size());
   }
   // The score. Each position of the contact is taken from the half in which its magnitude is
-  // greater, and the share of edges is the mean of both halves.
+  // greater, and edge_share is the mean of both halves.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;

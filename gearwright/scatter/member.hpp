@@ -95,8 +95,8 @@ struct MemberSpan {
   std::vector<double> slope;
 };
 
-/// Domain    as member_at(); each gear of which a modification is an influence has a field of
-///           removed material; no influences for a double-helical pair (contract)
+/// Domain    as member_at(); if a modification of a gear is an influence, this gear has a field
+///           of removed material; no influences for a double-helical pair (contract)
 /// Accuracy  as continuous_extremes() and span_slope()
 MemberSpan continuous_peak_to_peak(const ContactSetup& setup, const Deviation& deviation,
                                    const MemberRequest& request,

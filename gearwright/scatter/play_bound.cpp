@@ -61,8 +61,9 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// 2 · ½Λ|x|², which is the term of second order of both flanks; the greatest value over the family,
-// rad. None if the flanks can touch near a base circle.
+// Returns an upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the
+// second-order term of both flanks together. Returns none if the flanks can touch near a base
+// circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};

@@ -25,8 +25,8 @@ struct RobustTask {
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, computed with samples from another seed than in the
-/// search.
+/// The family without or with corrections, computed with samples from a different seed than
+/// those of the search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
   Spread peak_to_peak;                 ///< of f; the only percentile is the minimised percentile

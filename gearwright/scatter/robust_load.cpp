@@ -18,7 +18,7 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of samples for the search of the whole box, and for all other steps.
+// Greatest numbers of samples: for the search of the whole box, and for all other steps.
 constexpr int kCoarseLoaded = 16, kFineLoaded = 64;
 constexpr int kPositions = 16;              // per pitch during the search, as in `compensate`
 constexpr double kGain = kSameError.rad();  // smallest gain worth another step
@@ -28,9 +28,10 @@ bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
   return load.request.regime == LoadRegime::point || !influences_of(robust.corrections);
 }
 
-// The family with corrections near a center. For line contact, if every correction has an
-// influence, the contact is computed only at the center, and each trial recomputes only the forces,
-// with changed gaps. Otherwise, each trial repeats the whole contact computation.
+// The family with corrections near a center. If the contact is line contact and every
+// correction has an influence, the contact is computed only at the center. Each trial then
+// recomputes only the forces with changed gaps. In all other cases, each trial repeats the
+// whole contact computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,

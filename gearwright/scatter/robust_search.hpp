@@ -27,8 +27,8 @@ class CorrectedFamily {
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Sets the slopes with respect to correction i, which has no exact slopes, to difference
-/// quotients.
+/// Computes the slopes with respect to correction i by difference quotients, because it has no
+/// exact slopes.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 
@@ -41,8 +41,8 @@ struct RobustSearch {
   bool whole_box;  ///< false for a search around the start only
 };
 
-/// The best corrections that the search from `start` finds; `start` itself is also compared. The
-/// corrections are not rounded.
+/// The best corrections that the search from `start` finds, or `start` if none of them is
+/// better. The corrections are not rounded.
 ///
 /// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
 /// Accuracy  a local minimum, to `gain`

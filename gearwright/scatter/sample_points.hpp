@@ -1,8 +1,8 @@
-// Computes the points x of the samples of a family, and the peak-to-peak TE of the members at these
-// points. The points x are Sobol's points or random points, and have the distributions and the
-// correlations of the tolerances.
-//                                    theory: docs/theory/14-scatter.md, [T14.4] to [T14.6],
-// [T14.30] Internal to scatter/.
+// Computes the points x of the samples of a family, and the peak-to-peak TE of the members at
+// these points. The points x are Sobol's points or random points, and they have the
+// distributions and the correlations of the tolerances.
+//                theory: docs/theory/14-scatter.md, [T14.4] to [T14.6], [T14.30]
+// Internal to scatter/.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace gearwright {
 
 /// Checks that samples of the family can be computed.
 ///
-/// Errors    as check_ends(); `scatter` if they have more coordinates than the table of Sobol's
-///           points
+/// Errors    as check_ends(); `scatter` if the tolerances have more coordinates than the table
+///           of Sobol's points
 std::optional<Error> check_family(const ContactSetup& setup,
                                   const std::vector<ScatterTolerance>& tolerances);
 
@@ -44,8 +44,8 @@ class SamplePoints {
   Copula copula_;
 };
 
-/// For the member at each of these points x, the peak to peak of the continuous TE curve, rad, and
-/// the derivatives of the peak to peak with respect to the influences.
+/// The peak to peak of the continuous TE curve, rad, of the member at each of these points x,
+/// with its derivatives with respect to the influences.
 std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});

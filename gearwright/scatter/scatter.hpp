@@ -122,9 +122,9 @@ struct Loosening {
   /// percentile, rad, in the first replicate with unchanged tolerances.
   double percent, percentile;
   struct Change {
-    /// Greatest factor of the tolerance for which the percentile grows by at most the fraction
-    /// kLooser. None if the percentile does so for all factors up to kMostFactor for which teeth
-    /// exist.
+    /// Greatest factor of the tolerance at which the percentile exceeds `percentile` by at most
+    /// the fraction kLooser. None if this holds for all factors up to kMostFactor at which
+    /// teeth exist.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
@@ -152,11 +152,11 @@ struct Scatter {
 ///
 /// Domain    at least one tolerance, samples a power of two, replicates ≥ 1, 0 < confidence < 1
 ///           (contract)
-/// Errors    as check_ends(); `scatter` if they have more coordinates than the table of Sobol's
-///           points; nothing_touches() if the teeth touch in no sample
+/// Errors    as check_ends(); `scatter` if the tolerances have more coordinates than the table
+///           of Sobol's points; nothing_touches() if the teeth touch in no sample
 /// Accuracy  as member_at() for each member; each statistic has a confidence interval
-/// Laws      (1) the result is the same, byte for byte, for any number of threads   (2) tolerances
-///           of width 0 give the numbers of analyse_contact()
+/// Laws      (1) the result is the same, byte for byte, for any number of threads
+///           (2) tolerances of width 0 give the numbers of analyse_contact()
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 
 /// Warns if samples jam, lose contact, or often have edge contact.

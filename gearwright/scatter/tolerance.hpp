@@ -91,7 +91,7 @@ struct ScatterTolerance {
   }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// The coordinates of x, in the user's units, computed from the same number of values in (0, 1).
+  /// The coordinates of x, in the user's units, computed from as many values in (0, 1).
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
@@ -132,7 +132,8 @@ std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 
 /// The flank deviations that a grade of ISO 1328-1 allows on a gear, mm. f_H limits the slope
-/// deviation over an evaluation range, and f_f the form deviation from the line with this slope.
+/// deviation over an evaluation range, and f_f limits the form deviation from the line with
+/// this slope.
 struct GradedFlank {
   double profile_slope;              ///< ± f_Hα, converted from L_α to the whole usable flank
   double helix_slope;                ///< ± f_Hβ, converted from L_β to the whole face

@@ -45,8 +45,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The quantity to maximise, which is the peak to peak of the member at x, or minus the least play
-  // of this member. Minus infinity if the member has no such value.
+  // The quantity to maximise: the peak to peak of the member at x, or the negative of its least
+  // play. Minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
@@ -107,7 +107,8 @@ class Box {
     return true;
   }
 
-  // The same member as x, with whole numbers of waves instead of numbers that are rounded to them.
+  // The same member as x. The numbers of waves, which the member rounds, are replaced by the
+  // whole numbers.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {

@@ -16,8 +16,8 @@ namespace gearwright {
 /// worst corners of the box and at the worst samples. Its steps have the directions of the
 /// coordinates and of the last improvement. The steps are halved if they give no improvement.
 ///
-/// Accuracy  the worst local optimum that is found from several starts. It is not a bound, but for
-///           the least play, WorstMember::bound is one [T14.29]
+/// Accuracy  the worst local optimum that is found from several starts, which is not a bound.
+///           For the least play, WorstMember::bound is a bound [T14.29]
 /// Laws      (1) no sample and no examined corner is worse than the result
 std::optional<WorstMember> worst_member(const ContactSetup& setup, const ScatterTask& task,
                                         const std::vector<ScatterSample>& samples,

@@ -1,4 +1,4 @@
-// The asserts of toml++ are switched off, because they do not handle broken input (see
+// The asserts of toml++ are switched off, because they fail on some broken input (see
 // spec_text.cpp).
 #ifndef NDEBUG
 #define NDEBUG
@@ -264,8 +264,8 @@ Result<std::string> with_key(std::string_view toml, std::string_view path, std::
     editor.set(parts, toml_value(wished));
   }
   std::string text = std::move(editor).text();
-  // Some rare forms, such as a table with a dotted name, cannot be edited in place. The whole text
-  // is then written anew, without the comments.
+  // Some rare forms, such as a table with a dotted name, cannot be edited in place. For such a
+  // form, the whole text is written anew, without the comments.
   const bool none = text.find_first_not_of(" \t\r\n") == std::string::npos;
   const auto after = none ? Result<Json>(Json::object()) : parse_spec(text, SpecFormat::toml);
   if (!after || !same(*after, wanted)) return toml_text(wanted);

@@ -1,8 +1,9 @@
 // Trees of specs and results. Members keep the order in which they were written.
 //
-// This header only declares the tree, because nlohmann/json.hpp adds a second to each compilation,
-// and reading or writing text adds two more. Headers include this file. Sources that look into a
-// tree include nlohmann/json.hpp. The functions below read and write text.
+// This header only declares the tree, because nlohmann/json.hpp makes each compilation 1 s
+// longer, and code that reads or writes text makes it another 2 s longer. Headers include this
+// file. Sources that access members of a tree include nlohmann/json.hpp. The functions below
+// read and write text.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,8 +15,9 @@ namespace gearwright {
 
 using Json = nlohmann::ordered_json;
 
-/// The nesting depth of the brackets in a text. Brackets in strings do not count. Callers check the
-/// depth before a foreign text is parsed, because trees are written and destroyed recursively.
+/// The nesting depth of the brackets in a text. Brackets in strings do not count. Callers check
+/// the depth before they parse text of unknown origin, because trees are written and destroyed
+/// recursively.
 int json_depth(std::string_view text);
 
 /// Throws  nlohmann::json::parse_error

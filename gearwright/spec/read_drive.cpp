@@ -53,8 +53,9 @@ void read_meshes(TableReader& t, const std::string& key, PerMesh& to) {
              [&](std::size_t mesh, double value) { to.each.emplace_back(kMeshes[mesh], value); });
 }
 
-// Reads the series and the backlash, which replace the thickness allowances. A band of the backlash
-// becomes its mean, and a table by mesh is left for the caller.
+// Reads the series and the backlash, which replace the thickness allowances. A band of the
+// backlash is replaced by its mean. A table with one backlash for each mesh is left to the
+// caller.
 void read_play(TableReader& t, std::string& series, std::optional<double>& backlash) {
   series = t.text("thickness_series").value_or("");
   check_series(t, series);

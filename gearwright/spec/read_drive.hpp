@@ -28,8 +28,8 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder);
 /// empty if the tree has no table of a drive.
 std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 
-/// Sets an absent speed of [rating] to the speed of the first input, because a life and a power
-/// need a speed.
+/// Sets an absent speed of [rating] to the speed of the first input, because without a speed
+/// neither a life nor a power can be computed.
 void lend_speed(Json& tree);
 
 /// Reads a planetary set from a table with the keys of [planetary].

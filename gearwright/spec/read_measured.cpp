@@ -54,9 +54,9 @@ void add_mating_gear(const Json& tree, int mate, Json& readings) {
   readings["mating_teeth"] = mating.cylindrical.teeth;
 }
 
-// Reads those keys of an unknown gear that identify() does not compute. They are only checked here,
-// and they stay in the spec of every candidate. A given profile shift, thickness allowance or rack
-// is a known value for identify().
+// Reads the keys of an unknown gear that identify() does not compute. They are only checked
+// here and stay in the spec of every candidate. identify() uses a given profile shift,
+// thickness allowance or rack as a known value.
 void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& p) {
   TableReader t(gear_keys(), gear, path);
   t.refuse_unknown();
@@ -81,8 +81,8 @@ void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& 
     p.thickness_allowance = kept.cylindrical.thickness_allowance;
   if (p.profile_shift && p.thickness_allowance)
     t.fail("thickness_allowance_mm",
-           "cannot be combined with profile_shift for an unknown gear, because the readings and "
-           "one of the two keys determine the other; leave out one of the two");
+           "cannot be combined with profile_shift for an unknown gear, because each of the two "
+           "keys is computed from the readings and the other key; leave out one of them");
 }
 
 }  // namespace

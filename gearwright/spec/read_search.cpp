@@ -125,7 +125,7 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
              fmt::format("gives {:.6g} angles in the band, but at most {} are allowed", count + 1,
                          kMaxAngles));
     for (int i = 0; i <= static_cast<int>(count); ++i) degrees.push_back(b->front() + i * h);
-    // The end of the range is added unless it is a whole number of steps from the start.
+    // If the range is not a whole number of steps, its end is added.
     if (degrees.back() < b->back() - 1e-9 * h) degrees.push_back(b->back());
   } else if (step) {
     t.fail("helix_step_deg", "needs a band, helix_angle_deg = [least, greatest]");
@@ -295,9 +295,10 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   check_teeth(t, p);
   p.modules = read_modules(t);
   if (p.shaft_angle && p.internal())
-    t.fail("shaft_angle_deg",
-           "cannot be used for internal pairs, because a search covers internal pairs on parallel "
-           "axes only; leave out this key, or describe the pair by [gear1], [gear2] and [pair]");
+    t.fail(
+        "shaft_angle_deg",
+        "cannot be used for internal pairs, because a search supports internal pairs only on "
+        "parallel axes; leave out this key, or describe the pair by [gear1], [gear2] and [pair]");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
   read_racks(t, p, blanks);
@@ -307,8 +308,8 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   if (one(p.face_width) && one(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
   const auto mounting = t.word("mounting");
-  // At the extended centre distance, an internal pair has negative backlash, so its default is
-  // tight.
+  // An internal pair has negative backlash at the extended centre distance, so its default
+  // mounting is tight.
   const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
   p.mounting = tight ? Mounting::tight : Mounting::extended;
   read_limits(t, p);

@@ -18,8 +18,8 @@ namespace gearwright {
 /// `search`, `gear_1` and `gear_2` are the tables as given. The tables of the gears may be null.
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2);
 
-/// The default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the widths
-/// are round in the units of the spec.
+/// The default step of face widths within a band, in mm. It is 1 mm or 0.05 in, so that the
+/// widths are round numbers in the units of the spec.
 constexpr double default_face_step(UnitSystem units) {
   return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
 }
@@ -46,8 +46,8 @@ void lend_face_load(Json& tree);
 /// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
 bool has_default_face_load(const JobSpec& spec);
 
-/// True if the search needs a rating for a required safety or for an objective such as noise. If
-/// [rating] is given, the objectives mass and cost need a rating, too.
+/// True if the search needs a rating, either for a required safety or for an objective such as
+/// noise. The objectives mass and cost need a rating only if [rating] is given.
 bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 
 /// Adds the densities of the materials to the problem, and the inputs of a rating if the search
@@ -61,10 +61,10 @@ void check_series(const TableReader& t, std::string& series);
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
-/// Makes a search check its designs as drawings. Designs are not checked if the search gives
-/// `mounting` but neither allowances nor face widths to choose, on crossed axes, on a grid of
-/// profile shifts, or if designs with interference are also listed. `search` is the table [search].
-/// read_search_rating() must be called before.
+/// Makes a search check its designs as drawings. Designs are not checked in four cases: on
+/// crossed axes, on a grid of profile shifts, if designs with interference are also listed, or
+/// if the search gives `mounting` but neither allowances nor face widths to choose. `search` is
+/// the table [search]. read_search_rating() must be called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.

@@ -15,8 +15,8 @@ namespace gearwright {
 
 namespace {
 
-// The materials in the tables of the gears, which need not give teeth. If gear 2 has no material,
-// it takes the material of gear 1.
+// The materials in the tables of the gears, even if these tables contain no teeth. If gear 2
+// has no material, it takes the material of gear 1.
 std::array<MaterialInput, 2> read_materials(const Json& tree, const RatingTable& rating) {
   std::array<MaterialInput, 2> materials;
   bool before = false;
@@ -99,7 +99,7 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
 
 void lend_face_load(Json& tree) {
   if (!tree.contains("search") || !tree.contains("rating") || !tree["rating"].is_object()) return;
-  // The rating of a complete pair in the same spec has no default factor.
+  // If the spec also describes a complete pair, the rating of this pair has no default factor.
   if (tree.contains("gear1") && tree["gear1"].contains("teeth")) return;
   Json& rating = tree["rating"];
   const bool plastic = rating.value("standard", Json()) == "VDI 2736:2014";
@@ -220,7 +220,8 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  // If `mounting` is the only one of these keys, the designs have nominal teeth as in the theory.
+  // If `mounting` is given without allowances and without face widths to choose, the designs
+  // have nominal teeth as in the theory.
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;

@@ -64,8 +64,8 @@ struct RexsModel {
 ///           other than 1.x and 2.0; deep nesting
 Result<RexsModel> read_rexs(std::string_view xml);
 
-/// The reason why a file with this name cannot be REXS as XML, or nothing if it can. The formats
-/// .rexsj (JSON) and .rexsz (compressed) are not supported.
+/// The reason why a file with this name cannot be a REXS file in XML, or nothing if it can. The
+/// formats .rexsj (JSON) and .rexsz (compressed) are not supported.
 std::optional<std::string> other_rexs_format(const std::filesystem::path& path);
 
 /// The model as the text of a file. Reading the text gives the same doubles.

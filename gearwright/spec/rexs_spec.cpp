@@ -139,8 +139,9 @@ class Reader {
     return table;
   }
 
-  // The thickness allowance, computed from the generating profile shift. In a drive, which has no
-  // tolerances, it is the mean allowance of the series.
+  // The thickness allowance, computed from the generating profile shift. If a series is given,
+  // the result is empty for a pair, and the mean allowance of the series for a drive, which has
+  // no tolerances.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
                                      bool of_drive) const {
@@ -158,7 +159,7 @@ class Reader {
     const auto generated = flank->number("generated_addendum_modification_coefficient");
     if (!x || !generated) return std::nullopt;
     const double alpha = flank->number("normal_pressure_angle").value_or(20.0) * kRadPerDeg;
-    // The rounding removes the rounding error of the difference.
+    // Rounding to 1e-12 mm removes the floating-point error of the difference.
     return std::round((*generated - *x) * 2 * *module * std::tan(alpha) * 1e12) / 1e12;
   }
 
@@ -355,8 +356,8 @@ class Reader {
                                  "flank_geometry",   "rack_shaped_tool",   "cutter_wheel_tool",
                                  "external_load",    "material",           "gear_casing",
                                  "coupling",         "switchable_coupling"};
-      // A shaft only connects gears. If it has no attributes except its speed, it is read
-      // completely.
+      // A shaft only connects gears. If its speed is its only attribute, nothing of the shaft
+      // is lost.
       const bool plain = c.type == "shaft" &&
                          std::all_of(c.attributes.begin(), c.attributes.end(), [](const auto& a) {
                            return a.first == "defines_speed" || a.first == "rotational_speed";

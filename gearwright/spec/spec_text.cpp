@@ -156,7 +156,8 @@ std::optional<int> deep_line(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The run of digits that ends before one position of a line, and the run that begins at another.
+// Two runs of digits in a line: the run that ends before one position, and the run that begins
+// at another.
 struct Digits {
   std::string_view before, after;
 };
@@ -167,8 +168,8 @@ Digits digits_at(std::string_view line, std::size_t before, std::size_t after) {
   return {line.substr(begin, before - begin), line.substr(after, end - after)};
 }
 
-// A hint if the line of the parser error contains a usual slip: "2,5", "1/2", ".5", "2.5 mm", text
-// without quotes, or "[gear 1]". `at_comma` is true if the parser did not expect a comma.
+// A hint if the line of the parser error contains a usual slip: "2,5", "1/2", ".5", "2.5 mm",
+// text without quotes, or "[gear 1]". `at_comma` is true if the parser rejected a comma.
 std::string slip_hint(std::string_view text, const toml::source_position& at, bool at_comma) {
   for (unsigned line = 1; line < at.line; ++line) text.remove_prefix(text.find('\n') + 1);
   std::string_view line = text.substr(0, text.find_first_of("\r\n"));
@@ -209,7 +210,7 @@ TextPlace place_of(const toml::source_region& source) {
   return {static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
 }
 
-// The longest of those keys of the table with which `path` begins.
+// The longest key of the table with which `path` begins.
 const toml::key* first_key(const toml::table& table, std::string_view path) {
   const toml::key* longest = nullptr;
   for (const auto& [key, value] : table) {

@@ -230,9 +230,9 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
 }
 
 void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
-  lacking_.push_back(absent_input(
-      name(key), fmt::format("; the {} is needed, for example {} = 2, and can be given by {}", what,
-                             key, fmt::join(keys_.ways(key), ", "))));
+  lacking_.push_back(
+      absent_input(name(key), fmt::format("; give the {}, for example {} = 2 (possible keys: {})",
+                                          what, key, fmt::join(keys_.ways(key), ", "))));
 }
 
 void TableReader::read(KeyTarget input) {

@@ -68,8 +68,9 @@ class TableReader {
   void lacks_one_of(const std::string& key, const std::string& what);
   /// Rejects a key that is not allowed here, with the reason.
   void refuse(const std::string& key, const std::string& why);
-  /// Fails if a key is unknown, if a key is missing that is required always or by another key, or
-  /// if two keys exclude each other. The error for an unknown key names the nearest known key.
+  /// Fails if a key is unknown, if a key is missing that is always required or that another key
+  /// requires, or if two keys exclude each other. The error for an unknown key names the
+  /// nearest known key.
   void finish() const;
   void refuse_unknown() const;  ///< checks only for an unknown key
 

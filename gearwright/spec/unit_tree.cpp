@@ -154,8 +154,8 @@ Json sentences_in_inch(const Json& value) {
   return list;
 }
 
-// The kind of a tree. A record is a part of a result. Some keys of a spec and all keys of a table
-// by name are names that the user chose. Shares are the tables of kShares.
+// The kind of a tree: a part of a result, a spec, a table whose keys are names that the user
+// chose, or a table of kShares. Some keys of a spec are also names that the user chose.
 enum class Tree { record, spec, by_name, shares };
 
 // Tables of a result whose keys are names that the user chose.

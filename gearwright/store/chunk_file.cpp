@@ -189,8 +189,8 @@ std::optional<ChunkRead> ChunkFolder::read(std::int64_t chunk, Depth depth) cons
     return ChunkRead{ChunkRead::State::foreign, "belongs to another search", {}, 0, {}};
   }
   if (i64_at(bytes, 12) != chunk)
-    return broken(
-        fmt::format("contains chunk {}, which does not match its name", i64_at(bytes, 12)));
+    return broken(fmt::format("contains chunk {}, which does not match the name of the file",
+                              i64_at(bytes, 12)));
 
   ChunkRead found;
   found.counts.tested = i64_at(bytes, 20);

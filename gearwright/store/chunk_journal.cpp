@@ -117,8 +117,8 @@ void ChunkJournal::bind(const Statement& statement, int place, const std::string
 bool ChunkJournal::step(const Statement& statement) const {
   const int status = sqlite3_step(statement.get());
   if (status != SQLITE_ROW && status != SQLITE_DONE) {
-    // The message belongs to the connection, so reset does not erase it. Without the reset, a lock
-    // would remain.
+    // SQLite stores the message in the connection, so sqlite3_reset() does not erase it.
+    // Without the reset, a lock would remain.
     sqlite3_reset(statement.get());
     fail();
   }

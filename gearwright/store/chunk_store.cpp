@@ -187,9 +187,9 @@ std::vector<std::int64_t> ChunkStore::Impl::finished() const {
   return chunks;
 }
 
-// Renames a broken chunk and returns its fault. Returns nothing if the chunk is no longer broken or
-// no longer exists: the chunk is read again under the lock, because another process may have
-// renamed or replaced it.
+// Renames a broken chunk and returns its fault. The chunk is first read again under the lock,
+// because another process may have renamed or replaced it. Returns nothing if the chunk is no
+// longer broken or no longer exists.
 std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   const std::lock_guard lock(mutex);
   ChunkJournal::Transaction transaction(journal);

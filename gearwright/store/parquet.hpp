@@ -54,8 +54,9 @@ class ParquetWriter {
   /// allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
-  /// Opens exactly `part_file`, which the caller renames when the table is complete (write_file_by
-  /// in base/output_file.hpp). The `key_values` are written into the footer.
+  /// Opens `part_file` under exactly this name. The caller renames it when the table is
+  /// complete (write_file_by in base/output_file.hpp). The `key_values` are written into the
+  /// footer.
   ///
   /// Domain    at least one column; names not empty and unique; UTF-8 throughout (contract)
   ParquetWriter(const std::filesystem::path& part_file, std::vector<ParquetColumn> columns,

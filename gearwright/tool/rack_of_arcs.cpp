@@ -85,8 +85,8 @@ Result<std::vector<RackArc>> joined(const RackOfArcs& rack) {
   return chain;
 }
 
-// If a shift by `thinner` (modules) makes the two sides cross, ends the last arc where the sides
-// meet.
+// If a shift by `thinner` (modules) makes the two sides cross, the last arc is shortened to the
+// point where they meet.
 void end_in_the_middle(RackArc& arc, double thinner) {
   const double c = -(arc.center_offset + thinner) / arc.radius;
   const bool crossed = point_at(arc, arc.end).y() + thinner < 0.0;

@@ -78,9 +78,9 @@ struct Found {
 };
 
 // The value of a number at which the contact lies nearest to the middle of the face. The search
-// halves the range of the number, because the contact moves in one direction as the number grows.
-// The result is nothing if the contact then lies more than kMiddlePlace from the middle, or if
-// edges touch more often than `before`.
+// halves the range of the number repeatedly, because the contact moves in one direction as the
+// number grows. There is no result if the contact at this value lies more than kMiddlePlace
+// from the middle, or if edges touch more often than `before`.
 std::optional<Found> centring_change(Trials& trials, const Finding& finding, const Lever& lever,
                                      const PatternPlace& before) {
   const auto change_of = [&](double steps) {

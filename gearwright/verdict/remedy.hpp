@@ -49,7 +49,7 @@ struct Lever {
   std::optional<double> exact{};  ///< if set, the only value that is tried
 
   double step() const;
-  /// Converts a number of steps to a value and rounds it to its decimal form.
+  /// Returns the double that is nearest to the decimal number steps · step().
   double in_steps(double steps) const;
 };
 

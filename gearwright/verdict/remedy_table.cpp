@@ -129,7 +129,7 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// The number of decimals for a length in mm whose last decimal is about 10^-more modules.
+// The number of decimals at which the last digit of a length in mm is about 10^-more modules.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }

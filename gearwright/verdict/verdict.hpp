@@ -91,16 +91,15 @@ struct Verdict {
                                         ///< contains data for them: pair, contact, load, rating
 };
 
-/// Margins in normal modules. A clearance below its margin produces a finding. The fillet margin is
-/// small, because in every good pair the tip corner, after it has left the mating flank, passes
-/// close to the fillet. A 20:40 pair without profile shift has a clearance of only 0.0009 modules
-/// there, and few pairs exceed 0.01 modules.
+/// Margins in normal modules. A clearance below its margin produces a finding. The fillet
+/// margin is small, because the tip corner of every good pair passes close to the fillet after
+/// it has left the mating flank. In a 20:40 pair without profile shift, this clearance is only
+/// 0.0009 modules, and in few pairs it exceeds 0.01 modules.
 constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
 /// width, at which the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
-/// The same distance for a contact pattern in the middle of the face. A remedy that centres the
-/// contact must reach it.
+/// Greatest such distance that remains after a remedy that centres the contact.
 constexpr double kMiddlePlace = 0.1;
 
 /// A rating, with the inputs that are needed to rate the gears again for a remedy.
@@ -167,8 +166,8 @@ using TryChange = std::function<std::optional<ChangedState>(const SpecChange&, T
 /// Domain    one or two gears; `warnings` is set (contract)
 std::vector<Finding> findings_of(const Judged& judged);
 
-/// True if `a` is worse than `b`. Levels are compared first, then the first values. Both findings
-/// must have the same code and gear.
+/// True if `a` is worse than `b`, which means that its level is more severe or, for equal
+/// levels, that its first value is less. Both findings must have the same code and gear.
 bool worse(const Finding& a, const Finding& b);
 
 /// The verdict with these findings for the judged data.

@@ -119,7 +119,7 @@ class Slips(Asked):
     def test_a_sum_of_shifts_is_told_of_the_key_that_was_written(self):
         two = GEAR + "profile_shift = {}\n[gear2]\nteeth = 40\nprofile_shift = {}\n"
         for x1, x2, key in ((-2, 0.1, "gear1.profile_shift"), (0.1, -2, "gear2.profile_shift")):
-            self.refused(two.format(x1, x2), key, "the sum of both profile shifts, -1.9", "greater than")
+            self.refused(two.format(x1, x2), key, "the sum of both profile shifts is -1.9", "greater than")
 
     def test_a_rack_that_nobody_wrote_is_called_a_default(self):
         steep = GEAR + "normal_pressure_angle_deg = 60\n"

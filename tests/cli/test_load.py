@@ -152,7 +152,7 @@ class Load(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             run = self.compensated('aim = "pressure"\n' + only, verb="run", options=("--json", "--out", folder))
             self.assertEqual(run.json["compensate"], answer)
-            self.assertIn("With these corrections the greatest pressure on the flanks under", (Path(folder) / "report.html").read_text())
+            self.assertIn("With these corrections, the greatest pressure on the flanks under", (Path(folder) / "report.html").read_text())
 
     def test_corrections_without_load_are_as_before(self):
         answer = self.compensated("").json["compensate"]
@@ -302,7 +302,7 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
                    "normal_module_mm = 2\nhelix_angle_deg = 45\n[pair]\nshaft_angle_deg = 90\n")
         halves = ("[gear1]\nteeth = 20\nnormal_module_mm = 2\nhelix_angle_deg = 25\nface_width_mm = 40\n"
                   "[gear1.double_helical]\ngap_mm = 6\n[gear2]\nteeth = 31\n")
-        for gears, word in ((crossed, "point contact"), (halves, "single-helical")):
+        for gears, word in ((crossed, "point contact"), (halves, "double-helical")):
             run = Run("load", gears + shaft + "[load]\ntorque_Nm = 20\n", "--json")
             self.assertEqual(run.status, 1, run.out)
             self.assertEqual(run.json["error"]["key"], "gear2.shaft")

@@ -128,7 +128,7 @@ class ARack(unittest.TestCase):
                 out = Path(folder) / "out"
                 r = Run("run", spec, "--out", out)
                 self.assertEqual(r.status, 0, r.err)
-                self.assertIn("of the pinion only, because a rack has no drawing", r.out)
+                self.assertIn("only the pinion is drawn, because a rack has no drawing", r.out)
                 written = {p.name for p in out.iterdir()}
                 kinds = ("step", "stl", "3mf", "dxf", "svg")
                 self.assertLessEqual({f"gear{i}.{k}" for i in (1, 2) for k in kinds}, written)

@@ -162,7 +162,7 @@ class Listed(Drawn):
         run = Run("search", drawn(helix_step_deg=6), "--out", "found", "--chunk", 5000, folder=folder())
         self.assertEqual(run.status, 0, run.err)
         for words in ("drawn and checked as by the verb run: mounting tight, thickness series cd25, -1 <= x <= 1, |ζ| <= 3",
-                      "face width the least sufficient width from 10 mm to 120 mm", "j_n mm"):
+                      "face width 10 mm to 120 mm (the least sufficient width)", "j_n mm"):
             self.assertIn(words, " ".join(run.out.split()))
         head = (run.folder / "found/best.csv").read_text().splitlines()[0].split(",")
         self.assertLessEqual({"backlash_min_mm", "backlash_max_mm", "face_width_mm", "overlap_ratio"}, set(head))

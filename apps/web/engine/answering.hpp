@@ -15,10 +15,10 @@ SpecText spec_text(std::string text);
 /// Reads the spec.   Errors  a text of more than kMaxSpec bytes; the errors of read_spec
 Result<JobSpec> read(const SpecText& text, SpecUse use = SpecUse::geometry);
 
-/// The name of the page in the error that rejects a spec in inch. The page has its own switch
-/// between mm and inch.
+/// The words for the page in the error that rejects a spec in inch. The page rejects such a
+/// spec, because it has its own switch between mm and inch.
 inline constexpr std::string_view kInPage =
-    "an interactive session, such as the page, whose own switch shows lengths in inch";
+    "an interactive session, such as the page, which has its own switch for lengths in inch";
 
 /// Returns {"error": …} with the keys of the spec and the line, as in the program.
 std::string refusal(const Error& error, const SpecText* text = nullptr,

@@ -194,7 +194,8 @@ val work_result(const Work& work) {
   return guarded([&] { return js(work.result()); });
 }
 
-// Converts the result of a function of a text. An error contains the line in this text.
+// Converts the result of a function whose argument is a text. An error contains the line in
+// this text.
 template <class T>
 val of_text(const Result<T>& result, const SpecText& text) {
   return result ? js(*result) : failed(result.error(), &text);

@@ -27,9 +27,9 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// The suffix of a key and its unit for users. The list contains the suffixes whose unit is
-// displayed in another form, and the units that the catalogue does not convert. For all other keys,
-// key_unit() returns the unit.
+// A suffix of keys and its unit as users read it. The list contains only the suffixes for which
+// key_unit() does not return the displayed unit: suffixes that are displayed in another form,
+// and units that the catalogue does not convert.
 struct Ending {
   std::string_view suffix, unit;
 };

@@ -1,23 +1,25 @@
 // The engine in WebAssembly, for a page or a node program.
 //
-// It contains no formulas: every call passes a spec to the C++ code of `gearwright` and returns the
-// result. Rules:
+// It contains no formulas: every call passes a spec to the C++ code of `gearwright` and returns
+// the result. Rules:
 //
-//   * No call throws. An error is a `Failed` with the message and the line that the program prints.
-//     `failed(x)` tests a result for an error.
-//   * Lengths are in mm. Angles at this interface are in degrees, as their names show. Keys of results are
-//     the same as in `gearwright … --json` (docs/spec.md). The catalogue has words, symbol, unit and digits.
+//   * No call throws. An error is a `Failed` with the message and the line that the program
+//     prints. `failed(x)` tests a result for an error.
+//   * Lengths are in mm. Angles at this interface are in degrees, as their names show. Keys of
+//     results are the same as in `gearwright … --json` (docs/spec.md). For every key, the
+//     catalogue contains words, symbol, unit and digits.
 //   * Arrays are copies that belong to the caller, who may transfer or keep them.
-//   * Calls are synchronous and single-threaded, so the engine should run in a Web Worker. Long work is a
-//     `Work`. Call its step() for some milliseconds, handle messages, and repeat; delete it to cancel.
+//   * Calls are synchronous and single-threaded, so the engine should run in a Web Worker. A
+//     long computation is a `Work`. Call its step() for some milliseconds, handle messages, and
+//     repeat. Delete the `Work` to cancel the computation.
 //   * An object with `delete()` stays in the memory of the module until it is deleted.
-//   * A violated contract of the core is a defect of Gearwright. It becomes a Failed that names the contract
-//     and requests a report. The object of the call (a session, a work) is then unusable, but other objects
-//     can still be used. Only a trap or too deep a recursion stops the module. The engine must then be
-//     loaded again.
+//   * A violated contract of the core is a defect of Gearwright. It becomes a Failed that names
+//     the contract and requests a report. The object of the call (a session, a work) is then
+//     unusable, but other objects can still be used. Only a trap or too deep a recursion stops
+//     the module. The engine must then be loaded again.
 //
-// Housing frame, rotations and signs are described in docs/theory/01-frames.md. Gear 1 turns clockwise seen
-// from +z when `rotation1` increases, and gear 2 turns accordingly.
+// Housing frame, rotations and signs are described in docs/theory/01-frames.md. If `rotation1`
+// increases, gear 1 turns clockwise seen from +z, and gear 2 turns accordingly.
 
 /** An error: the key of the spec, its value, and the message. */
 export interface Failed {
@@ -28,7 +30,8 @@ export interface Failed {
     file?: string;
     line?: number; // line of the key, or of its table, in the text; counted from 1
     column?: number; // in characters, counted from 1
-    // Set by `open` only: the spec is incomplete, and this verb computes the missing values.
+    // Set only by `open`, and only if the spec is incomplete: the verb that computes the
+    // missing values.
     finder?: "search" | "fit" | "identify";
   };
 }
@@ -297,7 +300,8 @@ export interface MeshView {
 export interface ShiftView {
   width: number; // px, width of the figure
   aspect: number; // width over height of the plot
-  // Lower and upper end of x1, then of x2. If it is null, the window is around the region.
+  // Least and greatest x1, then least and greatest x2. If the value is null, the window
+  // surrounds the region.
   window: [number, number, number, number] | null;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int kTableSteps = 32;       // a table takes about as long as 32 positions
 constexpr std::size_t kMostKept = 4;  // the tables of both gears, in draft and in full accuracy
 
-// A result with its figures. The members of the scene point into the job.
+// A result with its figures. The scene of the figures contains pointers into `job_`.
 class LoadAnswerWork : public Work {
  public:
   LoadAnswerWork(std::shared_ptr<Session> session, SolvedJob job)

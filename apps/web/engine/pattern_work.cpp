@@ -97,7 +97,8 @@ MadeWork pattern_work(std::shared_ptr<Session> session, int positions, const Ras
   if (positions < 2 || size.rows < 2 || size.columns < 2 || positions > 1024 ||
       size.rows * size.columns > 1'000'000)
     return Error{"", "",
-                 "a pattern must have 2 to 1024 positions and a grid of 2 x 2 to 10^6 nodes"};
+                 "a pattern must have 2 to 1024 positions and a grid of at least 2 x 2 and at most "
+                 "10^6 nodes"};
   return std::shared_ptr<Work>(std::make_shared<PatternWork>(std::move(session), positions, size));
 }
 

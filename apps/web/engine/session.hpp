@@ -63,7 +63,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::string json(std::string_view verb) const;
   Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
-  /// The solids of a drive in their places, with the data of their motion.
+  /// The solids of a drive in their positions, with the data of their motion.
   Result<Json> drive_solids() const;
   Result<Json> lines() const;
   /// The gears in section, with all circles that the catalogue contains.
@@ -82,8 +82,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// differ, the list begins with the patterns of the half at z > 0, and the patterns of the other
   /// half follow.
   Result<std::vector<FlankRaster>> pattern(int positions, const RasterSize& size);
-  /// The transmission error over a pitch, rad, if two errors are replaced by `values`. `keys` are
-  /// the indices of these errors in error_entries().
+  /// The transmission error over a pitch, rad, with two of the errors replaced by `values`.
+  /// `keys` are the indices of these two errors in error_entries().
   Result<std::vector<double>> te_under(const std::array<std::size_t, 2>& keys,
                                        const std::array<double, 2>& values, int positions);
   double marking() const { return job_.spec.contact.marking; }

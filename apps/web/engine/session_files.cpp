@@ -35,7 +35,7 @@ Result<Json> drive_file(const JobSpec& spec, const std::string& kind) {
 }  // namespace
 
 Result<Json> Session::file(const std::string& kind, int gear, double tolerance) {
-  // The report and the drawings in inch are made from the same spec in inch.
+  // The report and the drawings in inch are made from the spec converted to inch.
   if (job_.spec.units() != units_ && (kind == "report" || kind == "drawing")) {
     const auto tree = parse_spec(text_.text, text_.format);
     if (!tree) return tree.error();

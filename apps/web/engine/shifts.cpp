@@ -104,8 +104,8 @@ Figure limits_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
   return swapped ? exchanged(f) : f;
 }
 
-// The figure without the point of the design. The page draws this point, because the user can drag
-// it.
+// The figure without the point of the design. The page draws this point itself, because the
+// user can drag it.
 Figure chart_figure(const ShiftGraph& graph, const Vec2& design, bool swapped,
                     const ShiftView& view) {
   // If the region extends over at least this fraction of the rectangle of limits, the figure shows

@@ -54,9 +54,9 @@ struct ErrorAxis {
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance tables of the gears that were last computed under load. The tables do not depend
-/// on torque, errors and modifications. If only torque, errors or modifications change, only the
-/// positions are computed again.
+/// The compliance tables of the gears that were last computed under load. They depend neither
+/// on the torque nor on the errors and modifications. If only these change, only the positions
+/// are computed again.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,
@@ -72,8 +72,8 @@ class ToothTables {
   std::vector<Kept> kept_;
 };
 
-/// Teeth under load. Each of the first two steps makes the table of one gear, which takes longest.
-/// The next steps compute one position after the other.
+/// Teeth under load. Each of the first two steps makes the compliance table of one gear, and
+/// these steps take longest. The following steps compute the positions.
 /// Errors    the errors of load_task
 MadeWork load_work(std::shared_ptr<Session> session, std::optional<ComplianceAccuracy> accuracy,
                    std::shared_ptr<ToothTables> tables);

@@ -5,8 +5,9 @@
 //   press   computes teeth under load and keeps their compliance from one torque to the next
 //   seek    runs searches and fits and keeps their results
 //
-// `latest` drops requests that a newer request of the same kind has made obsolete. At most one request of a
-// kind is then being computed and one is waiting. The result of a dropped request is null.
+// `latest` drops requests that a newer request of the same kind has made obsolete. At any time,
+// at most one request of a kind is therefore being computed, and at most one is waiting. The
+// result of a dropped request is null.
 
 import type { Questions } from "./engine_worker";
 import { onUnitChange, shownUnit } from "./numbers";

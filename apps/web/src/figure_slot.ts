@@ -130,7 +130,8 @@ export class FigureSlot {
     rows.push(...(points ?? []).map(({ name, at: [a, b] }) => `${cell(name)},${a},${b}`));
     let head = ["curve", words(x), words(y)].map(cell).join();
     if (grid) {
-      // The curves and points of a map are parts of its picture, so the file has only the values.
+      // The curves and points of a map are parts of its picture but not of its data. The file
+      // contains only the values of the map.
       head = [words(x), words(y), words(grid)].map(cell).join();
       rows.splice(0, rows.length, ...grid.y.flatMap((b, i) => grid.x.map((a, k) => `${a},${b},${grid.values[i]![k] ?? ""}`)));
     }

@@ -1,5 +1,6 @@
-// Each picture has the revision of the spec that it shows. If this is not the spec on screen, the picture is
-// dimmed, with a spinner while the next picture is being made.
+// Each picture stores the revision of the spec that it shows. If this revision differs from
+// that of the spec on screen, the picture is dimmed. While the next picture is being made, it
+// also has a spinner.
 
 /** A hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
 export function revisionOf(text: string): string {

@@ -81,7 +81,7 @@ export class Tabs {
       for (const tab of this.tabs) void tab.refresh();
     });
     bench.on("solved", () => {
-      // A spec that becomes a drive is shown by a tab for drives.
+      // If the spec on screen becomes a drive, a tab for drives is opened.
       const moves = isDrive() && !this.ofDrive && !this.current.ofDrives;
       this.ofDrive = isDrive();
       if (moves) this.open(this.tabs.find((tab) => tab.ofDrives)!.id);

@@ -1,5 +1,5 @@
-// Controls for turning a pair or a drive: a slider over one pitch of gear 1 or over one turn of a body, a button
-// that starts and stops a continuous rotation, and the angle in degrees.
+// Controls that turn a pair or a drive: a slider over one pitch of gear 1 or over one turn of a
+// body, a button that starts and stops a continuous rotation, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
 

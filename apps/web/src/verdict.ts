@@ -1,6 +1,6 @@
-// The verdict at the top of the page shows the level, the worst finding in one sentence, and the
-// parts that are still pending. If the user opens it, it lists every finding with its remedy. The
-// engine provides the sentences.
+// The verdict at the top of the page shows the level, the worst finding in one sentence, and
+// the parts that are still pending. If the user unfolds the verdict, every finding is listed
+// with its remedy. The engine provides the sentences.
 
 import { fill, foldOut, h } from "./elements";
 import type { Finding, Notice } from "./engine_worker";

@@ -92,7 +92,8 @@ class Workbench {
     this.edits.clear();
     try {
       const answer = await this.front.call("edit", { text: from, edits });
-      // The user has edited the text in the meantime. The edited text takes precedence over this change.
+      // If the user has edited the text in the meantime, the edited text takes precedence over
+      // this change.
       if (this.text !== from) return;
       if ("refused" in answer) {
         const fault = { key: edits[0]![0], value: edits[0]![1], message: answer.refused };

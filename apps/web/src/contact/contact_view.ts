@@ -1,5 +1,6 @@
-// The tab "contact" shows transmission error, spectrum and flanks. They follow the sliders of errors and
-// modifications at once. The contact pattern is computed in the background and follows later.
+// The tab "contact" shows transmission error, spectrum and flanks. They are updated immediately when the
+// user moves a slider of an error or a modification. The contact pattern is computed in the background
+// and is updated later.
 
 import type { ContactCurve, FlankRaster } from "../../engine/engine";
 import { quantities } from "../catalogue";

@@ -1,8 +1,9 @@
-// The tab "mesh" shows the section at z = 0. A slider turns the gears. The picture contains the path of
-// contact and named circles, and the tab shows the diameters at the pointer.
+// The tab "mesh" shows the section at z = 0. A slider turns the gears. The picture contains the
+// path of contact and named circles, and the tab shows the diameters at the pointer.
 //
-// The engine draws the figure, and the page turns its gears to the poses that the engine has computed. After
-// zooming or moving, the engine draws the figure again, so that it is sharp and its circles have labels.
+// The engine draws the figure, and the page turns its gears to the poses that the engine has
+// computed. When the user has zoomed or moved the figure, the engine draws it again, so that it
+// is sharp and its circles have labels.
 
 import type { Figure, MeshView as View } from "../../engine/engine";
 import { check, Choice, h, onNextFrame, svg } from "../elements";
@@ -103,7 +104,8 @@ export class MeshView implements Tab {
     await Promise.all([motion, this.draw()]);
     this.motion = (await motion) ?? this.motion;
     if (await motion) this.placed = text;
-    // If the size of the picture has changed, another figure may have replaced the queued one.
+    // If the size of the picture has changed in the meantime, the request for this figure may
+    // have been dropped in favour of a newer one, so the figure is drawn again.
     if (this.drawn !== text && bench.good?.text === text) await this.draw();
     this.settle();
   }
@@ -123,7 +125,8 @@ export class MeshView implements Tab {
     const view: View = { frame: this.frame, width, height, window: this.window, bodies: false, name: "mesh" };
     try {
       const figure = await bench.about(bench.front, "mesh", "meshFigure", { text, view });
-      // If the view has moved in the meantime, it is drawn again as soon as it stops.
+      // If the user has moved the view in the meantime, this figure is not shown. The figure is
+      // requested again when the view stops.
       if (!figure || (view.window && this.viewBox !== before)) return;
       this.show(figure);
       this.drawn = text;

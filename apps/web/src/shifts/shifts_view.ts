@@ -63,7 +63,8 @@ export class ShiftsView implements Tab {
     try {
       const region = await bench.about(bench.front, "shifts", "shifts", { text: solved.text, view });
       if (!region) return;
-      // During a drag, the point is at the pointer, because the result of the engine comes later.
+      // During a drag, the point stays at the pointer, because the result of the engine belongs
+      // to an earlier position of the pointer.
       if (this.held && this.region) region.point = this.region.point;
       this.region = region;
       this.shown = solved.text;

@@ -1,6 +1,6 @@
-// Controls for the solids of a drive: the body whose rotation the slider gives, the held, driving and driven
-// bodies of a planetary set, and the names of the bodies in their colours. All bodies turn with their exact
-// speed ratios.
+// Controls for the solids of a drive: a choice of the body whose rotation the slider sets, a
+// choice of the held, driving and driven bodies of a planetary set, and the names of the bodies
+// in their colours. All bodies turn with their exact speed ratios.
 
 import type { DriveSolids } from "../../engine/engine";
 import { fill, h } from "../elements";

@@ -1,6 +1,6 @@
-// Draws the contact pattern on the flanks with the graphics card. A raster of the engine contains the gap
-// over diameter and height. Points of the flank where the gap is less than the thickness of the marking
-// compound have another colour.
+// Draws the contact pattern on the flanks with the graphics card. A raster of the engine
+// contains the gap as a function of diameter and height. Points of the flank have another
+// colour if the gap is less than the thickness of the marking compound.
 
 import * as THREE from "three";
 import type { FlankRaster } from "../../engine/engine";

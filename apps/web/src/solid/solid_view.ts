@@ -169,8 +169,8 @@ export class SolidView implements Tab {
     if (!this.drive.element.hidden) this.drive.poses(t, whole).forEach((pose, part) => scene.place(part, pose));
     if (!motion) return;
     const apart = Number(this.apart.value);
-    // To separate the gears, a pinion moves out of its internal gear along the axis. All other gears move
-    // away from each other.
+    // To separate the gears, only gear 2 is moved: along its axis if one of the gears is
+    // internal, and otherwise along the centre line.
     motion.places.forEach((_, gear) => {
       const pose = poseAt(motion, gear, this.turning.t);
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;
