@@ -279,11 +279,9 @@ const Quantities<InternalMargins>& internal_quantities() {
   using M = InternalMargins;
   return define("pair.internal", [](Quantities<M>& q) {
     q.under(kMargins);
-    q.number("involute_margin_mm",
-             "involute interference, distance from the form point of the pinion to the start of "
-             "the path of contact",
-             "",
-             "[T2.27]; negative if the tip of the internal gear reaches below the form point; null "
+    q.number("involute_margin_mm", "involute interference, distance on the pinion flank", "",
+             "from the form point of the pinion to the start of the path of contact [T2.27]; "
+             "negative if the tip of the internal gear reaches below the form point; null "
              "if the pinion has no form point",
              &M::involute);
     q.number("trochoid_margin_deg", "trochoid interference, play when the tips pass each other", "",
