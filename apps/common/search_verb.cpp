@@ -221,6 +221,8 @@ std::optional<std::string> fill_campaign(const CampaignCommand& c, const Togethe
   }
   if (together && !c.out)
     return "a " + noun + " on several ranks needs --out DIR, the folder that they share";
+  if (together && c.spec == "-")
+    return "under mpirun, only one rank receives the standard input; give the spec as a file";
   options.out = c.out.value_or("");
   options.resume = c.resume;
   options.writer = c.shard ? "shard " + *c.shard : verb;

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -278,11 +277,12 @@ ModifiedFit in_mirror(ModifiedFit fit) {
   }
   for (auto& layers : fit.faces) {
     std::reverse(layers.begin(), layers.end());
-    for (ModifiedFace& face : layers | std::views::join)
-      for (std::vector<Vec3>& row : face.poles) {
-        std::reverse(row.begin(), row.end());
-        for (Vec3& pole : row) pole.z() = -pole.z();
-      }
+    for (auto& faces : layers)
+      for (ModifiedFace& face : faces)
+        for (std::vector<Vec3>& row : face.poles) {
+          std::reverse(row.begin(), row.end());
+          for (Vec3& pole : row) pole.z() = -pole.z();
+        }
   }
   return fit;
 }

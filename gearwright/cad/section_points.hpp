@@ -6,7 +6,7 @@
 //
 // The density of points follows from (M1) of mesh.hpp, taken as an equation with d = κa²/8:
 //     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
-// The density is at least κ/SectionTolerance::facet_turn. Its integral along an arc is the
+// The density is at least κ divided by the facet_turn of the tolerance. Its integral along an arc is the
 // number of segments. The points divide this integral into equal parts.
 #pragma once
 

@@ -225,14 +225,11 @@ bool at_seam(Transmission& transmission, const PairTouch& touch) {
 }
 
 bool on_edge(Transmission& transmission, const PairTouch& touch) {
-  return touch.found() && is_edge(kind_of(transmission.field(touch.fields), touch.touch.active)) &&
-         !on_line(transmission, touch);
-}
-
-bool on_line(Transmission& transmission, const PairTouch& touch) {
-  if (holds_with_weight(transmission, touch)) return false;
+  if (!touch.found() || !is_edge(kind_of(transmission.field(touch.fields), touch.touch.active)))
+    return false;
+  if (holds_with_weight(transmission, touch)) return true;
   LineWalk walk(transmission, touch);
-  return walk.worth_walking() && walk.ends();
+  return !walk.worth_walking() || !walk.ends();
 }
 
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,

@@ -37,9 +37,9 @@ bool is_edge(TouchKind kind);
 /// ellipse, and a computed pressure is only a lower bound.
 bool is_sharp(TouchKind kind);
 
-/// A line along which the gap stays below this value, mm, counts as a contact line. Corrections of
-/// flanks are rounded to 0.01 µm, and no real flank is that smooth.
-inline constexpr double kLineGap = 1e-5;
+/// A line along which the gap stays below this value, mm, counts as a contact line. No real flank
+/// is that smooth.
+inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
   std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none if the gap is flat in that direction
@@ -94,8 +94,6 @@ bool at_seam(Transmission& transmission, const PairTouch& touch);
 /// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,
 /// computed with less work.
 bool on_edge(Transmission& transmission, const PairTouch& touch);
-/// True if the touch lies on a contact line, see kLineGap. The touch must be found.
-bool on_line(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.
 ///

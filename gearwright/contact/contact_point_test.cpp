@@ -101,14 +101,14 @@ TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   EXPECT_GT(tips, 2);
 }
 
-// Contact with less than 0.01 µm of crowning counts as a line, otherwise as a point.
-TEST(ContactPoint, a_line_ends_at_the_rounding_of_corrections) {
+// Contact with less than a nanometre of crowning counts as a line, otherwise as a point.
+TEST(ContactPoint, a_line_ends_at_a_nanometre) {
   auto p = testing::involutes(20, 41, 0);
-  for (const double crowning : {5e-6, 30e-6}) {
+  for (const double crowning : {0.5e-6, 3e-6}) {
     FlankModifications m;
     m.lead_crowning = crowning;
     p.modify(1, m);
-    EXPECT_EQ(at(p, 0.05).kind, crowning < 1e-5 ? TouchKind::line : TouchKind::interior);
+    EXPECT_EQ(at(p, 0.05).kind, crowning < 1e-6 ? TouchKind::line : TouchKind::interior);
   }
 }
 

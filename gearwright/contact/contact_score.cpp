@@ -100,8 +100,7 @@ ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& 
     c.te.push_back(t.te());
     ++n;
     // On a contact line every point touches, so the touch has no definite position along the face.
-    const bool line = t.touch.flat || (!t.touch.active.inside() && on_line(transmission, t));
-    if (!line) height += transmission.pair().turned() * t.touch.z / z_half;
+    if (!t.touch.flat) height += transmission.pair().turned() * t.touch.z / z_half;
     if (target.width > Angle()) {
       const auto angle = transmission.field(t.fields).one().profile.rack_angle(t.touch.s);
       if (angle) profile += (*angle - target.angle.rad()) / target.width.rad();

@@ -102,7 +102,8 @@ TEST(Infeed, names_the_largest_similar_cutter_that_does_not_trim) {
   std::string message;
   for (const Warning& w : s.ring.warnings)
     if (w.code == WarningCode::trimming) message = w.message;
-  EXPECT_NE(message.find("A similar cutter with 42 teeth removes nothing"), std::string::npos)
+  EXPECT_NE(message.find("Give a similar cutter with 42 teeth, which removes nothing"),
+            std::string::npos)
       << message;
   EXPECT_FALSE(testing::warns(shaped_ring(42, 60, 116).ring, WarningCode::trimming));
   for (int z_0 = 43; z_0 <= 50; ++z_0)

@@ -62,7 +62,7 @@ TEST(ShiftRegionPicture, NumbersAreThoseOfTheRegion) {
   const DesignRow& row = sample.answer->designs.front();
   const std::string figure = figure_of(sample, row);
   EXPECT_NE(figure.find("Where " + design_name(row.trial) + " is feasible"), figure.npos);
-  EXPECT_NE(figure.find("area " + fixed(row.area, 4)), figure.npos);
+  EXPECT_NE(figure.find("an area of " + fixed(row.area, 4)), figure.npos);
   const auto at = [](double x1, double x2) {
     return with_minus("(" + fixed(x1, 4) + ", " + fixed(x2, 4) + ")");
   };

@@ -68,7 +68,7 @@ class Rate(unittest.TestCase):
         mounting = "[rating.mounting]\nbearing_span_mm = 720\nshaft_diameter_mm = 250\n"
         for text, key, word in [
                 (good.replace("-300", "420"), "gear1.shaft.bearings_mm", "must be in rising order"),
-                (good + "steps_mm = [0]\n", "gear1.shaft.steps_mm", "several diameters"),
+                (good + "steps_mm = [0]\n", "gear1.shaft.steps_mm", "list of diameters"),
                 (good.replace("250", "[250, 200]"), "gear1.shaft.steps_mm", "one entry fewer"),
                 (good.replace("250", "[250, 200, 150]") + "steps_mm = [50, 0]\n", "gear1.shaft.steps_mm", "must be in rising order"),
                 (good.replace("250", "-250"), "gear1.shaft.diameter_mm", "greater than 0"),

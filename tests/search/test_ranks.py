@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import signal
+import subprocess
 import sys
 import time
 import unittest
@@ -91,6 +92,14 @@ class Ranks(Campaign):
         status, out, err = ask("none", "--json")
         self.assertEqual([status, json.loads(out)["error"]["key"]], [1, "search.ratio"], err)
         self.assertFalse((small / "none").exists())
+
+    def test_the_standard_input_is_rejected(self):
+        # Only rank 0 would receive the spec, and it would wait for the other rank forever.
+        for verb in ("search", "scatter"):
+            run = subprocess.run([*MPI, verb, "-", "--out", folder(spec()) / "found"], input=spec(), env=AS_ROOT,
+                                 capture_output=True, text=True, timeout=60)
+            self.assertEqual((run.returncode, run.stdout), (2, ""), run.stderr)
+            self.assertIn("give the spec as a file", run.stderr)
 
     def test_fewer_chunks_than_ranks(self):
         small = folder(spec())
