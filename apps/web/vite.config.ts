@@ -3,7 +3,6 @@
 
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import { gzipSync } from "node:zlib";
 import { resolve } from "node:path";
 import { defineConfig, type Plugin } from "vite";
 
@@ -29,6 +28,8 @@ function engineModule(): Plugin {
 
 /** Returns the file compressed by the program zstd. The zlib of node supports zstd only from version 22.15 on. */
 const zstd = (file: string) => execFileSync("zstd", ["--ultra", "-22", "-qc", file], { maxBuffer: 1e8 });
+/** Returns the text compressed by the program gzip, whose result is half a per cent smaller than that of node. */
+const gzip = (text: string) => execFileSync("gzip", ["-9nc"], { input: text, maxBuffer: 1e8 });
 
 const kLicences =
   "<!-- Contains three.js, © 2010-2026 three.js authors, and fzstd, © 2020 Arjun Barrett, both under the MIT licence. -->";
@@ -49,7 +50,7 @@ function single(): Plugin {
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
           const parts =
-            place("page-script", gzipSync(part.code, { level: 9 })) +
+            place("page-script", gzip(part.code)) +
             place("engine-wasm", zstd(resolve(engine, "gearwright.wasm"))) +
             `<script type="module">${readFileSync(resolve(here, "src/unpack.js"))}</script>\n`;
           html = html.replace(/<script[^>]*src="[^"]*"[^>]*><\/script>/, "");
