@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   require(!search_json_text(search, *run).empty());
-  require(!search_listing(search, *run).empty());
+  require(!search_listing(search, *run, spec->units()).empty());
   for (std::size_t i = 0; i < run->answer.designs.size() && i < 3; ++i) {
     const Json pair = pair_spec(*spec, search, run->answer.designs[i]);
     const auto again = read_spec(toml_text(pair), SpecFormat::toml);
