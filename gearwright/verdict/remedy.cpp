@@ -187,6 +187,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
                            : judged.tolerances ? TryDepth::at_tolerances
                                                : TryDepth::as_drawn;
     const bool under_errors = judged.contact && judged.errors && !cure->needs_contact;
+    const TryDepth deepest = under_errors ? TryDepth::with_contact : depth;
     std::optional<Found> best;
     for (const Lever& lever : levers(*cure, finding, judged)) {
       auto found = lever.what == Adjustable::lead_slope
@@ -195,9 +196,9 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
       // The contact under the errors is computed only for the change that would be printed. If it
       // is worse than before, the other changes of this number are tried with their contact.
       if (found && under_errors) {
-        const auto score = trials.score(finding, found->change, TryDepth::with_contact);
+        const auto score = trials.score(finding, found->change, deepest);
         found = score ? std::optional(Found{found->change, *score})
-                      : least_change(trials, finding, lever, TryDepth::with_contact);
+                      : least_change(trials, finding, lever, deepest);
       }
       if (found && (!best || found->score < best->score)) best = found;
       // For a finding of a contact analysis, the search stops at the first change that removes the
@@ -207,7 +208,7 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     if (!best) continue;
     finding.change = best->change;
     finding.remedy =
-        remedy_words(*cure, best->change, finding, judged, *trials.of(best->change, depth));
+        remedy_words(*cure, best->change, finding, judged, *trials.of(best->change, deepest));
   }
 }
 
