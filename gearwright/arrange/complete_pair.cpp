@@ -229,19 +229,18 @@ Result<double> backlash_at(GivenPair given, const std::optional<PairPlace>& plac
                                              : backlash->rotation[0].deg();
 }
 
-// The error of a backlash for which a gear cannot be made. `possible` and `impossible` are two
-// thinnings, one on each side of the limit.
-Error beyond_limit(const GivenPair& given, const std::optional<PairPlace>& place,
-                   const Wanted& wanted, double possible, double impossible) {
-  const bool thinner = impossible > possible;
-  const double limit = nearest_possible(possible, impossible, [&](double thinning) {
-    return static_cast<bool>(backlash_at(given, place, thinning));
-  });
-  return refused(
-      wanted.field, wanted.value, {*backlash_at(given, place, limit)},
-      fmt::format("must be at {} {{}}{}, because the cutters of these gears cannot cut "
-                  "{} teeth",
-                  thinner ? "most" : "least", wanted.unit, thinner ? "thinner" : "thicker"));
+// The error of a backlash that lies beyond `limit`, because of `cause`.
+Error beyond_limit(const Wanted& wanted, double limit, const Error& cause) {
+  const bool thinner = wanted.value > limit;
+  const auto [which, member] = subject_of(cause.field);
+  Error error = refused(
+      wanted.field, wanted.value, {limit},
+      fmt::format("must be at {} {{}}{}, because ", thinner ? "most" : "least", wanted.unit));
+  error.rule += which == 0 || member == GearMember::tip_diameter
+                    ? fmt::format("a backlash beyond this limit requires {}", cause.quoted())
+                    : fmt::format("the cutters of these gears cannot cut {} teeth",
+                                  thinner ? "thinner" : "thicker");
+  return error;
 }
 
 }  // namespace
@@ -256,8 +255,16 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double off_before = *at_before - wanted.value;
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
-    const auto at_now = backlash_at(given, place, now);
-    if (!at_now) return beyond_limit(given, place, wanted, before, now);
+    auto at_now = backlash_at(given, place, now);
+    if (!at_now) {
+      // A gear cannot be made. The search continues at the limit, unless the backlash lies beyond.
+      const Error cause = at_now.error();
+      now = nearest_possible(before, now, [&](double thinning) {
+        return static_cast<bool>(backlash_at(given, place, thinning));
+      });
+      at_now = backlash_at(given, place, now);
+      if ((*at_now - wanted.value) * off_before > 0.0) return beyond_limit(wanted, *at_now, cause);
+    }
     const double off = *at_now - wanted.value;
     const double slope = (off - off_before) / (now - before);
     if (std::abs(off) <= kNear * std::max(1.0, wanted.value) || !(slope > 0.0)) break;

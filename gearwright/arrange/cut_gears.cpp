@@ -131,10 +131,14 @@ Result<Gear> made_at(const Gear& cutter, const GearInput& gear, PinionCutSpec sp
   if (made) return made;
   const double limit = nearest_possible(
       0.0, wanted, [&](double allowance) { return static_cast<bool>(made_with(allowance)); });
-  return refused(
-      "thickness_allowance", wanted, {limit},
-      fmt::format("must be at {} {{}} mm, because this cutter cannot cut {} teeth",
-                  wanted > 0.0 ? "most" : "least", wanted > 0.0 ? "thicker" : "thinner"));
+  Error error =
+      refused("thickness_allowance", wanted, {limit},
+              fmt::format("must be at {} {{}} mm, because ", wanted > 0.0 ? "most" : "least"));
+  error.rule +=
+      subject_of(made.error().field).member == GearMember::tip_diameter
+          ? fmt::format("this value requires {}", made.error().quoted())
+          : fmt::format("this cutter cannot cut {} teeth", wanted > 0.0 ? "thicker" : "thinner");
+  return error;
 }
 
 // Adds a note if no tip diameter is given and the root of the cutter cuts the tip. No note is

@@ -1,4 +1,4 @@
-// Law: while the sun turns in 360 steps, the outlines of sun, planets and ring overlap nowhere if
+// Law: while the sun turns, in 120 steps or in 360 in the long test, the outlines of sun, planets and ring overlap nowhere if
 // the verdict is green. They overlap somewhere if the verdict is red because of an overlap. The
 // oracle uses only points of the outlines: two gears overlap if a point of one gear lies inside a
 // tooth of the other gear.
