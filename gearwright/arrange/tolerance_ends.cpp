@@ -195,11 +195,11 @@ Error of_tolerance(const Error& error, const GivenPair& given) {
   const auto from = [&](const std::string& field) {
     return following_from(field, "", "one end of this tolerance requires", error);
   };
-  if (error.field == "pair.center_distance") return from(distance_member(given.pair));
+  const bool varies = given.pair.distance_deviations || given.pair.distance_tolerance;
+  if (varies && error.field == "pair.center_distance") return from(distance_member(given.pair));
   const GearInput* const gear = which == 0 ? nullptr : given.find(which);
   if (gear && member == GearMember::tip_diameter && gear->tolerance.tip_deviations)
-    return from(gear_field(
-        which, gear->tolerance.tip_fit ? "tolerance.tip_fit" : "tolerance.tip_deviations"));
+    return from(gear_field(which, tip_member(gear->tolerance)));
   if (gear && gear->allowance_ends && error.field == gear_field(which, "thickness_allowance"))
     return from(gear_field(which, thickness_member(gear->tolerance)));
   return error;

@@ -139,6 +139,21 @@ const ReferenceGeometry<double>& Gear::reference() const {
   return involute()->reference;
 }
 
+Error Gear::why_not() const {
+  GW_EXPECTS(!exists() && !warnings.empty());
+  const std::string& why = warnings.back().message;
+  if (!involute()) return {"rack", "", why};
+  bool by_allowance = false;
+  if (straight_cutter() && spec.thickness_allowance != 0.0) {
+    CylindricalSpec nominal = spec;
+    nominal.thickness_allowance = 0.0;
+    const auto gear = make_gear(nominal);
+    by_allowance = gear && gear->exists();
+  }
+  return by_allowance ? refused("thickness_allowance", spec.thickness_allowance, why)
+                      : refused("profile_shift", spec.profile_shift, why);
+}
+
 std::optional<double> Gear::root_form_radius() const {
   return tooth ? tooth->form_radius : std::nullopt;
 }

@@ -109,6 +109,11 @@ struct Gear {
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
+  /// The error of a gear whose teeth do not exist, on the input that removes them: the thickness
+  /// allowance if the gear without it has teeth, the profile shift, or the rack of circular arcs.
+  ///
+  /// Domain    !exists() (contract)
+  Error why_not() const;
   /// d_Ff/2, the radius at which the usable flank starts; none without a tooth or a usable flank.
   std::optional<double> root_form_radius() const;
   /// True if the two flanks of a tooth meet before the tip.

@@ -241,12 +241,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
                         "; a pinion cutter generates the outline of an internal gear; give the "
                         "number of teeth of the cutter, or \"gear1\" for the mating gear");
   }
-  if (!gear.exists() && !gear.involute()) {
-    return Error{name + ".rack", "", gear.warnings.back().message};
-  }
-  if (!gear.exists()) {
-    return refused(name + ".profile_shift", gear.spec.profile_shift, gear.warnings.back().message);
-  }
+  if (!gear.exists()) return within(name, gear.why_not());
   auto made = body_as_made(gear, name, job.halves[static_cast<std::size_t>(which - 1)], which,
                            job.completed.gear(which).modifications);
   if (!made) return within(name, made.error());

@@ -321,15 +321,8 @@ Result<PairPlace> involute_place(const Gear& gear_1, const Gear& gear_2, const P
   const std::optional<Angle> angle =
       spec.center_distance ? spec.shaft_angle.value_or(Angle()) : spec.shaft_angle;
   if (auto error = check_partners(gear_1.spec, gear_2.spec, angle)) return *error;
-  for (const Gear* g : {&gear_1, &gear_2}) {
-    if (g->exists()) continue;
-    const double x = g->spec.profile_shift, allowance = g->spec.thickness_allowance;
-    const auto free = g->undercut_free_shift();
-    const bool by_allowance = allowance < 0.0 && free && x >= *free;
-    return refused(
-        gear_field(g == &gear_1 ? 1 : 2, by_allowance ? "thickness_allowance" : "profile_shift"),
-        by_allowance ? allowance : x, g->warnings.back().message);
-  }
+  if (!gear_1.exists()) return of_gear(1, gear_1.why_not());
+  if (!gear_2.exists()) return of_gear(2, gear_2.why_not());
   PairPlace place{spec.center_distance.value_or(0.0), spec.shaft_angle};
   if (!spec.center_distance) {
     auto free = complete_place(nominal_base_pair(gear_1.spec, gear_2.spec), std::nullopt, angle);

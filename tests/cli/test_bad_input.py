@@ -83,6 +83,27 @@ class BadInput(unittest.TestCase):
         self.assertEqual(r.status, 0, r.err)
         self.assertEqual(r.files(), ["case.toml", "case_out/report.html", "case_out/result.json"])
 
+    def test_an_allowance_that_removes_the_teeth_is_named(self):
+        """Regression: a thick allowance was reported as a wrong profile shift."""
+        thin = GEAR.replace("teeth = 20", "teeth = 17")
+        mate = "\n[gear2]\nteeth = 40\nface_width_mm = 10\n"
+        for allowance in ("-3.5", "-6", "[-3.6, -3]"):
+            spec = thin + f"thickness_allowance_mm = {allowance}" + mate
+            self.refused(spec, "gear1.thickness_allowance_mm", "root fillets")
+        spec = thin + "thickness_allowance_mm = -6"
+        r = Run("export", spec, "--stl", "a.stl", "--json")
+        self.assertEqual(r.json["error"]["key"], "gear1.thickness_allowance_mm", r.err)
+        self.refused(thin + "thickness_allowance_mm = [-3, 3]" + mate, "gear1.thickness_allowance_mm")
+
+    def test_a_backlash_is_found_up_to_the_limit_of_the_cutters(self):
+        """Regression: a first step beyond the limit was reported as a limit of the backlash."""
+        spec = two("profile_shift = -1.873", "profile_shift = 1.873", "backlash_mm = {}")
+        spec = spec.replace("teeth = 20", "teeth = 40").replace("teeth = 40", "teeth = 20", 1)
+        for backlash in (0.001, 0.005, 0.02):
+            answer = Run("pair", spec.format(backlash), "--json").json
+            self.assertAlmostEqual(answer["pair"]["backlash"]["normal_mm"], backlash, delta=1e-9)
+        self.refused(spec.format(0.03), "pair.backlash_mm", "at most 0.02915")
+
     def test_racks(self):
         rack = GEAR + "[gear1.rack]\n"
         self.refused(rack + "root_fillet_radius = 0.9", "gear1.rack.root_fillet_radius", "greatest", verb="gear")
