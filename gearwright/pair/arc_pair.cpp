@@ -256,11 +256,10 @@ void warn_about_pair(ArcPair& pair) {
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
   if (pair.backlash_rotation && pair.base_backlash <= -kNoBacklash) {
-    const double normal = pair.base_backlash / std::cos(pair.first_contact().at.theta.rad());
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
              "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",
-             normal));
+             pair.normal_backlash()));
   }
   for (const int which : {1, 2}) {
     const double c = pair.tip_clearance[static_cast<std::size_t>(which - 1)];
@@ -285,6 +284,10 @@ double ArcPair::contact_ratio() const {
 std::array<double, 2> ArcPair::working_pitch_diameter() const {
   const double z_1 = gears[0].spec.teeth, z_2 = gears[1].spec.teeth;
   return {2 * center_distance * z_1 / (z_1 + z_2), 2 * center_distance * z_2 / (z_1 + z_2)};
+}
+
+double ArcPair::normal_backlash() const {
+  return base_backlash / std::cos(first_contact().at.theta.rad());
 }
 
 const ArcPairContact& ArcPair::first_contact() const {

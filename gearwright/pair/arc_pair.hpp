@@ -35,6 +35,8 @@ struct ArcPair : MountedGears {
   double base_backlash = 0.0;  ///< j_bn  mm, along the common normal at the contact that touches
                                ///< first
 
+  /// j_n  mm, j_bn/cos θ at the same contact.   Domain: there are contacts
+  double normal_backlash() const;
   double contact_ratio() const;  ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm

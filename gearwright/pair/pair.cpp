@@ -80,7 +80,7 @@ std::optional<PairBacklash> backlash_between(const ArcPair& p) {
   const auto& j = *p.backlash_rotation;
   const auto d_w = p.working_pitch_diameter();
   return PairBacklash{p.base_backlash,
-                      p.base_backlash / std::cos(p.first_contact().at.theta.rad()),
+                      p.normal_backlash(),
                       {j[0].rad() * d_w[0] / 2, j[1].rad() * d_w[1] / 2},
                       j,
                       free_play_of(p)};
@@ -93,8 +93,9 @@ std::optional<PairBacklash> backlash_of(const Pair& pair) {
 }
 
 double Pair::stated_backlash() const {
-  const auto backlash = backlash_of(*this);
-  return backlash ? backlash->normal : 0.0;
+  return arcs() && !arcs()->backlash_rotation
+             ? 0.0
+             : visit([](const auto& p) { return p.normal_backlash(); });
 }
 
 }  // namespace gearwright
