@@ -15,8 +15,10 @@ Rims add_teeth(ShellWriter& shell, const SolidGear& gear, const GearFaces& faces
   const auto add = [&](const Band& band, const HelixSpline& helix, bool mirrored,
                        const brep::Rim* base) {
     if (!faces.fit) return shell.add_walls(walls.teeth, helix, band, side, base);
-    return brep::add_modified_teeth(shell, *gear.body->modified, band,
-                                    mirrored ? in_mirror(*faces.fit) : *faces.fit, side, base);
+    const auto modified = [&](const ModifiedFit& fit) {
+      return brep::add_modified_teeth(shell, *gear.body->modified, band, fit, side, base);
+    };
+    return mirrored ? modified(in_mirror(*faces.fit)) : modified(*faces.fit);
   };
   Rims teeth = add(bands.front(), walls.helices.front(), two, nullptr);
   if (!two) return teeth;

@@ -103,12 +103,13 @@ class GearMesh {
   /// Adds the walls of the teeth.
   void add_walls(MeshBuilder& builder) {
     const std::vector<Column> columns = pitch_columns(half_, copies_);
+    const std::vector<Ring> rings =
+        body().modified ? modified_rings(*body().modified, *grid_, copies_) : std::vector<Ring>();
     const auto add = [&](const Levels& levels, bool mirrored, const WallEnds* below) {
       if (!body().modified) return builder.add_wall(columns, copies_, levels, ring_, below);
       WallEdges edges = edges_of(columns, copies_, levels);
       crease_at_reliefs(*body().modified, *grid_, edges);
-      return builder.add_wall(modified_rings_in(levels.band, mirrored), edges, copies_, ring_,
-                              below);
+      return builder.add_wall(in_band(rings, levels.band, mirrored), edges, copies_, ring_, below);
     };
     const bool two = bands_.size() == 2;
     lower_ = upper_ = add(lower_levels(), two, nullptr);
@@ -178,8 +179,7 @@ class GearMesh {
   }
 
   // The rings of the modified teeth, or of their mirror image, in a band of the solid.
-  std::vector<Ring> modified_rings_in(const Band& band, bool mirrored) const {
-    std::vector<Ring> rings = modified_rings(*body().modified, *grid_, copies_);
+  static std::vector<Ring> in_band(std::vector<Ring> rings, const Band& band, bool mirrored) {
     if (mirrored) std::reverse(rings.begin(), rings.end());
     const double sign = mirrored ? -1.0 : 1.0;
     const SinCos turn = sincos_of(band.angle(band.middle));

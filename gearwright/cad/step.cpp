@@ -152,9 +152,11 @@ Result<StepDocument> step_document(const std::vector<ToothedBody>& bodies,
     const ToothedBody& body = bodies[i];
     volumes.push_back(body.same_as ? volumes[*body.same_as] : metal_volume(body));
     for (const SolidGear& gear : body.gears())
-      for (const Band& band : gear.bands())
-        if (gear.body->modified && !body.same_as)
-          volumes.back() -= gear.body->modified->removed_volume(band.width);
+      if (gear.body->modified && !body.same_as) {
+        const std::vector<Band> bands = gear.bands();  // all have the same width
+        volumes.back() -= static_cast<double>(bands.size()) *
+                          gear.body->modified->removed_volume(bands.front().width);
+      }
     report.volume_mm3 += volumes.back();
     if (body.same_as) {
       parts.push_back(
