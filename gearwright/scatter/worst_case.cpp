@@ -214,9 +214,12 @@ Place climb(const Box& box, Place place, double first, double last) {
   return place;
 }
 
+// Keeps the worst places. Searches that have ended at the same place are one place.
 void keep_worst(std::vector<Place>& places, std::size_t count) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.badness > b.badness; });
+  const auto same = [](const Place& a, const Place& b) { return a.x == b.x; };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
   if (places.size() > count) places.resize(count);
 }
 
