@@ -34,8 +34,9 @@ FigureAxis value_axis(const DistributionScene& scene) {
   return {scene.words, scene.unit, least, greatest};
 }
 
-// Draws the percentiles above `top`, the greatest y of the data. Labels that would overlap on a
-// narrow screen are in different rows, up to kMostRows; other lines have no label.
+// Draws the percentiles. If the figure has its usual width of 560 px, they lie above `top`, the
+// greatest y of the data. Labels that would overlap on a narrow screen are in different rows, up
+// to kMostRows; other lines have no label.
 void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
   constexpr double kNarrow = 320.0, kLetter = 9.0, kRow = 17.0;  // px: least width of a plot, width
                                                                  // of a letter, height of a row
@@ -64,7 +65,7 @@ void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
     ends[row] = value + half;
     labels.push_back({value, std::move(words), row});
   }
-  f.y.hi = (1.12 + 0.08 * static_cast<double>(std::max<std::size_t>(ends.size(), 1) - 1)) * top;
+  f.y.hi = (1.12 + 0.09 * static_cast<double>(std::max<std::size_t>(ends.size(), 1) - 1)) * top;
   for (const Label& label : labels)
     f.text({label.value, f.y.hi}, escaped(label.words), Anchor::middle, "halo",
            {0, 12 + kRow * static_cast<double>(label.row)});

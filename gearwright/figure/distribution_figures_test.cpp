@@ -44,6 +44,10 @@ TEST(DistributionFigures, LabelsOfPercentilesAreApart) {
     EXPECT_EQ(labels_of(f).size(), 6u);
     expect_apart(f);
   }
+  // The baselines of all rows lie above the data, 100 %, if the plot is 560 px wide.
+  const Figure close_together = cumulative_figure(close);
+  const double room = (1.0 - 100.0 / close_together.y.hi) * close_together.tall * 560;
+  for (const FigureMark& label : labels_of(close_together)) EXPECT_LT(label.offset.y(), room);
   // Percentiles that are far apart are in one row, as high above the data as before.
   const Figure one = cumulative_figure(scene({{5, 6.83}, {50, 7.12}, {95, 7.283}}));
   expect_apart(one);
