@@ -250,6 +250,10 @@ void add_all(Quantities<V>& q) {
 
 const Quantities<ScatterView>& scatter_quantities() { return define<add_all>("scatter"); }
 
+Unit unit_of(const ScatterTolerance& tolerance) {
+  return unit_of(coordinate_names({&tolerance, 1}).front());
+}
+
 const Quantities<SpreadView>& spread_quantities() {
   using S = SpreadView;
   return define("scatter spread", [](Quantities<S>& q) {

@@ -90,6 +90,9 @@ struct ScatterView {
 
 const Quantities<ScatterView>& scatter_quantities();
 
+/// The unit of the numbers of a tolerance.
+Unit unit_of(const ScatterTolerance& tolerance);
+
 /// The quantities of a distribution, of all probabilities of a family, of one probability, and
 /// of a family under one torque.
 const Quantities<SpreadView>& spread_quantities();

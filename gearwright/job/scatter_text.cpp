@@ -126,7 +126,7 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
   std::string out =
       head("Inputs") + fmt::format("  {:<44}{:>12}{:>12}  {}\n", "", "least", "greatest", "from");
   for (const ScatterTolerance& t : a.task.tolerances) {
-    const Unit unit = unit_of(coordinate_names({&t, 1}).front());
+    const Unit unit = unit_of(t);
     const auto end = [&](double value) {
       return t.coordinates() == 1 || t.bore() ? format_number(value_in(units, unit, value))
                                               : std::string();
@@ -319,7 +319,7 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
         "  Tighten {}{} first, because halving this tolerance lowers the percentile to {} ″.\n",
         key_in(units, t.name), t.of_grade(), arcsec(l.by_tolerance[i].halved));
   } else {
-    out += "  Halving a single tolerance does not lower the percentile.\n";
+    out += "  No single tolerance lowers the percentile if it is halved.\n";
   }
   return out;
 }

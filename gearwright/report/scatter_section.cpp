@@ -5,6 +5,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
+#include "gearwright/catalogue/scatter_quantities.hpp"
 #include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -63,7 +64,7 @@ std::string loaded_part(const ScatterView& view, UnitSystem units) {
 std::string input_table(const ScatterView& view, UnitSystem units) {
   TableBuilder table("Inputs", {"Least", "Greatest", "From"});
   for (const ScatterTolerance& t : view.task->tolerances) {
-    const Unit unit = unit_of(coordinate_names({&t, 1}).front());
+    const Unit unit = unit_of(t);
     const bool number = t.coordinates() == 1 || t.bore();
     const auto end = [&](double value) {
       return number ? format_number(value_in(units, unit, value)) : std::string();
