@@ -215,7 +215,7 @@ class Verbs(unittest.TestCase):
         self.assertIn("more than", p.stderr)
 
     def test_verify_runs_the_golden_cases(self):
-        # The golden tests verify all files. These three contain all forms of cases.
+        # The golden tests verify all files. These three contain the verbs gear, pair, measure, fit and drive.
         p = raw("verify", *[SOURCE / f"tests/golden/{name}.json" for name in ("conjugate_action", "drives", "inspection")])
         self.assertEqual(p.returncode, 0, p.stdout + p.stderr)
         self.assertRegex(p.stdout, r"(\d+) of \1 cases agree")

@@ -202,7 +202,7 @@ void report(const Count& run) {
   EXPECT_LT(run.rough, run.pairs / 20 + 1);
 }
 
-// Ten thousand pairs in four tests, and a million in sixteen tests.
+// Three thousand pairs in four tests, and a million in sixteen tests.
 constexpr std::uint64_t kSeeds = 1200;
 constexpr int kLeastPairs = 830;
 constexpr std::uint64_t kLongSeeds = 90000;

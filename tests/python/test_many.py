@@ -29,7 +29,7 @@ def test_no_leak():
         return resident_kb()
 
     warm = rounds(1000)
-    assert rounds(40_000) - warm < 1200  # kB; a loss of 32 bytes per pair would exceed this
+    assert rounds(40_000) - warm < 700  # kB; a loss of 32 bytes per pair would exceed this
 
 
 def test_threads_have_the_bits_of_one():
