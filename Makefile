@@ -119,7 +119,7 @@ dist: web npm python
 	@tools/dist.sh
 
 # The packages are made again only if a file of the sources is newer than they are.
-build/dist/SHA256SUMS: $(shell git ls-files)
+build/dist/SHA256SUMS: $(wildcard $(shell git ls-files 2>/dev/null))
 	@$(MAKE) dist
 
 test-dist: build/dist/SHA256SUMS

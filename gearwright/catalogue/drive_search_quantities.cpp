@@ -1,4 +1,3 @@
-
 #include <cmath>
 
 #include "gearwright/catalogue/drive_quantities.hpp"

@@ -1,4 +1,3 @@
-
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 

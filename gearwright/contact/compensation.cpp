@@ -313,8 +313,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
 }
 
 // Returns `found` without the corrections that are not needed. Beginning with the last one, the
-// function sets each correction to 0 and searches the others again. If f is then as small as
-// before within `limit`, the correction remains 0.
+// function sets each correction to 0 and searches the others again. If f then does not exceed
+// `limit`, the correction remains 0. At least one correction is kept.
 std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& fine,
                            std::vector<double> found) {
   const std::size_t n = found.size();

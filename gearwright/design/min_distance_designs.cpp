@@ -182,10 +182,11 @@ void find_nearest(const FitProblem& p, double cos_wn, Fit& result) {
   if (p.teeth[1] < 0) return;
   // The minimum of H over β_w1 is z1 + z2 on parallel axes and grows with |Σ|.
   if (!(t > p.teeth[0] + p.teeth[1])) {
-    result.reason += fmt::format(
-        "; no shaft angle permits such a pair at the given centre distance, because even on "
-        "parallel axes the centre distance must be {} mm",
-        *p.center_distance * (p.teeth[0] + p.teeth[1]) / t);
+    result.reason +=
+        refused("", *p.center_distance, {*p.center_distance * (p.teeth[0] + p.teeth[1]) / t},
+                "; no shaft angle permits such a pair at the given centre distance, because even "
+                "on parallel axes the centre distance must be at least {} mm")
+            .rule;
     return;
   }
   const double sign = p.shaft_angle->rad() < 0.0 ? -1.0 : 1.0;

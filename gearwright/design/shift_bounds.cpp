@@ -162,8 +162,8 @@ void ShiftGraph::bound(const SumPlace& at, double sum, int limits, Line& line) c
     const ShiftEdge below = internal_ ? ShiftEdge::interference1 : ShiftEdge::interference2;
     bound_interference(at, sum, line.lo_of(below), line.hi_of(ShiftEdge::interference1));
   }
-  // If tips are shortened, the bounds s1max and s2max are solutions of equations. Each of them
-  // is solved only if the bound may be the tightest one.
+  // If tips are shortened, the bounds s1max and s2max are solutions of equations. If only the
+  // tightest bounds are stored, an equation is solved only if its bound may be the tightest one.
   double& hi = line.hi_of(ShiftEdge::s1max);
   if (Line::kNamed || least_max_shift(*problem_, g_1, at.k) < hi)
     lower(hi, max_shift(*problem_, g_1, at.k));

@@ -135,7 +135,8 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
           "search can be stopped and resumed, and --shard i/N divides it among machines{}",
           size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
           search.problem().draw
-              ? ". If `mounting` is given in [search], designs are not drawn, which is faster"
+              ? ". If `mounting` is given in [search] without tolerances and without a band of "
+                "face widths, designs are not drawn, which is faster"
               : ""),
       FailureKind::option};
 }

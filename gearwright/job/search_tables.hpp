@@ -15,8 +15,8 @@
 
 namespace gearwright {
 
-/// Adds the headings of a column to `heads`: one heading, or one for each gear or for each
-/// limit.
+/// Adds the headings of a column to `heads`: one heading, or one for each gear or for each end
+/// of a range.
 void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads);
 
 template <class S>

@@ -84,8 +84,8 @@ std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCo
   return std::array{middle - half, middle + half};
 }
 
-// Returns `value` if it lies inside the range, otherwise the nearest multiple of kShownStep
-// inside the range.
+// Returns `value`, limited to the interval between the least and the greatest multiple of
+// kShownStep that lie inside the range.
 double nearest_inside(double value, const std::array<double, 2>& range) {
   const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
   const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;

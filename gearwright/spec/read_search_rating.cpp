@@ -220,8 +220,8 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (toleranced && !p.limits.avoid_interference)
     t.fail(tolerance,
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
-  // If `mounting` is given without allowances and without face widths to choose, the designs
-  // have nominal teeth as in the theory.
+  // If `mounting` is given without any key of tolerances (not even thickness_series = "none") and
+  // without face widths to choose, the designs have nominal teeth as in the theory.
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
