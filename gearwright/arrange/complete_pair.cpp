@@ -7,6 +7,7 @@
 
 #include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/math/root.hpp"
 #include "gearwright/pair/involute_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 

@@ -20,19 +20,6 @@ namespace gearwright {
 ///           complete_shifts and complete_place
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
-/// The value between `known` and `wanted` that is nearest to `wanted` and for which `possible`
-/// returns true, found by halving. `possible` is true at `known`, false at `wanted`, and changes
-/// only once in between.
-template <class Possible>
-double nearest_possible(double known, double wanted, const Possible& possible) {
-  constexpr int kHalvings = 50;  // reduce any range to rounding
-  for (int step = 0; step < kHalvings; ++step) {
-    const double middle = (known + wanted) / 2;
-    (possible(middle) ? known : wanted) = middle;
-  }
-  return known;
-}
-
 // Thins the teeth to obtain a required backlash.
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.

@@ -9,6 +9,7 @@
 #include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 

@@ -10,6 +10,7 @@
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/gear/finished_gear.hpp"
+#include "gearwright/math/root.hpp"
 
 namespace gearwright {
 
@@ -143,15 +144,17 @@ Error Gear::why_not() const {
   GW_EXPECTS(!exists() && !warnings.empty());
   const std::string& why = warnings.back().message;
   if (!involute()) return {"rack", "", why};
-  bool by_allowance = false;
-  if (straight_cutter() && spec.thickness_allowance != 0.0) {
-    CylindricalSpec nominal = spec;
-    nominal.thickness_allowance = 0.0;
-    const auto gear = make_gear(nominal);
-    by_allowance = gear && gear->exists();
-  }
-  return by_allowance ? refused("thickness_allowance", spec.thickness_allowance, why)
-                      : refused("profile_shift", spec.profile_shift, why);
+  const double allowance = spec.thickness_allowance;
+  const auto exists_with = [&](double thinner) {
+    CylindricalSpec other = spec;
+    other.thickness_allowance = thinner;
+    const auto gear = make_gear(other);
+    return gear && gear->exists();
+  };
+  if (!straight_cutter() || !(allowance < 0.0) || !exists_with(0.0))
+    return refused("profile_shift", spec.profile_shift, why);
+  return refused("thickness_allowance", allowance, {nearest_possible(0.0, allowance, exists_with)},
+                 "must be at least {} mm, because the cutter cuts off thinner teeth");
 }
 
 std::optional<double> Gear::root_form_radius() const {

@@ -89,7 +89,7 @@ class BadInput(unittest.TestCase):
         mate = "\n[gear2]\nteeth = 40\nface_width_mm = 10\n"
         for allowance in ("-3.5", "-6", "[-3.6, -3]"):
             spec = thin + f"thickness_allowance_mm = {allowance}" + mate
-            self.refused(spec, "gear1.thickness_allowance_mm", "root fillets")
+            self.refused(spec, "gear1.thickness_allowance_mm", "must be at least -2.")
         spec = thin + "thickness_allowance_mm = -6"
         r = Run("export", spec, "--stl", "a.stl", "--json")
         self.assertEqual(r.json["error"]["key"], "gear1.thickness_allowance_mm", r.err)
