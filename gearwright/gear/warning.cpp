@@ -30,8 +30,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     // The gears do not run.
     {C::no_contact, "no_contact", kProblem,
      "the teeth do not touch, or they touch only outside the usable flanks or (on crossed axes) "
-     "outside the faces",
-     "the teeth do not touch"},
+     "outside the faces; amber on crossed axes if the computed contact is never lost",
+     "the flanks have no conjugate contact"},
     {C::jam, "jam", kProblem,
      "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
      "the "

@@ -45,13 +45,11 @@ void warn_about_axes(CrossedPair& p) {
   }
 }
 
-void warn_about_contact(InvolutePair& p, const char* limits, const char* ratio_of_all) {
+void warn_about_contact(InvolutePair& p, const char* lacks, const char* ratio_of_all) {
   const double ratio = p.contact_ratio_true();
   if (ratio == 0.0) {
     warn(p, WarningCode::no_contact,
-         p.flanks_meet() ? fmt::format("The teeth do not touch, because the part of the line of "
-                                       "action within the tips lies outside the usable flanks{}.",
-                                       limits)
+         p.flanks_meet() ? lacks
                          : "The teeth do not touch, because they do not reach each other at this "
                            "centre distance.");
   } else if (ratio < 1.0) {
@@ -62,7 +60,10 @@ void warn_about_contact(InvolutePair& p, const char* limits, const char* ratio_o
 }
 
 void warn_about_line(ParallelPair& p) {
-  warn_about_contact(p, "", "total contact ratio");
+  warn_about_contact(p,
+                     "The teeth do not touch, because the part of the line of action within the "
+                     "tips lies outside the usable flanks.",
+                     "total contact ratio");
   if (p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio < 1.0) {
     warn(
         p, WarningCode::transverse_contact_ratio,
@@ -73,7 +74,11 @@ void warn_about_line(ParallelPair& p) {
 }
 
 void warn_about_line(CrossedPair& p) {
-  warn_about_contact(p, " or the faces", "contact ratio");
+  warn_about_contact(p,
+                     "The flanks have no conjugate contact, because the part of the line of action "
+                     "within the tips lies outside the usable flanks or the faces. Only edges or "
+                     "crowned flanks can touch.",
+                     "contact ratio");
   warn_about_axes(p);
 }
 

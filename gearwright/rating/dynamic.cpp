@@ -137,7 +137,7 @@ Dynamic dynamic_factor(const DynamicInput& in) {
 namespace {
 
 constexpr double kC_M = 0.8;
-constexpr double kSoftBelow = 100.0;  // N/mm; an F_t K_A/b below this value reduces the stiffness
+constexpr double kSoftBelow = 100.0;  // N/mm; an F_t K_A K_γ/b below this value reduces the stiffness
 
 // q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2
 //      + C_8 x_1² + C_9 x_2²
@@ -179,8 +179,8 @@ Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double ela
   const bool soft = specific_load < kSoftBelow;
   if (soft) c *= std::pow(specific_load / kSoftBelow, 0.25);
   s.c_prime = {c, "ISO 6336-1, 9.3.1",
-               soft ? "F_t K_A/b < 100 N/mm, so c' is multiplied by (F_t K_A/b/100)^0.25"
-                    : "F_t K_A/b ≥ 100 N/mm"};
+               soft ? "F_t K_A K_γ/b < 100 N/mm, so c' is multiplied by (F_t K_A K_γ/b/100)^0.25"
+                    : "F_t K_A K_γ/b ≥ 100 N/mm"};
   s.c_gamma_alpha = {c * (0.75 * pair.epsilon_alpha + 0.25), "ISO 6336-1, 9.3.2",
                      pair.epsilon_alpha >= 1.2
                          ? "ε_α ≥ 1.2"

@@ -86,7 +86,7 @@ inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// The stiffness of a mesh. `specific_load` is F_t K_A/b in N/mm. A load below 100 N/mm reduces the
+/// The stiffness of a mesh. `specific_load` is F_t K_A K_γ/b in N/mm. A load below 100 N/mm reduces the
 /// stiffness. `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), and with

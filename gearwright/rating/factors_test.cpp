@@ -75,7 +75,7 @@ TEST(DynamicFactor, NamesItsRange) {
   EXPECT_STREQ(dynamic_factor(sample_speed(2.0)).K_v.branch, "supercritical, N ≥ 1.5");
 }
 
-// Under a light load, resonance begins at a lower speed, N_S = 0.5 + 0.35 √(F_t K_A/(100 b)).
+// Under a light load, resonance begins at a lower speed, N_S = 0.5 + 0.35 √(F_t K_A K_γ/(100 b)).
 TEST(DynamicFactor, LightLoadsResonateEarlier) {
   DynamicInput d = sample_speed(0.8);
   EXPECT_STREQ(dynamic_factor(d).K_v.branch, "subcritical, N ≤ 0.85");

@@ -101,8 +101,10 @@ std::string running(const ParallelPair& p, double backlash) {
 std::string running(const CrossedPair& p, double backlash) {
   return running(
       p, backlash,
-      fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
-                  p.contact_ratio_true()));
+      p.contact_ratio_true() > 0.0
+          ? fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
+                        p.contact_ratio_true())
+          : "A tooth pair is in contact at every position, but not conjugate. There is");
 }
 
 std::string gears_alone(const Judged& judged) {
@@ -251,9 +253,14 @@ std::string Finding::whole() const {
 std::vector<Finding> findings_of(const Judged& judged) {
   GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
   std::vector<Finding> findings;
+  // On crossed axes, edges or crowned flanks can touch without conjugate contact. If the contact was
+  // computed, it decides.
+  const bool touches =
+      judged.pair && judged.pair->crossed() && judged.contact && !judged.contact->contact_lost;
   for (const Warning& w : *judged.warnings) {
-    findings.push_back(
-        {w.code, level_of(severity_of(w)), w.gear, w.message, "", value_of(w, judged)});
+    const Level level =
+        touches && w.code == WarningCode::no_contact ? Level::amber : level_of(severity_of(w));
+    findings.push_back({w.code, level, w.gear, w.message, "", value_of(w, judged)});
   }
   const auto add = [&](std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));

@@ -256,6 +256,17 @@ class Crossed(unittest.TestCase):
         r = Run("pair", text.replace("shaft_angle_deg = 90", "").replace("38.4", "30"), "--json")
         self.assertEqual(r.json["error"]["key"], "pair.center_distance_mm")
 
+    def test_nearly_parallel_axes_are_judged_by_the_computed_contact(self):
+        """Regression: the verdict was red, "the teeth do not touch", although they touch at every position."""
+        gear = "[gear{}]\nteeth = {}\nnormal_module_mm = 2.5\nface_width_mm = 25\nthickness_allowance_mm = -0.05\nhelix_angle_deg = {}\n"
+        spec = gear.format(1, 17, 15) + "profile_shift = 0.3\nmodifications = { lead_crowning_um = 40 }\n" + gear.format(2, 43, -14.98)
+        spec += "[pair]\nshaft_angle_deg = 0.02\n"
+        answer = Run("contact", spec, "--json").json
+        self.assertFalse(answer["contact"]["contact_lost"])
+        self.assertEqual(answer["verdict"]["level"], "amber")
+        self.assertIn("at every position, but not conjugate", answer["verdict"]["headline"])
+        self.assertEqual(Run("pair", spec, "--json").json["verdict"]["level"], "red")
+
     def test_measure(self):
         text = BASIC.format("").replace("[gear2]", "[gear1.measure]\nchord_diameter_mm = 43.44544689997543\n[gear2]")
         gears = Run("measure", text, "--json").json["gears"]
