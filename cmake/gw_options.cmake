@@ -37,6 +37,12 @@ function(gw_target target)
   # Eigen divides long sums into parts that fit into the cache. By default it asks the processor for its cache, so the last
   # digits of `load` would depend on the processor.
   target_compile_definitions(${target} PRIVATE EIGEN_NO_CPUID EIGEN_DEFAULT_L1_CACHE_SIZE=32768)
+  # Eigen computes blocks of six rows at once if the processor has fused multiply-adds, otherwise of four. The order of a
+  # sum depends on it. All systems compute blocks of six rows of vectors of two doubles, without fusing.
+  target_compile_definitions(${target} PRIVATE EIGEN_HAS_SINGLE_INSTRUCTION_MADD)
+  if(EMSCRIPTEN OR CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/cmake/eigen_vectors)
+  endif()
   if(WIN32)
     # Boost assumes these functions of C only on systems with POSIX, and computes its own elsewhere.
     target_compile_definitions(${target} PRIVATE BOOST_HAS_LOG1P BOOST_HAS_EXPM1)

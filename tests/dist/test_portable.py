@@ -4,10 +4,9 @@
     tests/dist/test_portable.py NATIVE PROGRAM [--under wine [--may-skip]] [--examples N]
 
 1. For every verb and example, exit status and bytes of --json are the same, because all programs have the
-   same elementary functions. Verbs that take long are compared for one example. On ARM, Eigen fuses
-   multiplications and additions, so numbers may differ by kNear. The script prints how many numbers differ,
-   and by how many units in the last place (ulp).
-2. For every example, `run` writes the same files, with the same bytes except on ARM.
+   same elementary functions and the same vectors of Eigen. Verbs that take long are compared for one example.
+   The script prints how many numbers differ, and by how many units in the last place (ulp).
+2. For every example, `run` writes the same files with the same bytes.
 3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing
    file, and folders that accept no file.
 4. The program needs no library beside it. The program for Windows has less than 12 MB.
@@ -26,9 +25,6 @@ import tempfile
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive outline".split()
 LONG = {"scattered_pair": "scatter", "misaligned_pair": "compensate", "quiet_pair": "propose", "housing_search": "search"}
-# Relative to the value, or to 1 for smaller values, because a quantity near zero is often the
-# difference of large ones.
-kNear = 1e-9
 
 
 class Programs:
@@ -127,7 +123,7 @@ class Differences:
             self.broken = f"{path}: {a} and {b}"  # messages may contain rounded numbers
 
 
-def compare_answers(programs, report, examples, folder, tolerance):
+def compare_answers(programs, report, examples, folder):
     total, answers, equal_bytes, shares = Differences(), 0, 0, []
     for example in examples:
         for verb in [*VERBS, *([LONG[example.stem]] if example.stem in LONG else [])]:
@@ -142,8 +138,7 @@ def compare_answers(programs, report, examples, folder, tolerance):
                 continue
             one = Differences()
             one.compare(json.loads(text), json.loads(other_text))
-            report.check(name, not one.broken and (text == other_text or 0 < tolerance >= one.greatest),
-                         one.broken or f"{one.where} differs by {one.greatest:.3g}")
+            report.check(name, text == other_text, one.broken or f"{one.where} differs by {one.greatest:.3g}")
             answers, equal_bytes = answers + 1, equal_bytes + (text == other_text)
             total.values, total.ulps = total.values + one.values, total.ulps + one.ulps
             if one.greatest > total.greatest:
@@ -157,7 +152,7 @@ def compare_answers(programs, report, examples, folder, tolerance):
           f"greatest relative difference {total.greatest:.1e} ({total.where})", flush=True)
 
 
-def compare_files(programs, report, examples, folder, same_bytes):
+def compare_files(programs, report, examples, folder):
     kinds = {}
     for example in examples:
         ends = []
@@ -174,8 +169,7 @@ def compare_files(programs, report, examples, folder, same_bytes):
             same = (one / name).read_bytes() == (two / name).read_bytes()
             count[0] += 1
             count[1] += same
-            if same_bytes:
-                report.check(f"{name} of {example.name}", same, "has other bytes")
+            report.check(f"{name} of {example.name}", same, "has other bytes")
     print("files with the same bytes: " + ", ".join(f"{k} {same} of {n}" for k, (n, same) in sorted(kinds.items())))
 
 
@@ -268,9 +262,8 @@ def main():
                 sys.exit(0 if options.may_skip and not report.failed else 1)
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         first_minutes(programs, report, options.program.endswith(".exe"), folder)
-        arm = "aarch64" in options.program
-        compare_answers(programs, report, examples, folder, kNear if arm else 0.0)
-        compare_files(programs, report, examples, folder, not arm)
+        compare_answers(programs, report, examples, folder)
+        compare_files(programs, report, examples, folder)
     print(f"{report.passed} passed, {len(report.failed)} failed")
     sys.exit(1 if report.failed else 0)
 
