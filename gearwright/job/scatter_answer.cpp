@@ -352,7 +352,7 @@ Result<VariedInputs> varied_inputs(const SolvedJob& job) {
   auto groups = groups_of(input, varied.tolerances);
   if (!groups) return groups.error();
   varied.groups = std::move(groups).take();
-  auto correlations = correlations_of(input, varied.tolerances, varied.groups);
+  auto correlations = correlations_of(job.spec, varied.tolerances, varied.groups);
   if (!correlations) return correlations.error();
   varied.correlations = std::move(correlations).take();
   return varied;
