@@ -186,16 +186,24 @@ Error no_touch(const LoadTask& task) {
 }
 
 Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
-  const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
-  const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
-  const std::string width = format_number(face / request.slices);
+  const NarrowestSlices narrowest = narrowest_slices(setup.gear(1), setup.gear(2), request);
+  const auto g = static_cast<std::size_t>(narrowest.gear - 1);
+  const auto fair = fair_slices(setup.gear(1), setup.gear(2), request.regime, request.reach);
+  LoadRequest coarser = request;
+  coarser.slices = fair;
+  const bool fair_is_enough =
+      request.slices[g] > fair[g] && !surely_too_fine(setup.gear(1), setup.gear(2), coarser);
+  const std::string width = format_number(narrowest.width);
   const std::string member = deflecting_member(request);
   return refused(
-      "load.slices", request.slices,
-      request.slices > fair
-          ? fmt::format("are too many for these teeth, because each slice is only {} mm wide; {} "
-                        "slices are sufficient",
-                        width, fair)
+      "load.slices", request.slices[g],
+      fair_is_enough
+          ? fmt::format(
+                "are too many for these teeth, because each slice is only {} mm wide; {}", width,
+                fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
+                                   : fmt::format("leave it out, because {} slices of gear 1 and {} "
+                                                 "of gear 2 are sufficient",
+                                                 fair[0], fair[1]))
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
                         "width of the contact; reduce the torque{} or the number of slices",
                         width,
@@ -228,12 +236,15 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
-  request.slices =
-      input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2), request.regime));
+  if (request.regime == LoadRegime::point && arranged.pair->crossed())
+    request.reach = crossed_reach(task.setup.gear(1), task.setup.gear(2)) + std::abs(errors.axial);
+  request.slices = input.slices ? std::array{*input.slices, *input.slices}
+                                : fair_slices(task.setup.gear(1), task.setup.gear(2),
+                                              request.regime, request.reach);
   request.accuracy = input.accuracy;
+  request.bodies = bodies;
   if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
     return too_fine(task.setup, request);
-  request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
   request.deflection_bow = input.deflection_bow * kMmPerUm;
   request.deflection_offset = input.deflection_offset * kMmPerUm;
