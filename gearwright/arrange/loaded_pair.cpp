@@ -262,14 +262,15 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 }
 
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
-                           const LoadInput& input, std::vector<Warning>& warnings) {
+                           const LoadInput& input, std::vector<Warning>& warnings,
+                           const std::optional<HalfPlace>& half) {
   if (input.torques.empty())
     return absent_input(
         "load.torques",
         "; a report of the pair under load needs a torque, even if there are probes");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
-  return task_of(arranged, errors, input, *bodies);
+  return task_of(arranged, errors, input, *bodies, half);
 }
 
 std::optional<ContactPair> LoadTask::perfect_pair() const {
