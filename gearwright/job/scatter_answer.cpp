@@ -426,12 +426,14 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     if (robust_under_load) robust.load = std::move(load);
     auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
-    const Probability& edge = found->after.edge;
+    // The counts belong to the samples of the comparison, which are not those of the warning.
+    const Probability &before = found->before.edge, &after = found->after.edge;
     for (Warning& w : job.warnings)
-      if (w.code == WarningCode::samples_touch_edges)
+      if (w.code == WarningCode::samples_touch_edges && found->any())
         w.message += fmt::format(
-            " With the corrections of [scatter.robust], an edge {} in {} of {} samples.",
-            robust.load ? "carries load" : "is in contact", edge.count, edge.of);
+            " The corrections of [scatter.robust] change the number of samples in which an edge {} "
+            "from {} to {} of {} other samples.",
+            robust.load ? "carries load" : "is in contact", before.count, after.count, after.of);
     Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);
     corrected["scatter"].erase("robust");
