@@ -15,6 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
+constexpr int kFewestSlices = 4;       // least number of slices of a face
 constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; above
                                        // this ratio, Hertz' theory is wrong by more than 1 %
 
@@ -243,6 +244,9 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
                                               request.regime, request.reach);
   request.accuracy = input.accuracy;
   request.bodies = bodies;
+  while (!input.slices && request.slices[0] > kFewestSlices &&
+         surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
+    for (int& count : request.slices) count = std::max(kFewestSlices, count / 2);
   if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
     return too_fine(task.setup, request);
   request.deflection_slope = input.deflection_slope * kMmPerUm;
@@ -305,20 +309,10 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   return std::nullopt;
 }
 
-namespace {
-
-Result<LoadedContact> contact_of(std::vector<Warning>& warnings, const LoadTask& task,
-                                 const PairCompliance& compliance) {
-  auto contact = task.contact(compliance);
-  if (auto error = judge_load(task, contact, warnings)) return *error;
-  return contact;
-}
-
-}  // namespace
-
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress, const std::optional<HalfPlace>& half) {
+  const std::vector<Warning> earlier = warnings;
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;
@@ -346,9 +340,17 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
-  auto contact = contact_of(warnings, task, *answer.compliance);
-  if (!contact) return contact.error();
-  answer.contact = std::move(contact).take();
+  answer.contact = task.contact(*answer.compliance);
+  // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so the default
+  // is halved until there is a solution.
+  const int count = task.request.slices[0];
+  if (answer.contact->slices_too_fine && !input.slices && !half && count > kFewestSlices) {
+    LoadInput coarser = input;
+    coarser.slices = std::max(kFewestSlices, count / 2);
+    warnings = earlier;
+    return loaded(arranged, errors, coarser, warnings, progress);
+  }
+  if (auto error = judge_load(task, *answer.contact, warnings)) return *error;
   answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
   return answer;
@@ -376,7 +378,9 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   task.request.torques = {from_newton_metres(torque)};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
-  return contact_of(warnings, task, *compliance);
+  LoadedContact contact = task.contact(*compliance);
+  if (auto error = judge_load(task, contact, warnings)) return *error;
+  return contact;
 }
 
 Warning held_without_bore(const std::string& gear, bool internal, double diameter) {

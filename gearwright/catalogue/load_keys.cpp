@@ -37,7 +37,8 @@ const KeyTable& load_keys() {
        Key::number(
            "slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
            "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
-           "for helical teeth; still fewer for internal pairs",
+           "for helical teeth; still fewer for internal pairs and for a contact that is wider than "
+           "the slices",
            "number of slices over the common face or, for point contact, over the face of each "
            "gear "
            "(on crossed axes, over the part that contact can reach); the width of a slice must be "

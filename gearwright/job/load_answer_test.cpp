@@ -197,6 +197,14 @@ load = { torque_Nm = 50, slices = 32 }
   ASSERT_FALSE(wide);
   EXPECT_EQ(wide.error().field, "load.slices");
   EXPECT_NE(wide.error().rule.find("width of the contact"), std::string::npos);
+  // Without a number, the slices are as wide as this contact needs.
+  plastic.spec.load.slices.reset();
+  plastic.spec.load.torques = {15.0};
+  plastic.spec.load.positions = 4;
+  plastic.spec.load.accuracy = ComplianceAccuracy::draft;
+  const auto found = answer_load(plastic);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_EQ(found->contact->slices[0].count, 16);
   SolvedJob points = loaded_job(crossed_draft(
       "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12",
       "teeth = 91, helix_angle_deg = 15.59, face_width_mm = 13", "torque_Nm = 145\nslices = 64\n"));
