@@ -122,7 +122,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
   request.positions = kPositions;
   request.root_stress = false;
   request.progress = nullptr;
-  request.slices = std::min(fair_slices(gears[0], gears[1], request.regime), kMostSlices);
+  request.slices = fair_slices(gears[0], gears[1], request.regime);
+  for (int& count : request.slices) count = std::min(count, kMostSlices);
   const auto compliance = pair_compliance(gears[0], gears[1], request);
   if (!compliance) return kNoNumber;
   return mean_stiffness(bare_pair(task, gears[0], gears[1]), gears[0], gears[1], *compliance,

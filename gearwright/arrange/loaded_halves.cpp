@@ -43,6 +43,21 @@ LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Ge
   return input;
 }
 
+Result<std::vector<LoadTask>> load_tasks_of_halves(
+    const Arranged& arranged, const std::array<std::optional<Halves>, 2>& halves,
+    const ContactErrors& errors, const LoadInput& input, std::vector<Warning>& warnings) {
+  std::vector<LoadTask> tasks;
+  for (const bool below : {false, true}) {
+    std::vector<Warning> found;
+    const LoadInput half = input_of_half(input, narrower_of(halves), arranged.gear(1), below);
+    auto task = load_task(arranged, errors, half, found, HalfPlace{below, nullptr});
+    if (!task) return task.error();
+    if (!below) add_new(std::move(found), warnings);
+    tasks.push_back(std::move(task).take());
+  }
+  return tasks;
+}
+
 Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const std::array<std::optional<Halves>, 2>& halves,
                                    const ContactErrors& errors, const LoadInput& input,
@@ -73,8 +88,7 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
   const bool whole_pitch = input.rotations.empty();
   second.contact = second_half(*std::move(second.contact),
                                behind(narrower.given.stagger_pitches, gear_1), whole_pitch);
-  const double base_radius = first.contact->regime == LoadRegime::line ? gear_1.base_radius() : 0.0;
-  whole.contact = whole_load({&*first.contact, &*second.contact}, base_radius, whole_pitch);
+  whole.contact = whole_load({&*first.contact, &*second.contact}, gear_1, whole_pitch);
   whole.compliance = first.compliance;
   whole.standard = first.standard;
   whole.halves.push_back(first);

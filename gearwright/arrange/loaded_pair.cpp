@@ -15,6 +15,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
+constexpr int kFewestSlices = 4;       // least number of slices of a face
 constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; above
                                        // this ratio, Hertz' theory is wrong by more than 1 %
 
@@ -186,16 +187,24 @@ Error no_touch(const LoadTask& task) {
 }
 
 Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
-  const int fair = fair_slices(setup.gear(1), setup.gear(2), request.regime);
-  const double face = std::min(setup.gear(1).spec.face_width, setup.gear(2).spec.face_width);
-  const std::string width = format_number(face / request.slices);
+  const NarrowestSlices narrowest = narrowest_slices(setup.gear(1), setup.gear(2), request);
+  const auto g = static_cast<std::size_t>(narrowest.gear - 1);
+  const auto fair = fair_slices(setup.gear(1), setup.gear(2), request.regime, request.reach);
+  LoadRequest coarser = request;
+  coarser.slices = fair;
+  const bool fair_is_enough =
+      request.slices[g] > fair[g] && !surely_too_fine(setup.gear(1), setup.gear(2), coarser);
+  const std::string width = format_number(narrowest.width);
   const std::string member = deflecting_member(request);
   return refused(
-      "load.slices", request.slices,
-      request.slices > fair
-          ? fmt::format("are too many for these teeth, because each slice is only {} mm wide; {} "
-                        "slices are sufficient",
-                        width, fair)
+      "load.slices", request.slices[g],
+      fair_is_enough
+          ? fmt::format(
+                "are too many for these teeth, because each slice is only {} mm wide; {}", width,
+                fair[0] == fair[1] ? fmt::format("{} slices are sufficient", fair[0])
+                                   : fmt::format("leave it out, because {} slices of gear 1 and {} "
+                                                 "of gear 2 are sufficient",
+                                                 fair[0], fair[1]))
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
                         "width of the contact; reduce the torque{} or the number of slices",
                         width,
@@ -228,12 +237,18 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   for (const double m : input.torques) request.torques.push_back(from_newton_metres(m));
   request.positions = input.positions;
   request.rotations = input.rotations;
-  request.slices =
-      input.slices.value_or(fair_slices(task.setup.gear(1), task.setup.gear(2), request.regime));
+  if (request.regime == LoadRegime::point && arranged.pair->crossed())
+    request.reach = crossed_reach(task.setup.gear(1), task.setup.gear(2)) + std::abs(errors.axial);
+  request.slices = input.slices ? std::array{*input.slices, *input.slices}
+                                : fair_slices(task.setup.gear(1), task.setup.gear(2),
+                                              request.regime, request.reach);
   request.accuracy = input.accuracy;
+  request.bodies = bodies;
+  while (!input.slices && request.slices[0] > kFewestSlices &&
+         surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
+    for (int& count : request.slices) count = std::max(kFewestSlices, count / 2);
   if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
     return too_fine(task.setup, request);
-  request.bodies = bodies;
   request.deflection_slope = input.deflection_slope * kMmPerUm;
   request.deflection_bow = input.deflection_bow * kMmPerUm;
   request.deflection_offset = input.deflection_offset * kMmPerUm;
@@ -251,14 +266,15 @@ Result<ContactSetup> setup_of(const Arranged& arranged, const ContactErrors& err
 }
 
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
-                           const LoadInput& input, std::vector<Warning>& warnings) {
+                           const LoadInput& input, std::vector<Warning>& warnings,
+                           const std::optional<HalfPlace>& half) {
   if (input.torques.empty())
     return absent_input(
         "load.torques",
         "; a report of the pair under load needs a torque, even if there are probes");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
-  return task_of(arranged, errors, input, *bodies);
+  return task_of(arranged, errors, input, *bodies, half);
 }
 
 std::optional<ContactPair> LoadTask::perfect_pair() const {
@@ -293,20 +309,10 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   return std::nullopt;
 }
 
-namespace {
-
-Result<LoadedContact> contact_of(std::vector<Warning>& warnings, const LoadTask& task,
-                                 const PairCompliance& compliance) {
-  auto contact = task.contact(compliance);
-  if (auto error = judge_load(task, contact, warnings)) return *error;
-  return contact;
-}
-
-}  // namespace
-
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress, const std::optional<HalfPlace>& half) {
+  const std::vector<Warning> earlier = warnings;
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;
@@ -334,9 +340,17 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
   if (!compliance) return compliance.error();
   answer.compliance = std::move(compliance).take();
-  auto contact = contact_of(warnings, task, *answer.compliance);
-  if (!contact) return contact.error();
-  answer.contact = std::move(contact).take();
+  answer.contact = task.contact(*answer.compliance);
+  // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so the default
+  // is halved until there is a solution.
+  const int count = task.request.slices[0];
+  if (answer.contact->slices_too_fine && !input.slices && !half && count > kFewestSlices) {
+    LoadInput coarser = input;
+    coarser.slices = std::max(kFewestSlices, count / 2);
+    warnings = earlier;
+    return loaded(arranged, errors, coarser, warnings, progress);
+  }
+  if (auto error = judge_load(task, *answer.contact, warnings)) return *error;
   answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
   return answer;
@@ -364,7 +378,9 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   task.request.torques = {from_newton_metres(torque)};
   const auto compliance = task.compliance();
   if (!compliance) return compliance.error();
-  return contact_of(warnings, task, *compliance);
+  LoadedContact contact = task.contact(*compliance);
+  if (auto error = judge_load(task, contact, warnings)) return *error;
+  return contact;
 }
 
 Warning held_without_bore(const std::string& gear, bool internal, double diameter) {

@@ -81,7 +81,8 @@ struct LoadTask {
 
 /// Errors    as loaded(); `load` if no torque is given
 Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors,
-                           const LoadInput& input, std::vector<Warning>& warnings);
+                           const LoadInput& input, std::vector<Warning>& warnings,
+                           const std::optional<HalfPlace>& half = {});
 
 /// Returns the reason why a result cannot be used. If it can be used, returns none and adds
 /// warnings about the validity of the result to `warnings`.
@@ -124,6 +125,14 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
                                    const std::array<std::optional<Halves>, 2>& halves,
                                    const ContactErrors& errors, const LoadInput& input,
                                    std::vector<Warning>& warnings, Progress* progress = nullptr);
+
+/// The tasks of the half at z > 0 and of the mirror image of the other half.
+///
+/// Domain    `halves` of both gears (contract)
+/// Errors    as load_task()
+Result<std::vector<LoadTask>> load_tasks_of_halves(
+    const Arranged& arranged, const std::array<std::optional<Halves>, 2>& halves,
+    const ContactErrors& errors, const LoadInput& input, std::vector<Warning>& warnings);
 
 /// True if the load distributions of both halves are mirror images of each other. In this case,
 /// only one half is computed.

@@ -34,12 +34,15 @@ const KeyTable& load_keys() {
                    "rotations of gear 1, instead of positions")
            .with_list(KeyList{1, kMostLoadPositions})
            .with_fields({"rotations"}),
-       Key::number("slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
-                   "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
-                   "for helical teeth; still fewer for internal pairs",
-                   "number of slices over the common face or, for point contact, over the face of "
-                   "each gear; the width of a slice must be at least four times the half width of "
-                   "contact"),
+       Key::number(
+           "slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
+           "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
+           "for helical teeth; still fewer for internal pairs and for a contact that is wider than "
+           "the slices",
+           "number of slices over the common face or, for point contact, over the face of each "
+           "gear "
+           "(on crossed axes, over the part that contact can reach); the width of a slice must be "
+           "at least four times the half width of contact"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
        Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),

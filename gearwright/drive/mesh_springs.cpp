@@ -43,7 +43,7 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
     for (const LoadedPosition& p : contact.torques[k].positions) {
       if (levels[k] > 1.0 || !p.unfinished) continue;
       if (contact.slices_too_fine)
-        return Error{"load.slices", std::to_string(request.slices),
+        return Error{"load.slices", std::to_string(request.slices[0]),
                      "are narrower than the contact of a planet with an equal share of the load; "
                      "reduce the torque or the number of slices"};
       return Error{"load", "",

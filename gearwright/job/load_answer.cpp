@@ -27,6 +27,14 @@ Result<LoadTask> load_task(SolvedJob& job) {
   return load_task(job, errors_of(job), job.spec.load, job.warnings);
 }
 
+Result<std::vector<LoadTask>> load_tasks(SolvedJob& job) {
+  if (job.halves[0] && !missing_error(SpecUse::load, job.spec))
+    return load_tasks_of_halves(job, job.halves, errors_of(job), job.spec.load, job.warnings);
+  auto task = load_task(job);
+  if (!task) return task.error();
+  return std::vector{std::move(task).take()};
+}
+
 namespace {
 
 // A table with a line for each torque, which contains the quantities that depend on the load.

@@ -19,6 +19,8 @@ Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress = nullptr);
 
 /// Errors    the errors of answer_load; `load` if there is no torque
 Result<LoadTask> load_task(SolvedJob& job);
+/// The task of the pair, or the tasks of load_tasks_of_halves() for a double-helical pair.
+Result<std::vector<LoadTask>> load_tasks(SolvedJob& job);
 
 std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 

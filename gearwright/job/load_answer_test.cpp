@@ -187,6 +187,24 @@ load = { torque_Nm = 50, slices = )" +
     EXPECT_EQ(task.error().field, "load.slices");
     EXPECT_NE(task.error().rule.find("slices are sufficient"), std::string::npos);
   }
+  // The contact of plastic is wider, so the slices are too narrow under this torque.
+  SolvedJob plastic = loaded_job(R"(
+gear1 = { teeth = 20, normal_module_mm = 2, face_width_mm = 20, material = { youngs_modulus_MPa = 2800 } }
+gear2 = { teeth = 40, face_width_mm = 20, material = { youngs_modulus_MPa = 2800 } }
+load = { torque_Nm = 50, slices = 32 }
+)");
+  const auto wide = load_task(plastic);
+  ASSERT_FALSE(wide);
+  EXPECT_EQ(wide.error().field, "load.slices");
+  EXPECT_NE(wide.error().rule.find("width of the contact"), std::string::npos);
+  // Without a number, the slices are as wide as this contact needs.
+  plastic.spec.load.slices.reset();
+  plastic.spec.load.torques = {15.0};
+  plastic.spec.load.positions = 4;
+  plastic.spec.load.accuracy = ComplianceAccuracy::draft;
+  const auto found = answer_load(plastic);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_EQ(found->contact->slices[0].count, 16);
   SolvedJob points = loaded_job(crossed_draft(
       "teeth = 24, normal_module_mm = 2.5, helix_angle_deg = 35.06, face_width_mm = 12",
       "teeth = 91, helix_angle_deg = 15.59, face_width_mm = 13", "torque_Nm = 145\nslices = 64\n"));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/job/corrected_spec.hpp"
@@ -272,21 +273,42 @@ int few_samples(const ScatterTask& task, int most) {
 // compliance.
 Result<LoadedFamily> loaded_family(SolvedJob& job, const ScatterTask& task) {
   if (auto error = other_driver(job.spec)) return *error;
-  auto made = load_task(job);
+  auto made = load_tasks(job);
   if (!made) return made.error();
-  LoadTask load = std::move(made).take();
-  LoadRequest& request = load.request;
-  request.rotations.clear();
-  request.root_stress = false;
-  if (!job.spec.given.contains("load.positions")) request.positions = kLoadedPositions;
-  request.progress = task.progress;
-  auto compliance = load.compliance();
+  std::vector<LoadTask> sides = std::move(made).take();
+  for (LoadTask& side : sides) {
+    side.request.rotations.clear();
+    side.request.root_stress = false;
+    if (!job.spec.given.contains("load.positions")) side.request.positions = kLoadedPositions;
+    side.request.progress = task.progress;
+  }
+  auto compliance = sides[0].compliance();
   if (!compliance) return compliance.error();
   // A sample that loses contact may have no results, but the nominal pair must have results.
-  if (auto error = judge_load(load, load.contact(*compliance), job.warnings)) return *error;
-  request.progress = nullptr;
-  return LoadedFamily{std::move(compliance).take(), request,
+  for (LoadTask& side : sides) {
+    const bool second = &side != &sides[0];
+    std::vector<Warning> found;
+    if (!second || !equal_halves(*job.halves[0], errors_of(job), job.spec.load))
+      if (auto error = judge_load(side, side.contact(*compliance), found)) return *error;
+    add_new(std::move(found), job.warnings, second ? kSecondHalf : "");
+    side.request.progress = nullptr;
+  }
+  LoadedFamily family{std::move(compliance).take(), sides[0].request,
                       few_samples(task, job.spec.scatter.loaded_samples)};
+  if (sides.size() > 1) family.second_half = sides[1].request;
+  return family;
+}
+
+// The error for the first given key that applies to single-helical pairs only. Such a key requests
+// patterns or the long period, which belong to one pair of flanks.
+std::optional<Error> not_for_halves(const ScatterInput& input) {
+  for (const auto& [key, given] :
+       {std::pair("pattern", input.pattern), std::pair("gear1.pitch", input.gears[0].pitch),
+        std::pair("gear2.pitch", input.gears[1].pitch)})
+    if (given)
+      return Error{fmt::format("scatter.{}", key), "",
+                   "is not supported for double-helical gears; leave it out"};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -322,25 +344,6 @@ PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer, Pro
   return pattern_density(answer.setup, task, answer.scatter, density_request(job, task, most));
 }
 
-namespace {
-
-// The error for the first given key that applies to single-helical pairs only. Such a key requests
-// derivatives, contact under load, patterns or the long period, all of which belong to one pair of
-// flanks.
-std::optional<Error> not_for_halves(const ScatterInput& input) {
-  for (const auto& [key, given] :
-       {std::pair("robust.aim", input.robust && under_load(input.robust->aim)),
-        std::pair("loaded", input.loaded), std::pair("pattern", input.pattern),
-        std::pair("gear1.pitch", input.gears[0].pitch),
-        std::pair("gear2.pitch", input.gears[1].pitch)})
-    if (given)
-      return Error{fmt::format("scatter.{}", key), "",
-                   "is not supported for double-helical gears; leave it out"};
-  return std::nullopt;
-}
-
-}  // namespace
-
 Result<VariedInputs> varied_inputs(const SolvedJob& job) {
   const ScatterInput& input = job.spec.scatter;
   if (job.halves[0])
@@ -352,7 +355,7 @@ Result<VariedInputs> varied_inputs(const SolvedJob& job) {
   auto groups = groups_of(input, varied.tolerances);
   if (!groups) return groups.error();
   varied.groups = std::move(groups).take();
-  auto correlations = correlations_of(input, varied.tolerances, varied.groups);
+  auto correlations = correlations_of(job.spec, varied.tolerances, varied.groups);
   if (!correlations) return correlations.error();
   varied.correlations = std::move(correlations).take();
   return varied;
@@ -423,12 +426,14 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     if (robust_under_load) robust.load = std::move(load);
     auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
-    const Probability& edge = found->after.edge;
+    // The counts belong to the samples of the comparison, which are not those of the warning.
+    const Probability &before = found->before.edge, &after = found->after.edge;
     for (Warning& w : job.warnings)
-      if (w.code == WarningCode::samples_touch_edges)
+      if (w.code == WarningCode::samples_touch_edges && found->any())
         w.message += fmt::format(
-            " With the corrections of [scatter.robust], an edge {} in {} of {} samples.",
-            robust.load ? "carries load" : "is in contact", edge.count, edge.of);
+            " The corrections of [scatter.robust] change the number of samples in which an edge {} "
+            "from {} to {} of {} other samples.",
+            robust.load ? "carries load" : "is in contact", before.count, after.count, after.of);
     Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);
     corrected["scatter"].erase("robust");

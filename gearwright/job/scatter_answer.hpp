@@ -35,7 +35,7 @@ std::vector<ScatterTolerance> drawn_tolerances(const SolvedJob& job);
 ///           is given twice, for correlated inputs in different groups if indices are requested;
 ///           the errors of check_correlations()
 Result<std::vector<ToleranceCorrelation>> correlations_of(
-    const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
+    const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
 
 /// The varied inputs of [scatter] with their correlations and groups.

@@ -51,11 +51,10 @@ std::vector<std::size_t> coordinates_named(const std::string& name,
   return {};
 }
 
-}  // namespace
-
-Result<std::vector<ToleranceCorrelation>> correlations_of(
+Result<std::vector<ToleranceCorrelation>> correlations_in_mm(
     const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups) {
+  const std::vector<std::string> names = coordinate_names(tolerances);
   std::vector<ToleranceCorrelation> correlations;
   for (std::size_t n = 0; n < input.correlations.size(); ++n) {
     const ScatterInput::Correlation& given = input.correlations[n];
@@ -64,16 +63,16 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     for (std::size_t k = 0; k < 2; ++k) {
       named[k] = coordinates_named(given.between[k], tolerances);
       if (named[k].empty())
-        return Error{field, given.between[k],
-                     fmt::format("is not an input of this spec; the inputs are {}",
-                                 fmt::join(coordinate_names(tolerances), ", "))};
+        return Error{
+            field, given.between[k],
+            fmt::format("is not an input of this spec; the inputs are {}", fmt::join(names, ", "))};
     }
     for (std::size_t k = 0; k < 2; ++k)
       if (named[k].size() > named[1 - k].size())
         return Error{field, given.between[k],
                      fmt::format("is a position and can be correlated with the position of another "
-                                 "bore; for {}, give {}.x_mm or {}.y_mm instead",
-                                 given.between[1 - k], given.between[k], given.between[k])};
+                                 "bore; for {}, give {} or {} instead",
+                                 given.between[1 - k], names[named[k][0]], names[named[k][1]])};
     for (std::size_t k = 0; k < named[0].size(); ++k) {
       const auto [first, second] = std::minmax(named[0][k], named[1][k]);
       const auto same = [first = first, second = second](const ToleranceCorrelation& c) {
@@ -94,6 +93,22 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
   if (input.indices)
     if (auto error = split_block(tolerances, groups, correlations)) return *error;
   return correlations;
+}
+
+}  // namespace
+
+Result<std::vector<ToleranceCorrelation>> correlations_of(
+    const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
+    const std::vector<ToleranceGroup>& groups) {
+  auto found = correlations_in_mm(spec.scatter, tolerances, groups);
+  if (found) return found;
+  // The coordinates of a bore are not keys of the catalogue, so their names are converted here.
+  Error error = found.error();
+  for (const std::string& name : coordinate_names(tolerances))
+    for (std::string* text : {&error.value, &error.rule})
+      for (std::size_t at = 0; (at = text->find(name, at)) != text->npos; at += name.size())
+        text->replace(at, name.size(), key_in(spec.units(), name));
+  return error;
 }
 
 }  // namespace gearwright

@@ -88,6 +88,21 @@ TEST(ScatterCorrelations, OfBoresWavesAndPitches) {
   expect(R"(["gear1.profile_waves.phase_deg", "gear1.pitch"])", "gear1.profile_waves.waves, ");
 }
 
+TEST(ScatterCorrelations, ErrorsOfInchSpecsNameInputsInInch) {
+  Json spec = Json::parse(R"({"units": "inch",
+    "gear1": {"teeth": 20, "normal_diametral_pitch_per_in": 10, "face_width_in": 0.8},
+    "gear2": {"teeth": 40, "face_width_in": 0.8}, "pair": {"backlash_in": 0.004},
+    "scatter": {"samples": 16, "bearings": {"span_in": 4, "radius_in": 0.001}}})");
+  for (const char* const other : {"bearings.bore_c", "bearings.bore_a.y_in"}) {
+    spec["scatter"]["correlations"] = {
+        {{"between", {other, "bearings.bore_a.x_in"}}, {"value", 0.5}}};
+    const Json error = testing::answered(spec, "scatter");
+    ASSERT_TRUE(error.contains("rule")) << error.dump();
+    EXPECT_NE(error.dump().find("bearings.bore_a.x_in"), std::string::npos) << error.dump();
+    EXPECT_EQ(error.dump().find("_mm"), std::string::npos) << error.dump();
+  }
+}
+
 TEST(ScatterCorrelations, IndicesNeedTheBlockInOneGroup) {
   const std::string one =
       R"([{"between": ["errors.crossing_deg", "errors.intersecting_deg"], "value": 0.5}])";

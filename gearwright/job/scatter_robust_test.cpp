@@ -55,6 +55,23 @@ TEST(ScatterRobust, UnderLoadNeedsATorque) {
   EXPECT_NE(error["rule"].get<std::string>().find("loaded_transmission_error"), std::string::npos);
 }
 
+// A slope of the helix does not help under errors of both signs. The samples of the comparison are
+// not those of the distribution, so a difference between the two is not an effect of corrections.
+TEST(ScatterRobust, WithoutACorrectionThereIsNoImprovement) {
+  const Json answer = answered(Json::parse(R"({
+    "gear1": {"teeth": 20, "normal_module_mm": 2, "face_width_mm": 20},
+    "gear2": {"teeth": 40, "face_width_mm": 20}, "pair": {"backlash_mm": 0.1},
+    "contact": {"positions": 8}, "scatter": {"samples": 16, "replicates": 2,
+    "errors": {"crossing_deg": [-0.05, 0.05]},
+    "robust": {"corrections": ["gear1.lead_slope_um"]}}})"));
+  const Json& robust = answer["scatter"]["robust"];
+  ASSERT_EQ(robust["corrections"][0]["value"], 0.0);
+  EXPECT_EQ(robust["before"], robust["after"]);
+  const std::string warnings = answer["warnings"].dump();
+  EXPECT_NE(warnings.find("in 32 of 32 samples"), warnings.npos) << warnings;
+  EXPECT_EQ(warnings.find("corrections"), warnings.npos) << warnings;
+}
+
 // Both searches use the same positions, and the family has the errors of the spec as its only
 // member.
 TEST(ScatterRobust, WithoutWidthItIsTheOptimumOfCompensate) {

@@ -356,6 +356,9 @@ std::string robust_listing(const RobustView& r, UnitSystem units) {
     out += fmt::format("  {:<44}{:>11} {}{}\n", c.words, text_in(units, unit_of(c.key), c.value, 4),
                        unit_text(units, unit_of(c.key)),
                        c.at_bound ? "  (at the end of the range)" : "");
+  if (std::all_of(r.corrections.begin(), r.corrections.end(),
+                  [](const FoundCorrection& c) { return c.value == 0.0; }))
+    out += wrapped("  No correction in the searched range lowers the percentile.");
   for (const auto& [words, j] :
        {std::pair{"without corrections", &r.before}, {"with corrections", &r.after}}) {
     const Estimate& e = j->family->percentile().estimate;

@@ -134,8 +134,9 @@ std::optional<Error> one_helix_error(const SolvedJob& job) {
   if (!job.halves[0]) return std::nullopt;
   return Error{"gear1.double_helical", "",
                "makes the gears double-helical, and this analysis supports single-helical gears "
-               "only. The verbs contact, load, scatter and run compute double-helical gears "
-               "without corrections. To analyse one half alone, leave out `double_helical` and "
+               "only. The verbs contact, load, scatter and run compute double-helical gears, "
+               "and [scatter.robust] finds corrections for them. To analyse one half alone, leave "
+               "out `double_helical` and "
                "give the face width of the half and half of the torque"};
 }
 

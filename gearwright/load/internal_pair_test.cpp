@@ -45,7 +45,7 @@ LoadRequest request_of(const Drive& d, double e = kE) {
   LoadRequest r;
   r.bodies = {ElasticBody{12 * m, 0.3, e}, ElasticBody{d.two.root_diameter + 5 * m, 0.3, e}};
   r.accuracy = ComplianceAccuracy::draft;
-  r.slices = kSlices;
+  r.slices = {kSlices, kSlices};
   r.positions = kPositions;
   return r;
 }
@@ -183,7 +183,7 @@ TEST(LoadedInternalPair, OfHelicalTeethIsConverged) {
   LoadRequest r = request_of(d);
   r.accuracy = ComplianceAccuracy::full;
   r.bodies[0].bore_diameter = 0.5 * d.one.root_diameter;
-  r.slices = 25;
+  r.slices = {25, 25};
   r.positions = 32;
   r.torques = {100e3};
   const LoadedContact c = run(d, r);
@@ -203,7 +203,7 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
     r.torques = {300e3};
     r.slices = fair_slices(d.one, d.two, LoadRegime::line);
     EXPECT_FALSE(run(d, r).slices_too_fine) << helix;
-    r.slices = 32;
+    r.slices = {32, 32};
     EXPECT_TRUE(run(d, r).slices_too_fine) << helix;
   }
 }

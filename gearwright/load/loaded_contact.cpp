@@ -36,6 +36,15 @@ void add_swing(LoadedTorque& to, std::size_t g, const detail::RootSwing& more) {
 
 }  // namespace
 
+std::vector<Angle> rotations_of(const ContactPair& pair, const LoadRequest& request) {
+  std::vector<Angle> rotations = request.rotations;
+  if (rotations.empty())
+    for (int i = 0; i < request.positions; ++i)
+      rotations.push_back(
+          Angle::radians(pair.pitch() * (static_cast<double>(i) / request.positions - 0.5)));
+  return rotations;
+}
+
 LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                        const PairCompliance& compliance, const LoadRequest& request,
                        const ContactPair* perfect)
@@ -46,7 +55,7 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
       request_(request),
       perfect_(perfect),
       undeflected_(request.undeflected()),
-      rotations_(request.rotations) {
+      rotations_(rotations_of(pair, request)) {
   for (std::size_t g = 0; g < 2; ++g)
     found_.slices[g] =
         pair.turned() < 0.0 ? compliance.slices[g].reflected() : compliance.slices[g];
@@ -63,10 +72,6 @@ LoadedTurn::LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& 
                                       mesh.root_radius, body.poisson_ratio) /
                            body.youngs_modulus;
   }
-  if (rotations_.empty())
-    for (int i = 0; i < request.positions; ++i)
-      rotations_.push_back(
-          Angle::radians(pair.pitch() * (static_cast<double>(i) / request.positions - 0.5)));
   for (const double torque : request.torques) {
     found_.torques.emplace_back();
     found_.torques.back().torque = torque;

@@ -123,6 +123,9 @@ struct LoadedContact {
   bool slices_too_fine = false;
 };
 
+/// The rotations of the request, or its positions over one pitch of gear 1.
+std::vector<Angle> rotations_of(const ContactPair& pair, const LoadRequest& request);
+
 /// Computes the loaded contact of `pair`. K_Hα is computed by means of `perfect`, which is the same
 /// pair without mounting errors and deflections. `perfect` is null if `pair` itself has no errors
 /// and no deflections.

@@ -39,7 +39,7 @@ LoadRequest request_of(double module = 3.0, double e = kE) {
   LoadRequest r;
   r.bodies = {ElasticBody{12 * module, 0.3, e}, ElasticBody{12 * module, 0.3, e}};
   r.accuracy = ComplianceAccuracy::draft;
-  r.slices = 12;
+  r.slices = {12, 12};
   r.positions = 8;
   return r;
 }
@@ -59,7 +59,7 @@ TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const Drive m = external_drive(0, face);
   LoadRequest r = request_of();
   r.accuracy = ComplianceAccuracy::full;
-  r.slices = 24;
+  r.slices = {24, 24};
   const double rb = m.one.base_radius();
   r.torques = {100 * face * rb};
   const double u0 = 1.8963 * 3;
@@ -149,7 +149,7 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
   other.bodies[0].bore_diameter = 20;
   EXPECT_FALSE(same_compliance(gears, r, gears, other, 1));
   EXPECT_TRUE(same_compliance(gears, r, gears, other, 2));
-  other.slices = 14;
+  other.slices = {14, 14};
   EXPECT_FALSE(same_compliance(gears, r, gears, other, 2));
   const Drive wider = external_drive(12, 31);
   EXPECT_FALSE(same_compliance(gears, r, {&wider.one, &wider.two}, r, 1));
@@ -238,7 +238,7 @@ TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const Drive m = external_drive(0, face);
   LoadRequest r = request_of();
   r.accuracy = ComplianceAccuracy::full;
-  r.slices = 12;
+  r.slices = {12, 12};
   r.positions = 96;
   const double rb = m.one.base_radius();
   r.torques = {100 * face * rb};
@@ -396,12 +396,12 @@ TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
   const auto found = [](const Drive& m, int slices) {
     LoadRequest r = request_of();
     r.torques = {2e4};
-    r.slices = slices;
+    r.slices = {slices, slices};
     return run(m, r);
   };
   for (const double helix : {0.0, 15.0, 35.0}) {
     const Drive m = external_drive(helix, 15.0);
-    EXPECT_FALSE(found(m, fair_slices(m.one, m.two, LoadRegime::line)).slices_too_fine) << helix;
+    EXPECT_FALSE(found(m, fair_slices(m.one, m.two, LoadRegime::line)[0]).slices_too_fine) << helix;
     EXPECT_TRUE(found(m, 32).slices_too_fine) << helix;
   }
 }

@@ -61,7 +61,7 @@ LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch) {
   return image;
 }
 
-LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, double base_radius,
+LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, const Gear& gear_1,
                          bool whole_pitch) {
   const auto& [a, b] = half;
   GW_EXPECTS(a->torques.size() == b->torques.size());
@@ -71,7 +71,8 @@ LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, double
   found.body_twist = a->body_twist;
   found.unfinished = a->unfinished + b->unfinished;
   found.slices_too_fine = a->slices_too_fine || b->slices_too_fine;
-  const SummaryBasis basis{2 * (a->slices[0].hi - a->slices[0].lo), base_radius,
+  const SummaryBasis basis{2 * (a->slices[0].hi - a->slices[0].lo),
+                           a->regime == LoadRegime::line ? gear_1.base_radius() : 0.0,
                            a->body_twist[0] + a->body_twist[1], whole_pitch, a->regime};
   for (std::size_t k = 0; k < a->torques.size(); ++k) {
     const LoadedTorque& s = a->torques[k];

@@ -19,12 +19,11 @@ LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
 /// The result for the whole gears under twice the torque of a half. Maxima are taken over both
 /// halves. Values along the face, the shares of the tooth pairs and stress fields are left empty,
-/// because they are contained in the results of the halves. `base_radius` is r_b1, mm, and is used
-/// for line contact only.
+/// because they are contained in the results of the halves.
 ///
 /// Formula   [T12.26]
 /// Domain    the same torques and rotations in both halves (contract)
-LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, double base_radius,
+LoadedContact whole_load(const std::array<const LoadedContact*, 2>& half, const Gear& gear_1,
                          bool whole_pitch);
 
 }  // namespace gearwright

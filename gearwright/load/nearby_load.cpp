@@ -12,14 +12,13 @@ namespace gearwright {
 NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                        const PairCompliance& compliance, const LoadRequest& request,
                        std::span<const Influence> influences) {
-  GW_EXPECTS(request.regime == LoadRegime::line && request.rotations.empty());
+  GW_EXPECTS(request.regime == LoadRegime::line);
   const double ratio = std::abs(double(gear_2.spec.teeth) / gear_1.spec.teeth);
   for (const double torque : request.torques) moments_.push_back(torque * ratio);
   detail::PositionSolver solver(pair, gear_1, gear_2, compliance, request);
-  for (int i = 0; i < request.positions; ++i) {
-    const double rotation = pair.pitch() * (static_cast<double>(i) / request.positions - 0.5);
+  for (const Angle rotation : rotations_of(pair, request)) {
     detail::Position found =
-        solver.prepare(pair.to_world(rotation), detail::PositionSolver::Slices::all);
+        solver.prepare(pair.to_world(rotation.rad()), detail::PositionSolver::Slices::all);
     if (found.rows.empty()) {
       complete_ = false;
       return;
@@ -50,8 +49,9 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
   }
 }
 
-NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
+NearbyLoad::Loaded NearbyLoad::loaded(std::size_t position, std::size_t torque,
                                       std::span<const double> change, bool slopes) const {
+  const Position& at = positions_[position];
   ContactProblem q = at.problem;
   q.moment = moments_[torque];
   const Eigen::Map<const Eigen::VectorXd> e(change.data(),
@@ -67,19 +67,27 @@ NearbyLoad::Loaded NearbyLoad::loaded(const Position& at, std::size_t torque,
   return found;
 }
 
-NearbyLoad::Span NearbyLoad::span(std::span<const double> change, bool slopes) const {
+NearbyLoad::Span NearbyLoad::span(std::span<const NearbyLoad> halves,
+                                  std::span<const double> change, bool slopes) {
+  const NearbyLoad& one = halves.front();
   const std::vector<double> none(slopes ? change.size() : 0, 0.0);
-  if (!complete_) return {kNoNumber, none};
+  for (const NearbyLoad& half : halves)
+    if (!half.complete_) return {kNoNumber, none};
   Span worst{-1.0, none};
-  for (std::size_t k = 0; k < moments_.size(); ++k) {
+  for (std::size_t k = 0; k < one.moments_.size(); ++k) {
     Loaded least{}, greatest{};
-    for (const Position& at : positions_) {
-      Loaded here = loaded(at, k, change, slopes);
+    for (std::size_t i = 0; i < one.positions_.size(); ++i) {
+      Loaded here = one.loaded(i, k, change, slopes);
+      for (const NearbyLoad& other : halves.subspan(1)) {
+        const Loaded second = other.loaded(i, k, change, slopes);
+        here.te = (here.te + second.te) / 2;
+        here.pressure = std::max(here.pressure, second.pressure);
+        if (slopes && !std::isnan(here.te)) here.slope = (here.slope + second.slope) / 2;
+      }
       if (std::isnan(here.te)) return {kNoNumber, none};
       worst.max_pressure = std::max(worst.max_pressure, here.pressure);
-      const bool first = &at == &positions_.front();
-      if (first || here.te > greatest.te) greatest = here;
-      if (first || here.te < least.te) least = std::move(here);
+      if (i == 0 || here.te > greatest.te) greatest = here;
+      if (i == 0 || here.te < least.te) least = std::move(here);
     }
     const double value = greatest.te - least.te;
     if (!(value > worst.value)) continue;

@@ -8,6 +8,8 @@
 // these places. The places move when the flanks change. The gap is corrected to first order in e,
 // but compliance and curvature keep their values for e = 0. The change of TE therefore has an error
 // of a few percent.
+//
+// TE of a double-helical pair is the mean of both halves [T12.26].
 #pragma once
 
 #include <span>
@@ -21,7 +23,8 @@ namespace gearwright {
 
 class NearbyLoad {
  public:
-  /// Computes the positions of the request for e = 0, as loaded_contact() does.
+  /// Computes the positions of the request for e = 0, as loaded_contact() does. The pair may be a
+  /// half of a double-helical pair.
   ///
   /// Domain    LoadRegime::line; a gear whose modification is an influence must have a removal
   ///           field (contract)
@@ -43,7 +46,13 @@ class NearbyLoad {
   /// Laws      (1) without a change, `value` and `max_pressure` equal the results of
   ///               loaded_contact()
   ///           (2) `slope` is the derivative of `value`
-  Span span(std::span<const double> change, bool slopes) const;
+  Span span(std::span<const double> change, bool slopes) const {
+    return span({this, 1}, change, slopes);
+  }
+  /// The same for the mean TE of both halves of a double-helical pair.
+  ///
+  /// Domain    the halves have the same numbers of positions and torques (contract)
+  static Span span(std::span<const NearbyLoad> halves, std::span<const double> change, bool slopes);
 
  private:
   struct Position {
@@ -57,7 +66,7 @@ class NearbyLoad {
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
-  Loaded loaded(const Position& at, std::size_t torque, std::span<const double> change,
+  Loaded loaded(std::size_t position, std::size_t torque, std::span<const double> change,
                 bool slopes) const;
 
   std::vector<double> moments_;  // N mm, torques on gear 2

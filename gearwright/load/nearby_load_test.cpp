@@ -51,7 +51,7 @@ Teeth teeth(int z1, int z2, double helix_deg, double face_width = 24.0, int slic
           {}};
   t.request.torques = {60e3, 250e3};
   t.request.positions = 6;
-  t.request.slices = slices;
+  t.request.slices = {slices, slices};
   t.request.accuracy = ComplianceAccuracy::draft;
   t.request.root_stress = false;
   for (const int which : {1, 2})

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/load/complementarity.hpp"
 #include "gearwright/math/involute.hpp"
 
 namespace gearwright {
@@ -15,6 +16,9 @@ constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by ro
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
 // Least width of a slice, in modules. Narrower slices have no solution.
 constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints = 0.18;
+// Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
+constexpr double kHopelessWidths = 2.0;
+constexpr int kMostPairs = 3;
 constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
                                      // if R is one module
 constexpr int kSlices = 32, kLeastSlices = 4;
@@ -37,21 +41,46 @@ bool same_tooth(const Gear& a, const Gear& b) {
 }
 
 // The width of the part of a gear's face that may be loaded, mm.
-double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadRegime regime) {
-  if (regime == LoadRegime::point) return gears[which]->spec.face_width;
+double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadRegime regime,
+               double reach) {
+  if (regime == LoadRegime::point) return std::min(gears[which]->spec.face_width, 2 * reach);
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
 // The slices of the part of the face that may be loaded, in N, mm from the middle of the gear's
 // face. For line contact, this part is the narrower of the two faces, because it lies within
-// the wider face.
+// the wider face. For point contact, it is the part that the reach allows, or the nearest part of
+// the same width on the face.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
-  const double face = face_of(gears, which, request.regime);
+  const double face = face_of(gears, which, request.regime, request.reach);
   const std::size_t narrower = gears[1]->spec.face_width < gears[0]->spec.face_width ? 1 : 0;
-  const double middle =
-      request.regime == LoadRegime::point ? 0.0 : request.middle[narrower] - request.middle[which];
-  return {request.slices, middle - face / 2, middle + face / 2};
+  const double beside = (gears[which]->spec.face_width - face) / 2;
+  const double middle = request.regime == LoadRegime::point
+                            ? std::clamp(-request.middle[which], -beside, beside)
+                            : request.middle[narrower] - request.middle[which];
+  return {request.slices[which], middle - face / 2, middle + face / 2};
+}
+
+bool same_slices(const FaceSlices& a, const FaceSlices& b) {
+  return a.count == b.count && a.lo == b.lo && a.hi == b.hi;
+}
+
+// The half width of the contact of involute teeth at the pitch point, mm, if kMostPairs tooth pairs
+// share the greatest torque. [T12.12]
+double least_half_width(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request) {
+  if (request.regime == LoadRegime::point || request.torques.empty()) return 0.0;
+  const double torque = *std::max_element(request.torques.begin(), request.torques.end());
+  const double face = face_of({&gear_1, &gear_2}, 0, request.regime, request.reach);
+  const double line_load = torque / (gear_1.base_radius() * face * kMostPairs);
+  const auto& reference = gear_1.reference();
+  const double tan_alpha = std::tan(reference.transverse_pressure_angle);
+  const double flatter = 1 / gear_1.base_radius() + gear_2.side() / gear_2.base_radius();
+  const double radius = tan_alpha / (flatter * std::cos(reference.base_helix_angle));
+  double soft = 0.0;
+  for (const ElasticBody& b : request.bodies)
+    soft += (1 - b.poisson_ratio * b.poisson_ratio) / b.youngs_modulus;
+  return hertz_half_width(line_load, radius, 1 / soft);
 }
 
 // A table does not depend on Young's modulus.
@@ -91,7 +120,8 @@ std::string_view to_string(LoadRegime regime) {
   return regime == LoadRegime::line ? "line" : "point";
 }
 
-int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
+std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime,
+                               double reach) {
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
@@ -103,18 +133,37 @@ int fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime) {
     if (between > 0.0)
       fair = std::max(fair, kFairWidth * std::sqrt(rho * (rho + between) / between / m));
   }
-  const std::array<const Gear*, 2> gears{&gear_1, &gear_2};
-  const double face = std::max(face_of(gears, 0, regime), face_of(gears, 1, regime));
-  const double count = face / (fair * m);
-  return static_cast<int>(std::clamp<double>(count, kLeastSlices, kSlices));
+  const auto count = [&](std::size_t which) {
+    const double face = face_of({&gear_1, &gear_2}, which, regime, reach);
+    return static_cast<int>(std::clamp<double>(face / (fair * m), kLeastSlices, kSlices));
+  };
+  return {count(0), count(1)};
+}
+
+double crossed_reach(const Gear& gear_1, const Gear& gear_2) {
+  constexpr double kBeyond = 2.0;  // modules
+  const double m = gear_1.spec.normal_module;
+  double path = 0.0;
+  for (const Gear* gear : {&gear_1, &gear_2})
+    path = std::max(path, (gear->tip_diameter - gear->reference_diameter) / 2 /
+                              std::sin(gear->spec.normal_pressure_angle.rad()));
+  return std::max(path + kBeyond * m, kSlices * kFairHelical * m / 2);
+}
+
+NarrowestSlices narrowest_slices(const Gear& gear_1, const Gear& gear_2,
+                                 const LoadRequest& request) {
+  const double one = slices_of({&gear_1, &gear_2}, 0, request).width();
+  const double two = slices_of({&gear_1, &gear_2}, 1, request).width();
+  return two < one ? NarrowestSlices{2, two} : NarrowestSlices{1, one};
 }
 
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request) {
-  const double face = std::min(gear_1.spec.face_width, gear_2.spec.face_width);
   const double least = gear_1.spec.helix_angle.rad() == 0.0 ? kHopelessSpur
                        : request.regime == LoadRegime::line ? kHopelessHelical
                                                             : kHopelessPoints;
-  return face / request.slices < least * gear_1.spec.normal_module;
+  const double contact = kHopelessWidths * least_half_width(gear_1, gear_2, request);
+  return narrowest_slices(gear_1, gear_2, request).width <
+         std::max(least * gear_1.spec.normal_module, contact);
 }
 
 LoadRequest LoadRequest::undeflected() const {
@@ -147,7 +196,9 @@ Result<PairCompliance> pair_compliance(
     else
       errors[g] = table.error();
   };
-  const bool alike = same_tooth(gear_1, gear_2) && same_body(request.bodies[0], request.bodies[1]);
+  const bool alike = same_tooth(gear_1, gear_2) &&
+                     same_body(request.bodies[0], request.bodies[1]) &&
+                     same_slices(c.slices[0], c.slices[1]);
   parallel_for(alike ? 1 : 2, make);
   for (const auto& error : errors)
     if (error) return *error;
@@ -158,9 +209,8 @@ Result<PairCompliance> pair_compliance(
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which) {
   const auto g = static_cast<std::size_t>(which - 1);
-  const FaceSlices s = slices_of(a, g, of_a), t = slices_of(b, g, of_b);
   return of_a.accuracy == of_b.accuracy && of_a.root_stress == of_b.root_stress &&
-         of_a.regime == of_b.regime && s.count == t.count && s.lo == t.lo && s.hi == t.hi &&
+         of_a.regime == of_b.regime && same_slices(slices_of(a, g, of_a), slices_of(b, g, of_b)) &&
          same_body(of_a.bodies[g], of_b.bodies[g]) && same_tooth(*a[g], *b[g]);
 }
 

@@ -194,7 +194,7 @@ LoadRequest request_of(const SamplePair& p, LoadRegime regime = LoadRegime::poin
   r.regime = regime;
   for (int g = 0; g < 2; ++g) r.bodies[g] = {0.5 * p.gears[g].root_diameter, 0.3, kE};
   r.accuracy = ComplianceAccuracy::draft;
-  r.slices = 20;
+  r.slices = {20, 20};
   r.positions = 8;
   return r;
 }
@@ -299,7 +299,7 @@ TEST(PointContact, AgreesWithLinesWhereBothHold) {
   crown.lead_crowning = 0.06;
   p.modify(1, crown);
   LoadRequest line = request_of(p, LoadRegime::line);
-  line.slices = 60;
+  line.slices = {60, 60};
   line.rotations = {Angle()};
   line.torques = {5e3, 3e4};
   LoadRequest point = line;

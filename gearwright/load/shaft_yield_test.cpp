@@ -56,7 +56,7 @@ LoadRequest request_of(int slices) {
   LoadRequest r;
   r.bodies = {ElasticBody{36, 0.3, kE}, ElasticBody{36, 0.3, kE}};
   r.accuracy = ComplianceAccuracy::draft;
-  r.slices = slices;
+  r.slices = {slices, slices};
   r.positions = 8;
   r.root_stress = false;
   r.torques = {2e5};
@@ -66,7 +66,7 @@ LoadRequest request_of(int slices) {
 // A compliance without tables of teeth.
 PairCompliance shafts_only(const Drive& d, const LoadRequest& r) {
   PairCompliance c;
-  c.slices[0] = c.slices[1] = {r.slices, -kFace / 2, kFace / 2};
+  c.slices[0] = c.slices[1] = {r.slices[0], -kFace / 2, kFace / 2};
   for (std::size_t g = 0; g < 2; ++g)
     if (r.shafts[g])
       c.shafts[g] = shaft_influence(*r.shafts[g], c.slices[g], (g ? d.two : d.one).root_diameter);

@@ -35,7 +35,7 @@ LoadRequest tip_request(double torque) {
   r.torques = {torque};
   r.bodies = {ElasticBody{36, 0.3, testing::kE}, ElasticBody{36, 0.3, testing::kE}};
   r.accuracy = ComplianceAccuracy::draft;
-  r.slices = 12;
+  r.slices = {12, 12};
   r.positions = 100;
   r.root_stress = false;
   return r;

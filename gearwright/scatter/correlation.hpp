@@ -25,7 +25,7 @@ namespace gearwright {
 struct ToleranceCorrelation {
   std::size_t first, second;  ///< indices of the coordinates
   double value;               ///< −1 to 1, excluded; the Pearson correlation of the scores
-  std::size_t entry = 1;      ///< N, number of the entry of the user, for errors
+  std::size_t entry;          ///< N, number of the entry of the user, for errors
 };
 
 /// Checks that inputs with these correlations exist.

@@ -57,7 +57,7 @@ std::vector<double> rank_numbers(const std::vector<double>& x) {
 
 TEST(Correlation, RankCorrelationsAreThoseOfTheCopula) {
   for (const double rho : {-0.95, -0.4, 0.2, 0.7, 0.99}) {
-    const ScatterTask task = three_inputs({{0, 1, rho}});
+    const ScatterTask task = three_inputs({{0, 1, rho, 1}});
     const auto points = SamplePoints(task).first(0, task.samples);
     const auto ranks = [&](std::size_t i) { return rank_numbers(input(points, i)); };
     EXPECT_NEAR(pearson(ranks(0), ranks(1)), 6 / std::numbers::pi * std::asin(rho / 2), 0.005);
@@ -67,7 +67,7 @@ TEST(Correlation, RankCorrelationsAreThoseOfTheCopula) {
 }
 
 TEST(Correlation, OfThreeInputsIsTheirMatrix) {
-  const ScatterTask task = three_inputs({{0, 1, 0.6}, {0, 2, -0.3}, {1, 2, 0.4}});
+  const ScatterTask task = three_inputs({{0, 1, 0.6, 1}, {0, 2, -0.3, 1}, {1, 2, 0.4, 1}});
   const auto points = SamplePoints(task).first(0, task.samples);
   for (const ToleranceCorrelation& c : task.correlations)
     EXPECT_NEAR(
@@ -77,7 +77,7 @@ TEST(Correlation, OfThreeInputsIsTheirMatrix) {
 
 TEST(Correlation, DistributionsOfTheInputsStayTheSame) {
   const ScatterTask alone = three_inputs({});
-  const ScatterTask task = three_inputs({{0, 1, 0.8}, {1, 2, -0.5}});
+  const ScatterTask task = three_inputs({{0, 1, 0.8, 1}, {1, 2, -0.5, 1}});
   const auto before = SamplePoints(alone).first(0, task.samples);
   const auto after = SamplePoints(task).first(0, task.samples);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -94,10 +94,10 @@ TEST(Correlation, DistributionsOfTheInputsStayTheSame) {
 
 TEST(Correlation, OfZeroChangesNoBit) {
   const ScatterTask alone = three_inputs({});
-  const ScatterTask task = three_inputs({{0, 1, 0.0}, {1, 2, 0.0}});
+  const ScatterTask task = three_inputs({{0, 1, 0.0, 1}, {1, 2, 0.0, 1}});
   EXPECT_EQ(SamplePoints(alone).first(0, 64), SamplePoints(task).first(0, 64));
   // An input without a correlation keeps its values, and so does the first of a block.
-  const ScatterTask two = three_inputs({{0, 2, 0.5}});
+  const ScatterTask two = three_inputs({{0, 2, 0.5, 1}});
   const auto before = SamplePoints(alone).first(0, 64);
   const auto after = SamplePoints(two).first(0, 64);
   EXPECT_EQ(input(before, 0), input(after, 0));
@@ -118,7 +118,7 @@ TEST(Correlation, ChangesTheVarianceOfThePlay) {
     task.tolerances = {
         testing::distance(0.0175),
         testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.03, 0.03, VaryingThickness{1})};
-    task.correlations = {{0, 1, rho}};
+    task.correlations = {{0, 1, rho, 1}};
     task.member.positions = 2;
     task.samples = 512;
     task.replicates = 4;
@@ -133,11 +133,11 @@ TEST(Correlation, ChangesTheVarianceOfThePlay) {
 
 TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   const ScatterTask inputs = three_inputs({});
-  const std::vector<ToleranceCorrelation> good{{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, 0.9}};
+  const std::vector<ToleranceCorrelation> good{{0, 1, 0.9, 1}, {1, 2, 0.9, 1}, {0, 2, 0.9, 1}};
   EXPECT_FALSE(check_correlations(inputs.tolerances, good));
   // With 0.9 and 0.5, the third correlation lies within 0.45 ± √(0.19 · 0.75), up to 0.82749. With
   // 0.9 and 0.9, it lies within 0.81 ± 0.19, from 0.62, which is farther from 0.5.
-  const std::vector<ToleranceCorrelation> bad{{0, 1, 0.9}, {1, 2, 0.9}, {0, 2, 0.5}};
+  const std::vector<ToleranceCorrelation> bad{{0, 1, 0.9, 1}, {1, 2, 0.9, 1}, {0, 2, 0.5, 1}};
   const auto error = check_correlations(inputs.tolerances, bad);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->field, "correlations[1].value");
@@ -153,7 +153,7 @@ TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   four.push_back(testing::distance(0.01));
   std::vector<ToleranceCorrelation> all;
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) all.push_back({i, j, -0.9});
+    for (std::size_t j = i + 1; j < 4; ++j) all.push_back({i, j, -0.9, 1});
   const auto none = check_correlations(four, all);
   ASSERT_TRUE(none);
   EXPECT_NE(none->rule.find("at most 0.37"), std::string::npos) << none->rule;
@@ -188,7 +188,7 @@ double correlation_in_discs(double rho) {
 
 TEST(Correlation, OfBoresIsThatOfTheirPositions) {
   for (const double rho : {-0.5, 0.8}) {
-    ScatterTask task = three_inputs({{0, 2, rho}, {1, 3, rho}});
+    ScatterTask task = three_inputs({{0, 2, rho, 1}, {1, 3, rho, 1}});
     task.tolerances = {bore(false), bore(true)};
     const auto points = SamplePoints(task).first(0, task.samples);
     const double expected = correlation_in_discs(rho);
@@ -215,7 +215,7 @@ TEST(Correlation, OfBoresIsThatOfTheirPositions) {
 // [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L, each of whose variances depends on the
 // correlation r of x_A and x_B: var ΔC = R²(1 + r)/8, var Δδ = R²(1 − r)/(2L²).
 TEST(Correlation, OfBoresMovesTheAxisMoreAndTiltsItLess) {
-  ScatterTask task = three_inputs({{0, 2, 0.9}, {1, 3, 0.9}});
+  ScatterTask task = three_inputs({{0, 2, 0.9, 1}, {1, 3, 0.9, 1}});
   task.tolerances = {bore(false), bore(true)};
   const ContactSetup setup = testing::spur_pair(false).setup();
   std::vector<double> distance, in_plane;
@@ -230,7 +230,7 @@ TEST(Correlation, OfBoresMovesTheAxisMoreAndTiltsItLess) {
 }
 
 TEST(Correlation, OfABoreAndANumberLeavesTheBoreUniform) {
-  ScatterTask task = three_inputs({{0, 1, 0.7}, {0, 2, -0.5}});
+  ScatterTask task = three_inputs({{0, 1, 0.7, 1}, {0, 2, -0.5, 1}});
   task.tolerances = {testing::distance(0.01), bore(false)};
   const auto points = SamplePoints(task).first(0, task.samples);
   EXPECT_GT(pearson(input(points, 0), input(points, 1)), 0.6);
@@ -243,7 +243,7 @@ TEST(Correlation, OfABoreAndANumberLeavesTheBoreUniform) {
 }
 
 TEST(Correlation, OfPitchesAndWavesIsThatOfTheirShareAndTheirNumber) {
-  ScatterTask task = three_inputs({{0, 3, 0.8}, {6, 8, 0.999}});
+  ScatterTask task = three_inputs({{0, 3, 0.8, 1}, {6, 8, 0.999, 1}});
   task.tolerances = {testing::tolerance("gear1.pitch", 1.0, 0.0, 1.0, VaryingPitch{1, 0.04, 0.01}),
                      testing::tolerance("gear2.pitch", 1.0, 0.0, 1.0, VaryingPitch{2, 0.05, 0.01}),
                      testing::tolerance("gear1.profile_waves", 1.0, 0.0, 1.0,
@@ -265,7 +265,7 @@ TEST(Correlation, RefusesPhasesAndBothCoordinatesOfABore) {
       testing::tolerance("gear1.helix_waves", 1.0, 0.0, 1.0, VaryingWave{1, true, {2, 2}, 0.004}),
       testing::tolerance("gear1.pitch", 1.0, 0.0, 1.0, VaryingPitch{1, 0.04, 0.01})};
   const auto refused = [&](std::size_t first, std::size_t second) {
-    const std::vector<ToleranceCorrelation> correlations{{first, second, 0.5}};
+    const std::vector<ToleranceCorrelation> correlations{{first, second, 0.5, 1}};
     const auto error = check_correlations(tolerances, correlations);
     return error ? error->value : std::string();
   };
@@ -278,7 +278,7 @@ TEST(Correlation, RefusesPhasesAndBothCoordinatesOfABore) {
 }
 
 TEST(Correlation, BlocksAreConnected) {
-  const std::vector<ToleranceCorrelation> chain{{0, 3, 0.5}, {1, 2, 0.0}, {3, 4, 0.1}};
+  const std::vector<ToleranceCorrelation> chain{{0, 3, 0.5, 1}, {1, 2, 0.0, 1}, {3, 4, 0.1, 1}};
   std::vector<ScatterTolerance> six(6, testing::distance(0.01));
   EXPECT_EQ(correlated_blocks(six, chain), (std::vector<std::vector<std::size_t>>{{0, 3, 4}}));
   // If input 0 is a bore with two coordinates, coordinate 3 belongs to input 2.

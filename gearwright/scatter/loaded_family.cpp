@@ -4,7 +4,8 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
-#include "gearwright/load/load_summary.hpp"
+#include "gearwright/contact/halves.hpp"
+#include "gearwright/load/loaded_halves.hpp"
 #include "gearwright/scatter/spread.hpp"
 
 namespace gearwright {
@@ -15,13 +16,30 @@ std::vector<LoadedScore> member_under_load(const ContactSetup& drawn, const Scat
                                            const LoadedFamily& load, const std::vector<double>& x) {
   const Deviation deviation = deviation_at(drawn, task.tolerances, x);
   const MemberSetup setup(drawn, deviation);
-  const ContactPair pair = (*setup).pair(deviation.errors, task.member.gear2_drives);
-  LoadedTurn turn(pair, (*setup).gear(1), (*setup).gear(2), load.compliance, load.request);
-  turn.solve(0, turn.positions());
-  return loaded_scores(turn.result());
+  std::vector<LoadedContact> sides;
+  for (const LoadedSide& side : loaded_sides(*setup, deviation.errors, task.member, load)) {
+    LoadedTurn turn(*side.pair, (*setup).gear(1), (*setup).gear(2), load.compliance, side.request);
+    turn.solve(0, turn.positions());
+    sides.push_back(turn.result());
+  }
+  if (!load.second_half) return loaded_scores(sides[0]);
+  return loaded_scores(whole_load({&sides.front(), &sides.back()}, (*setup).gear(1), true));
 }
 
 }  // namespace
+
+std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
+                                     const MemberRequest& member, const LoadedFamily& load) {
+  if (!load.second_half) return {{setup.shared_pair(errors, member.gear2_drives), load.request}};
+  const double stagger = member.stagger.value();
+  const HalvesPair both = HalvesSetup(setup, stagger).pair(errors, member.gear2_drives);
+  std::vector<LoadedSide> sides{{both.half[0], load.request}, {both.half[1], *load.second_half}};
+  LoadRequest& second = sides[1].request;
+  second.rotations = rotations_of_second(setup.gear(1), stagger, {}, second.positions, 1);
+  if (both.mesh.alike() && second.deflection_slope == load.request.deflection_slope)
+    sides.pop_back();
+  return sides;
+}
 
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
                                                         const ScatterTask& task,
@@ -52,7 +70,7 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
                                              const std::vector<std::vector<LoadedScore>>& scores) {
   std::vector<LoadedSpread> all;
   for (std::size_t k = 0; k < load.request.torques.size(); ++k) {
-    LoadedSpread of{load.request.torques[k], {}, {}, {}, {}, {}};
+    LoadedSpread of{load.torque(k), {}, {}, {}, {}, {}};
     const auto spread = [&](auto value) {
       std::vector<double> values;
       for (const auto& s : scores) values.push_back(s.empty() ? kNoNumber : value(s[k]));

@@ -8,12 +8,23 @@
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.24]
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "gearwright/load/load_summary.hpp"
 #include "gearwright/scatter/scatter.hpp"
 
 namespace gearwright {
+
+/// A pair of flanks under load, with its request.
+struct LoadedSide {
+  std::shared_ptr<const ContactPair> pair;
+  LoadRequest request;
+};
+/// The pair of a member with these errors. For a double-helical pair, the half at z > 0 and the
+/// mirror image of the other half; only one of them if both are equal.
+std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
+                                     const MemberRequest& member, const LoadedFamily& load);
 
 /// The scores of the members at the points `x`. Each member has a list with one score for each
 /// torque. The list is empty if the forces on this member have no solution at some position.

@@ -120,20 +120,19 @@ Result<RobustCorrections> robust_corrections(const ContactSetup& drawn, const Sc
   auto before = judge(drawn);
   if (!before) return before.error();
   RobustCorrections found{std::vector<double>(robust.corrections.size(), 0.0), *before, *before};
-  const std::vector<double> value =
-      as_written(robust.bounds,
-                 robust.load ? corrections_under_load(setup, task, robust)
-                             : rigid_corrections(setup, task, robust),
-                 kRobustParts);
+  std::vector<double> value = as_written(robust.bounds,
+                                         robust.load ? corrections_under_load(setup, task, robust)
+                                                     : rigid_corrections(setup, task, robust),
+                                         kRobustParts);
   const auto changed =
       setup.changed(change_of(robust.corrections, value, task.member.gear2_drives));
-  if (!changed || check_ends(*changed, task.tolerances)) return found;
+  if (value == found.value || !changed || check_ends(*changed, task.tolerances)) return found;
   auto after = judge(*changed);
   if (!after || after->lost.count > found.before.lost.count ||
       !(after->percentile().estimate.value <
         found.before.percentile().estimate.value - kSameError.rad()))
     return found;
-  found.value = value;
+  found.value = std::move(value);
   found.after = std::move(after).take();
   return found;
 }

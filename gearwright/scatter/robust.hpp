@@ -9,6 +9,7 @@
 // to chance. The result is assessed with other samples, from another seed.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,11 @@ struct JudgedFamily {
 struct RobustCorrections {
   std::vector<double> value;  ///< values in the units of the corrections
   JudgedFamily before, after;
+
+  /// False if no correction lowers the percentile, so that every value is 0.
+  bool any() const {
+    return std::any_of(value.begin(), value.end(), [](double v) { return v != 0.0; });
+  }
 };
 
 /// Computes the corrections, and the family without and with them.

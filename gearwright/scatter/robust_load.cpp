@@ -53,9 +53,10 @@ class LoadedTrials final : public CorrectedFamily {
         [&](std::size_t i) {
           const Deviation deviation = deviation_at(*changed, task_.tolerances, places_[i]);
           const MemberSetup member(*changed, deviation);
-          near_[i] = std::make_unique<NearbyLoad>(
-              (*member).pair(deviation.errors, task_.member.gear2_drives), (*member).gear(1),
-              (*member).gear(2), load_.compliance, load_.request, influences);
+          for (const LoadedSide& side :
+               loaded_sides(*member, deviation.errors, task_.member, load_))
+            near_[i].emplace_back(*side.pair, (*member).gear(1), (*member).gear(2),
+                                  load_.compliance, side.request, influences);
           count_step(task_.progress);
         },
         task_.threads);
@@ -77,8 +78,8 @@ class LoadedTrials final : public CorrectedFamily {
     parallel_for(
         places_.size(),
         [&](std::size_t k) {
-          if (!near_[k]) return;
-          const NearbyLoad::Span span = near_[k]->span(change, slopes);
+          if (near_[k].empty()) return;
+          const NearbyLoad::Span span = NearbyLoad::span(near_[k], change, slopes);
           count_step(task_.progress);
           if (std::isnan(span.value)) return;
           values.f[k] = span.value;
@@ -102,14 +103,15 @@ class LoadedTrials final : public CorrectedFamily {
   const LoadedFamily& load_;
   std::vector<std::vector<double>> places_;
   std::vector<double> center_;
-  std::vector<std::unique_ptr<NearbyLoad>> near_;
+  std::vector<std::vector<NearbyLoad>> near_;  // one for each sample; two for its two halves
 };
 
 class LoadSearch {
  public:
   LoadSearch(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust)
       : setup_(setup), task_(task), robust_(robust), load_(*robust.load) {
-    load_.request.positions = std::min(load_.request.positions, kPositions);
+    for (LoadRequest* of : {&load_.request, load_.second_half ? &*load_.second_half : nullptr})
+      if (of) of->positions = std::min(of->positions, kPositions);
   }
 
   // The best corrections for these samples. The trials near a center use the contact computed at

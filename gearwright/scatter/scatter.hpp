@@ -34,8 +34,14 @@ struct ToleranceGroup {
 /// Contact under torque, computed for the first samples of each replicate.
 struct LoadedFamily {
   PairCompliance compliance;
-  LoadRequest request;  ///< the root stresses are not used
+  LoadRequest request;  ///< the root stresses are not used; without rotations
   int samples = 32;     ///< per replicate, a power of two, at most ScatterTask::samples
+  /// For a double-helical pair, `request` is the request of the half at z > 0, with half of the
+  /// torques, and this is the request of the mirror image of the other half.
+  std::optional<LoadRequest> second_half{};
+
+  /// N mm, on gear 1
+  double torque(std::size_t k) const { return (second_half ? 2 : 1) * request.torques[k]; }
 };
 
 struct ScatterTask {

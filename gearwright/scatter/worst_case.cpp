@@ -34,11 +34,17 @@ class Box {
   Box(const ContactSetup& setup, const ScatterTask& task, ScatterQuantity quantity)
       : setup_(setup), task_(task), quantity_(quantity) {
     for (const ScatterTolerance& t : task.tolerances) {
-      // Pitches affect the long period only, which is not computed here, so they stay nominal.
-      const bool pitch = std::holds_alternative<VaryingPitch>(t.of);
-      for (int k = 0; k < t.coordinates(); ++k)
-        sides_.push_back(pitch ? std::array{0.0, 0.0} : t.side(k));
-      choices_.push_back(pitch || !t.distribution.varies() ? 1 : t.bore() ? kDirections : 2);
+      // Tolerances without effect on the quantity stay as near to the nominal value as possible.
+      // The thickness affects the play only, and pitches affect the long period only.
+      const bool affects = quantity == ScatterQuantity::peak_to_peak
+                               ? t.moves_flanks()
+                               : !std::holds_alternative<VaryingPitch>(t.of);
+      for (int k = 0; k < t.coordinates(); ++k) {
+        const auto [lo, hi] = t.side(k);
+        const double fixed = std::clamp(0.0, lo, hi);
+        sides_.push_back(affects ? std::array{lo, hi} : std::array{fixed, fixed});
+      }
+      choices_.push_back(!affects || !t.distribution.varies() ? 1 : t.bore() ? kDirections : 2);
     }
   }
 
@@ -80,15 +86,13 @@ class Box {
     return x;
   }
 
-  // True if the quantity has the same value at both points, because they differ only in numbers of
-  // waves that are rounded to the same number, or in tolerances without effect on the quantity.
+  // True if the points differ only in numbers of waves that are rounded to the same number.
   bool same_member(const std::vector<double>& x, const std::vector<double>& y) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
-      const bool affects = quantity_ != ScatterQuantity::peak_to_peak || t.moves_flanks();
       const bool wave = std::holds_alternative<VaryingWave>(t.of);
       for (int k = 0; k < t.coordinates(); ++k, ++at) {
-        if (!affects || x[at] == y[at]) continue;
+        if (x[at] == y[at]) continue;
         if (!wave || k > 0 || std::lround(x[at]) != std::lround(y[at])) return false;
       }
     }
@@ -240,7 +244,7 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   std::vector<Place> worst_samples;
   for (const ScatterSample& s : samples) {
     const double value = s.member[quantity];
-    if (!std::isnan(value)) worst_samples.push_back({s.x, box.value(value)});
+    if (!std::isnan(value)) worst_samples.push_back({box.inside(s.x), box.value(value)});
   }
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());

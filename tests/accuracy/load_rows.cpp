@@ -117,7 +117,7 @@ Row approach() {
   const double pb = 2 * M_PI * rb / 25;
   LoadRequest request;
   request.bodies = {body_of(206000), body_of(206000)};
-  request.slices = 24;
+  request.slices = {24, 24};
   request.torques = {100 * face * rb};
   const double phases[] = {0.05, 0.15, 0.3, 0.5, 0.75, 0.8, 0.95};
   const double want[] = {5.0349, 4.9662, 4.9286, 4.9852, 7.3650, 7.3547, 7.4242};  // µm
@@ -154,7 +154,7 @@ Row slices() {
       request.bodies = {body_of(206000), body_of(206000)};
       request.accuracy = ComplianceAccuracy::draft;
       request.positions = 8;
-      request.slices = i == 0 ? 24 : 36;
+      request.slices = i == 0 ? std::array{24, 24} : std::array{36, 36};
       request.torques = {100e3};
       const auto compliance = pair_compliance(one, two, request);
       mean[i] = loaded_contact(pair, one, two, *compliance, request).torques[0].stiffness.mean;

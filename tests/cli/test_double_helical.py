@@ -140,7 +140,7 @@ class TwoHalves(unittest.TestCase):
         self.assertEqual(len(found["loosening"]["tolerances"]), 2)
 
     def test_a_scatter_of_halves_rejects_what_needs_one_helix(self):
-        for key, table in (("loaded", "loaded = true\n"), ("pattern", "pattern = true\n"), ("robust.aim", '[scatter.robust]\naim = "loaded_transmission_error"\n'),
+        for key, table in (("pattern", "pattern = true\n"),
                            ("gear1.pitch", 'quality = 6\n[scatter.gear1]\npitch = "F_p"\n'),
                            ("gear2.pitch", 'quality = 6\n[scatter.gear2]\npitch = "F_p"\n')):
             run = Run("scatter", PAIR.format("") + "[load]\ntorque_Nm = 100\n" + self.SCATTER + table +
@@ -158,6 +158,34 @@ class TwoHalves(unittest.TestCase):
         self.assertIn("lead_crowning_um", taken.out)
         # The comparison uses the samples of the next seed, so these samples give its percentile.
         again = self.scatter(taken.out.replace("[scatter]", "[scatter]\nseed = 2", 1))["peak_to_peak_arcsec"]
+        self.assertAlmostEqual(again["percentiles"][0], found["after"]["percentile_arcsec"], 6)
+
+    LOAD = '[load]\ntorque_Nm = 1500\npositions = 8\nslices = 8\naccuracy = "draft"\n'
+
+    def test_a_scatter_of_halves_under_load_is_load(self):
+        """Without tolerances, every sample has the numbers of the whole gears under load."""
+        for stagger, errors in ((0, ""), (0.5, "crossing_deg = 0.01\n"), (0.25, "center_distance_mm = 0.1\n")):
+            spec = (PAIR.replace("gap_mm = 30", f"gap_mm = 30\nstagger_pitches = {stagger}").format("")
+                    + self.LOAD + f"deflection_slope_um = 12\n[errors]\n{errors}")
+            found = self.scatter(spec + self.SCATTER + "loaded = true\n[scatter.errors]\nintersecting_deg = [0, 0]\n")
+            loaded = json.loads(Run("load", spec, "--json").out)["load"]["torques"][0]
+            family = found["loaded"][0]
+            self.assertEqual(family["torque_Nm"], 1500)
+            for key, of in (("peak_to_peak_arcsec", "peak_to_peak_arcsec"), ("max_pressure_MPa", "max_pressure_MPa"),
+                            ("face_load_factor", "face_load_factor")):
+                self.assertAlmostEqual(family[key]["mean"] / loaded[of], 1, 9, key)
+                self.assertLess(family[key]["greatest"] - family[key]["least"], 1e-9)
+
+    def test_robust_corrections_of_halves_under_load(self):
+        spec = (PAIR.format("") + self.LOAD + "[scatter]\nsamples = 8\nreplicates = 2\npercentiles = [50]\n"
+                "[scatter.errors]\ncrossing_deg = [-0.02, 0.02]\n[scatter.robust]\n"
+                'aim = "loaded_transmission_error"\npercentile = 50\n'
+                'corrections = ["gear1.lead_crowning_um", "gear1.profile_crowning_um"]\n')
+        found = self.scatter(spec)["robust"]
+        self.assertLess(found["after"]["percentile_arcsec"], 0.7 * found["before"]["percentile_arcsec"])
+        self.assertEqual(found["after"]["loaded"][0]["torque_Nm"], 1500)
+        taken = Run("scatter", spec, "--take").out.replace("[scatter]", "[scatter]\nseed = 2\nloaded = true", 1)
+        again = self.scatter(taken)["loaded"][0]["peak_to_peak_arcsec"]
         self.assertAlmostEqual(again["percentiles"][0], found["after"]["percentile_arcsec"], 6)
 
     def test_a_grade_adds_no_pitches_of_halves(self):

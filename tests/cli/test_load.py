@@ -286,6 +286,20 @@ gear2 = {{ teeth = 50, normal_module_mm = 4, helix_angle_deg = -22, face_width_m
             self.assertGreater(len(high), 0)
             self.assertGreater(len(low), 0)
 
+    def test_each_face_of_crossed_gears_has_its_own_slices(self):
+        """The teeth touch near the middle of a wide face, so the root stress there does not depend on the width."""
+        stress = {}
+        for first, second in ((8, 80), (20, 20), (20, 80)):
+            spec = CROSSED.replace("20 }}", f"{first} }}}}", 1).replace("20 }}", f"{second} }}}}")
+            spec = spec.replace("normal_module_mm = 2,", "normal_module_mm = 2, modifications = {{ profile_crowning_um = 20 }},")
+            run = Run("load", spec.format(rest=DRAFT.replace("slices = 8\n", "") + "torque_Nm = 2\n"), "--json")
+            self.assertEqual(run.status, 0, run.err)
+            torque = run.json["load"]["torques"][0]
+            self.assertFalse(torque["edge_carries"])
+            stress[first, second] = torque["max_root_stress_MPa"]
+        for wide, narrow in zip(stress[20, 80], stress[20, 20]):
+            self.assertAlmostEqual(wide / narrow, 1, delta=0.04)
+
     def test_lines_are_named_too(self):
         run = load()
         self.assertEqual(run.json["load"]["regime"], "line")

@@ -107,7 +107,7 @@ void expect_pair(const std::vector<double>& phases, double fineness,
   LoadRequest r;
   r.bodies = {ElasticBody{d.held_1, 0.3, modulus[0] * kE},
               ElasticBody{d.held_2, 0.3, modulus[1] * kE}};
-  r.slices = kSlices;
+  r.slices = {kSlices, kSlices};
   const double base = d.one.base_radius();
   r.torques = {line_load * face * base};
   const double pitch = 2 * M_PI * base / 25;

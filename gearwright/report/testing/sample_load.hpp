@@ -32,7 +32,7 @@ inline LoadSample load_sample(ParallelPair mounted, std::vector<double> torques,
   LoadRequest request;
   request.torques = std::move(torques);
   request.positions = 10;
-  request.slices = 8;
+  request.slices = {8, 8};
   request.accuracy = ComplianceAccuracy::draft;
   for (std::size_t i = 0; i < 2; ++i) {
     const Gear& gear = sample.pair->gears[i];

@@ -17,7 +17,7 @@ inline LoadedFamily loaded_family(const ContactSetup& setup, std::vector<double>
   LoadRequest request;
   request.torques = std::move(torques);
   request.positions = 4;
-  request.slices = 8;
+  request.slices = {8, 8};
   request.accuracy = ComplianceAccuracy::draft;
   request.root_stress = false;
   for (const int which : {1, 2})
