@@ -136,20 +136,22 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   return load;
 }
 
-std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
-  const auto load = rating_load(spec, drive);
-  if (!load) return load.error();
-  const auto materials = drive_materials(spec.tree->tables);
-  auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {
-    const auto own = materials.find(drive.graph.gears[gear].name);
-    const MaterialInput given = own != materials.end() ? own->second
-                                : spec.rating.material ? *spec.rating.material
-                                                       : MaterialInput();
-    return material_of(given, "rating.material", spec.rating.input.edition);
-  });
-  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
-  drive.ratings = std::move(ratings).take();
-  return std::nullopt;
+std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec) {
+  return [&spec,
+          materials = drive_materials(spec.tree->tables)](Drive& drive) -> std::optional<Error> {
+    const auto load = rating_load(spec, drive);
+    if (!load) return load.error();
+    auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {
+      const auto own = materials.find(drive.graph.gears[gear].name);
+      const MaterialInput given = own != materials.end() ? own->second
+                                  : spec.rating.material ? *spec.rating.material
+                                                         : MaterialInput();
+      return material_of(given, "rating.material", spec.rating.input.edition);
+    });
+    if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
+    drive.ratings = std::move(ratings).take();
+    return std::nullopt;
+  };
 }
 
 namespace {
@@ -178,7 +180,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, Rate
   if (!solved || !(rated || loaded)) return solved;
   DriveJob job = std::move(solved).take();
   if (rated)
-    if (auto error = rate_drive(spec, job.drive)) return *error;
+    if (auto error = drive_rater(spec)(job.drive)) return *error;
   if (loaded) {
     if (auto error = load_drive(job, progress)) return *error;
     if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
@@ -187,7 +189,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, Rate
   return job;
 }
 
-WantedSafety wanted_safety(const JobSpec& spec) {
+Safeties wanted_safety(const JobSpec& spec) {
   return {spec.rating.safety_flank_min.value_or(1.0), spec.rating.safety_root_min.value_or(1.0)};
 }
 

@@ -189,10 +189,10 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
     return absent_input(
         "search.normal_module_mm",
         "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
-  const WantedSafety of_rating = wanted_safety(spec);
+  const Safeties of_rating = wanted_safety(spec);
   task.required = {problem.safety_flank.value_or(of_rating.flank),
                    problem.safety_root.value_or(of_rating.root)};
-  if (rated) task.rate = [&](Drive& drive) { return rate_drive(spec, drive); };
+  if (rated) task.rate = drive_rater(spec);
   auto designs = drive_designs(task, *result, top, threads);
   if (!designs) return designs.error();
   const auto face_load =

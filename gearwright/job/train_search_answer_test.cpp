@@ -89,7 +89,10 @@ TEST(TrainSearchAnswerTest, TheSpecOfACandidateDescribesTheDriveThatIsRated) {
       ASSERT_TRUE(own) << own.error().message();
       ASSERT_TRUE(read) << read.error().message();
       const Json& tree = read->tree->tables;
-      EXPECT_EQ(json_text(expanded_spec(tree, *own)), json_text(expanded_spec(tree, *read->drive)));
+      // The materials are read from the spec of the search on one side, and from the spec of the
+      // candidate on the other.
+      EXPECT_EQ(json_text(expanded_spec(spec->tree->tables, *own)["drive"]),
+                json_text(expanded_spec(tree, *read->drive)["drive"]));
     }
   }
 }
@@ -115,7 +118,7 @@ TEST(TrainSearchAnswerTest, EveryStageHasItsLeastModule) {
       const auto job = solve_drive(*spec);
       EXPECT_TRUE(job);
       Drive drive = job->drive;
-      EXPECT_FALSE(rate_drive(*spec, drive));
+      EXPECT_FALSE(drive_rater(*spec)(drive));
       const Rating& r = drive.ratings[stage]->rating;
       return std::min(r.S_H[0].value, r.S_H[1].value) >= 1.2 &&
              std::min(r.S_F[0].value, r.S_F[1].value) >= 1.4;
@@ -147,7 +150,7 @@ struct StageSearch {
     EXPECT_TRUE(spec) << spec.error().message();
     task.problem = read_drive_search(spec->tree->tables["search"]);
     task.problem.module_per_stage = true;
-    task.rate = [this](Drive& drive) { return rate_drive(*spec, drive); };
+    task.rate = drive_rater(*spec);
   }
 
   Result<JobSpec> spec;
