@@ -113,7 +113,7 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
            "curve " + style, c == 0 ? "x" : "y");
     f.keys.push_back({"line " + style, c == 0 ? "x" : "y"});
   }
-  f.note = fmt::format("at most {:.1f} µm", *shares.greatest_displacement() * kUmPerMm);
+  f.note = fmt::format("at most {:.1f} µm", *shares.greatest_displacement * kUmPerMm);
   constexpr double kLeast = 0.1;
   return fitted(std::move(f), kLeast);
 }

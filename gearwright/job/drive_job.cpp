@@ -156,18 +156,29 @@ std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec) {
 
 namespace {
 
-// A finding if the planets under load have a greater K_γ than the rating.
+// A finding if the planets under load have a greater K_γ than the rating or, without a rating, if
+// their shares are very unequal.
 std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
   // less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
+  // Without a rating, a planet with twice an equal share is a finding. This includes one of two
+  // planets that carries the whole load, whose K_γ has a rounding error.
+  constexpr double kUnequal = 2.0 - 1e-9;
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
-  if (!computed || !rated || *computed <= (1 + kSameFactor) * *rated) return std::nullopt;
+  if (!computed || *computed <= (rated ? (1 + kSameFactor) * *rated : kUnequal))
+    return std::nullopt;
+  const std::string factor = fixed_decimals(*computed, 3);
+  if (!rated)
+    return Warning{WarningCode::mesh_load_factor,
+                   fmt::format("The planets under this load have K_γ = {}, so one of them carries "
+                               "{} times an equal share; reduce the errors of the pins, or let one "
+                               "member float.",
+                               factor, factor)};
   return Warning{WarningCode::mesh_load_factor,
                  fmt::format("The planets under this load have K_γ = {}, but the safeties are "
                              "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",
-                             fixed_decimals(*computed, 3), fixed_decimals(*rated, 3),
-                             fixed_decimals(*computed, 3))};
+                             factor, fixed_decimals(*rated, 3), factor)};
 }
 
 }  // namespace

@@ -42,6 +42,13 @@ std::string advice(const FoundDrives& f) {
         "No drive was found among the {} computed sets, but {} sets were not computed, so a drive "
         "may exist. Narrow the band of the ratio or the bands of numbers of teeth.",
         f.designs.computed, f.designs.beyond_limit);
+  if (const auto [least, most] = f.problem.stages;
+      f.problem.kind == DriveKind::train && least == most && f.result.found.empty() &&
+      (least % 2 == 0 ? f.problem.ratio[1] < 0.0 : f.problem.ratio[0] > 0.0))
+    return fmt::format(
+        "The ratio of a train of {} external stage{} is {}. Give ratio with the "
+        "other sign, or another number of stages.",
+        least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "

@@ -247,6 +247,18 @@ TEST(TrainSearchAnswerTest, AdviceForUnsafeTrainsIsForTrains) {
   EXPECT_EQ(text.find("planets or"), std::string::npos) << text;
 }
 
+// The ratio of three external stages is negative, so no band of positive ratios contains it.
+TEST(TrainSearchAnswerTest, AdviceForARatioOfTheOtherSignNamesTheSign) {
+  for (const auto& [ratio, sign] : {std::pair{"ratio = [20, 22]\nstages = 3\n", "negative"},
+                                    std::pair{"ratio = [-12, -11]\n", "positive"}}) {
+    const auto answer =
+        trains_of("2", std::string(ratio) + "pinion_teeth = [17, 19]\nwheel_teeth = [40, 60]\n", 4);
+    ASSERT_TRUE(answer) << answer.error().message();
+    EXPECT_NE(answer->listing().find(std::string("stages is ") + sign), std::string::npos)
+        << answer->listing();
+  }
+}
+
 // Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have opposite
 // directions if its force is the difference of their magnitudes.
 TEST(TrainSearchAnswerTest, AxialForcesOnAnIntermediateShaftAreOpposite) {
