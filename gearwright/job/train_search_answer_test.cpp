@@ -187,26 +187,30 @@ TEST(TrainSearchAnswerTest, AStageThatIsWeakForTwoReasonsHasItsLeastModule) {
   }
 }
 
-// Law (5). The trains are sorted by their estimated sizes, so more than two are computed for the list
-// of two. Some of these trains are on the front.
+// Law (5). If each stage has its own module, the trains are sorted by their estimated sizes, so more
+// than two are computed for the list of two, and some of these are on the front. If all stages have
+// one module, only two are computed for the list, and the rest of the front is computed afterwards.
 TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
-  const StageSearch search(
+  StageSearch search(
       "objective = [\"size\", \"ratio\"]\nnormal_module_mm = [1.5, 2, 2.5, 3, 4, 5]\n"
       "ratio = [9, 14]\npinion_teeth = [20, 21]\nwheel_teeth = [70, 72]\nface_width_mm = 30\n",
       30);
-  const auto result = search_drives(search.task.problem, 2);
-  ASSERT_TRUE(result);
-  const auto all = drive_designs(search.task, *result, 1000, 2);
-  const auto few = drive_designs(search.task, *result, 2, 2);
-  ASSERT_TRUE(all && few);
-  EXPECT_EQ(all->pareto.size(), 3u);
-  EXPECT_LE(few->list.size(), 4u);
-  const auto stages_of = [](const DriveDesigns& designs) {
-    std::vector<std::vector<std::array<int, 2>>> front;
-    for (const std::size_t i : designs.pareto) front.push_back(designs.list[i].candidate.stages);
-    return front;
-  };
-  EXPECT_EQ(stages_of(*few), stages_of(*all));
+  for (const bool per_stage : {true, false}) {
+    search.task.problem.module_per_stage = per_stage;
+    const auto result = search_drives(search.task.problem, 2);
+    ASSERT_TRUE(result);
+    const auto all = drive_designs(search.task, *result, 1000, 2);
+    const auto few = drive_designs(search.task, *result, 2, 2);
+    ASSERT_TRUE(all && few);
+    EXPECT_EQ(all->pareto.size(), per_stage ? 3u : 2u);
+    EXPECT_LE(few->list.size(), 4u);
+    const auto stages_of = [](const DriveDesigns& designs) {
+      std::vector<std::vector<std::array<int, 2>>> front;
+      for (const std::size_t i : designs.pareto) front.push_back(designs.list[i].candidate.stages);
+      return front;
+    };
+    EXPECT_EQ(stages_of(*few), stages_of(*all)) << per_stage;
+  }
 }
 
 // Three stages with the default numbers of teeth have more than a million trains.
