@@ -27,7 +27,21 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     });
     q.number("mesh_load_factor", "mesh load factor", "K_γ",
              "number of planets times the greatest share [T13.26]",
-             [](const V& v) { return v.shares->mesh_load_factor; });
+             [](const V& v) { return v.shares->mesh_load_factor().second; });
+    q.number("mesh_load_factors", "mesh load factor of each mesh", "K_γ",
+             "in the order of the loaded meshes; null if all meshes have the same shares",
+             [](const V& v) -> Value {
+               // Relative; the residual of the equilibrium is far smaller.
+               constexpr double kSame = 1e-6;
+               ValueList list;
+               bool same = true;
+               for (const auto& [mesh, factor] : v.shares->mesh_load_factors) {
+                 list.emplace_back(factor);
+                 same = same && factor >= (1 - kSame) * v.shares->mesh_load_factor().second;
+               }
+               return same ? Value() : Value(std::move(list));
+             })
+        .list({0});
     q.number("share_mean", "mean share of each planet", "",
              "load of a planet divided by the load of all planets, averaged over a period",
              [](const V& v) {
@@ -150,7 +164,7 @@ std::optional<double> mesh_load_factor(const Drive& drive) {
   if (!drive.loaded || drive.loaded->sets.empty()) return std::nullopt;
   double greatest = 1.0;
   for (const PlanetShares& s : drive.loaded->sets)
-    greatest = std::max(greatest, s.mesh_load_factor);
+    greatest = std::max(greatest, s.mesh_load_factor().second);
   return greatest;
 }
 

@@ -56,12 +56,16 @@ struct PlanetShares {
   /// Fraction of the load of the mesh with the greatest force, [planet][position].
   std::vector<std::vector<double>> share;
   std::vector<double> least, greatest;  ///< over all positions of all meshes, for each planet
-  double mesh_load_factor = 1.0;        ///< K_γ = N max share, over all meshes of the set [T13.26]
+  /// Each loaded mesh of the set with its K_γ = N max share [T13.26]. The values differ only if a
+  /// planet has more than two meshes.
+  std::vector<std::pair<std::size_t, double>> mesh_load_factors;
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<Vec2> displacement;       ///< displacement of the floating body, mm, at each position
   std::optional<double> greatest_displacement;  ///< mm, over all positions; none if no body floats
 
   double mean(std::size_t planet) const;
+  /// The mesh with the greatest K_γ, and its K_γ.
+  std::pair<std::size_t, double> mesh_load_factor() const;
 };
 
 /// Results for the drive under load, computed by drive/loaded_drive.hpp.

@@ -67,6 +67,7 @@ class SetTurn {
     const auto& nominal = equilibrium.nominal();
     greatest_mesh_ = static_cast<std::size_t>(std::max_element(nominal.begin(), nominal.end()) -
                                               nominal.begin());
+    for (const std::size_t m : equilibrium.meshes()) shares.mesh_load_factors.emplace_back(m, 1.0);
     shares.share.assign(copies_, std::vector<double>(positions));
     shares.least.assign(copies_, std::numeric_limits<double>::infinity());
     shares.greatest.assign(copies_, 0.0);
@@ -90,8 +91,8 @@ class SetTurn {
       const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
       for (std::size_t i = 0; i < copies_; ++i) {
         const double share = forces[i] / sum;
-        shares.mesh_load_factor =
-            std::max(shares.mesh_load_factor, static_cast<double>(copies_) * forces[i] / sum);
+        double& factor = shares.mesh_load_factors[k].second;
+        factor = std::max(factor, static_cast<double>(copies_) * forces[i] / sum);
         if (k != greatest_mesh_) continue;
         shares.share[i][at.front()] += part * share;
         shares.least[i] = std::min(shares.least[i], share);
@@ -369,6 +370,11 @@ class DriveUnderLoad {
 double PlanetShares::mean(std::size_t planet) const {
   const auto& of = share[planet];
   return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
+}
+
+std::pair<std::size_t, double> PlanetShares::mesh_load_factor() const {
+  return *std::max_element(mesh_load_factors.begin(), mesh_load_factors.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
 Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,

@@ -83,7 +83,7 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
     f.keys.push_back({"line " + curve_style(i), words});
   }
   f.line({{0.0, 1 / count}, {period, 1 / count}}, "one", "equal share");
-  f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor);
+  f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor().second);
   constexpr double kLeast = 0.05;
   f = fitted(std::move(f), kLeast);
   f.y.lo = std::max(f.y.lo, 0.0);

@@ -169,12 +169,16 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   if (!computed || *computed <= (rated ? (1 + kSameFactor) * *rated : kUnequal))
     return std::nullopt;
   const std::string factor = fixed_decimals(*computed, 3);
+  std::string mesh;
+  for (const PlanetShares& shares : drive.loaded->sets)
+    if (const auto [m, greatest] = shares.mesh_load_factor(); greatest == *computed)
+      mesh = drive.graph.meshes[m].name;
   if (!rated)
     return Warning{WarningCode::mesh_load_factor,
-                   fmt::format("The planets under this load have K_γ = {}, so one of them carries "
-                               "{} times an equal share; reduce the errors of the pins, or let one "
-                               "member float.",
-                               factor, factor)};
+                   fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
+                               "them carries {} times an equal share. Reduce the errors of the "
+                               "pins, or let one member float.",
+                               mesh, factor, factor)};
   return Warning{WarningCode::mesh_load_factor,
                  fmt::format("The planets under this load have K_γ = {}, but the safeties are "
                              "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",

@@ -58,6 +58,12 @@ class Shares(unittest.TestCase):
         self.assertAlmostEqual(ratios[0] / ratios[1], 25 / 18, 12)
         floating = self.of('pin_error_um = 15\nfloating = "sun"\n', STEPPED)["sets"][0]
         self.assertAlmostEqual(floating["mesh_load_factor"], 1, 7)
+        self.assertIsNone(floating["mesh_load_factors"])
+        three = self.of("", STEPPED.replace("ring2 = 63", "ring = 70\nring2 = 63").replace("planets", 'output = "ring2"\nplanets'))
+        (of_set,) = three["sets"]
+        self.assertEqual(len(of_set["mesh_load_factors"]), 3)
+        self.assertEqual(max(of_set["mesh_load_factors"]), of_set["mesh_load_factor"])
+        self.assertLess(min(of_set["mesh_load_factors"]), 0.9 * of_set["mesh_load_factor"])
         joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()  # its planets are in phase
         self.assertAlmostEqual(self.of("", joint + "\n")["sets"][0]["mesh_load_factor"], 1, 7)
 
