@@ -21,6 +21,7 @@
 #include "gearwright/job/rexs_export.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/spec/parse_spec.hpp"
+#include "gearwright/spec/rexs_file.hpp"
 
 namespace gearwright::apps {
 
@@ -161,7 +162,7 @@ int run_verb(const Options& o) {
   fs::path out = o.out.value_or("");
   if (out.empty()) {
     out = fs::path(o.spec);
-    if (out.extension() == ".toml" || out.extension() == ".json" || out.extension() == ".rexs")
+    if (out.extension() == ".toml" || out.extension() == ".json" || is_rexs(out))
       out.replace_extension();
     out += "_out";
   }

@@ -17,7 +17,7 @@ bool has_gears(const Drive& drive) {
       [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
 }
 
-bool is_safe(const Drive& drive, const StageSafety& required) {
+bool is_safe(const Drive& drive, const Safeties& required) {
   const auto holds = [&](FactorPair Rating::*safety, double least) {
     const auto own = least_safety(drive, safety);
     return !own || *own >= least;
@@ -25,8 +25,6 @@ bool is_safe(const Drive& drive, const StageSafety& required) {
   return holds(&Rating::S_H, required.flank) && holds(&Rating::S_F, required.root);
 }
 
-// The stages of a train. The hand alternates from stage to stage, so that both gears of an
-// intermediate shaft have the same hand and their axial forces have opposite directions.
 Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate& c) {
   const PlanetarySpec& base = problem.base;
   std::vector<StageSpec> stages(c.stages.size());
@@ -34,13 +32,11 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
     PairStage& pair = stages[k].pair;
     pair.teeth = c.stages[k];
     pair.shifts = {base.profile_shift.all, base.profile_shift.all};
-    if (const GearShifts& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
-      pair.shifts = {x[2 * k], x[2 * k + 1]};
-    const double beta = base.helix_deg.all.value_or(0.0);
+    if (const auto x = c.stage_shifts(k)) pair.shifts = {(*x)[0], (*x)[1]};
     if (!problem.modules.empty())
       pair.set_teeth({c.stage_module(k),
                       base.normal_pressure_angle,
-                      k % 2 == 1 ? -beta : beta,
+                      stage_helix_deg(problem, k),
                       c.face_width ? c.face_width : base.face_width.all,
                       {base.allowance.all, base.allowance.all}});
     pair.set_allowances(base.series);
@@ -86,7 +82,7 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
 
 std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
   if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
-  RatedTrain best{candidate, std::vector<StageSafety>(candidate.stages.size())};
+  RatedTrain best{candidate, std::vector<Safeties>(candidate.stages.size(), {0.0, 0.0})};
   bool any = false;
   for (GearShifts& shifts : trials(candidate)) {
     candidate.shifts = std::move(shifts);
@@ -126,11 +122,11 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
 
 // The safeties of the stages of a train, each the smaller value of its two gears. None if the
 // train cannot be made or rated.
-std::optional<std::vector<StageSafety>> DriveDesigner::stage_safeties(
+std::optional<std::vector<Safeties>> DriveDesigner::stage_safeties(
     const DriveCandidate& candidate) const {
   auto made = made_from(candidate);
   if (!made || task_.rate(*made)) return std::nullopt;
-  std::vector<StageSafety> list;
+  std::vector<Safeties> list;
   for (const auto& mesh : made->ratings) {
     if (!mesh) return std::nullopt;
     const Rating& r = mesh->rating;
@@ -144,7 +140,7 @@ std::optional<std::vector<StageSafety>> DriveDesigner::stage_safeties(
 // face width. The smallest gear limits this width. If a stage with the greatest module is still
 // too weak, the stage with the smallest pinion gets a greater module.
 DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
-  const StageSafety& least = task_.required;
+  const Safeties& least = task_.required;
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
     if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
@@ -241,8 +237,7 @@ DriveOutcome DriveDesigner::with_width(DriveCandidate candidate) const {
     if (!is_safe(drive, task_.required)) return DriveFault::safety;
   }
   const bool any_spacing = problem_.base.spacing == Spacing::nearest;
-  const WantedSafety wanted{task_.required.flank, task_.required.root};
-  if (drive_level(drive, wanted, !any_spacing) != Level::green) return DriveFault::verdict;
+  if (drive_level(drive, task_.required, !any_spacing) != Level::green) return DriveFault::verdict;
   if (drive.flow) candidate.efficiency = drive.flow->efficiency;
   if (drive.backward) candidate.efficiency_backward = drive.backward->efficiency;
   if (problem_.asks(DriveObjective::noise) && !problem_.modules.empty())

@@ -158,10 +158,10 @@ class Candidates {
     std::iota(which.begin(), which.end(), std::size_t{0});
     std::vector<TrainStrength> strengths;
     for (const double m : problem_.modules) strengths.push_back(strength_of(which, m));
-    const StageSafety& least = task_.required;
-    const StageSafety probable{least.flank * std::exp(kFlankMargin),
-                               least.root * std::exp(kRootMargin)};
-    const auto modules_of = [&](const DriveCandidate& train, const StageSafety& required) {
+    const Safeties& least = task_.required;
+    const Safeties probable{least.flank * std::exp(kFlankMargin),
+                            least.root * std::exp(kRootMargin)};
+    const auto modules_of = [&](const DriveCandidate& train, const Safeties& required) {
       std::vector<double> modules;
       for (std::size_t k = 0; k < train.stages.size(); ++k)
         for (std::size_t j = 0; j < strengths.size() && modules.size() == k; ++j)

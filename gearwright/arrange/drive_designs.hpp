@@ -42,8 +42,8 @@ struct DriveDesigns {
 /// A search for drives, with the inputs of the designs.
 struct DriveDesignTask {
   DriveSearchProblem problem;
-  double face_step;        ///< mm; step of the face widths from which the search chooses
-  StageSafety required{};  ///< least safeties of every stage
+  double face_step;     ///< mm; step of the face widths from which the search chooses
+  Safeties required{};  ///< of every mesh
   /// Rates the meshes of a drive; empty if the designs are not rated.
   std::function<std::optional<Error>(Drive&)> rate{};
 };
@@ -92,7 +92,7 @@ class DriveDesigner {
  private:
   std::vector<GearShifts> trials(DriveCandidate candidate) const;
   bool is_better(const DriveOutcome& a, const DriveOutcome& b) const;
-  std::optional<std::vector<StageSafety>> stage_safeties(const DriveCandidate& candidate) const;
+  std::optional<std::vector<Safeties>> stage_safeties(const DriveCandidate& candidate) const;
   DriveOutcome with_stage_modules(DriveCandidate candidate) const;
   DriveOutcome sized(DriveCandidate candidate) const;
   std::optional<Drive> made_from(const DriveCandidate& candidate) const;

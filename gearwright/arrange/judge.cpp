@@ -249,7 +249,7 @@ struct RatedDrawing {
   RatedPair pair;
   RatingInput input;
   Rating rating;
-  WantedSafety wanted;
+  Safeties wanted;
 };
 
 std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arranged& arranged) {

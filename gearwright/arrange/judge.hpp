@@ -81,11 +81,11 @@ std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& ch
 ///           empty
 Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of = {},
-                    const WantedSafety& wanted = {1.0, 1.0});
+                    const Safeties& wanted = {1.0, 1.0});
 
 /// The level of the verdict of judge_drive(), without a search for remedies.
 /// `unequal_spacing_counts` is false if the caller has requested unequally spaced planets. In
 /// this case, unequal spacing is not a finding.
-Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts);
+Level drive_level(const Drive& drive, const Safeties& wanted, bool unequal_spacing_counts);
 
 }  // namespace gearwright

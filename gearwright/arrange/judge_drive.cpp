@@ -26,7 +26,7 @@ struct JudgedMesh {
 };
 
 // The mesh of two gears, or of a pinion and its rack.
-JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
+JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const Safeties& wanted) {
   JudgedMesh made;
   if (const auto& rack = drive.geometry.racks[m]) {
     made.judged.gears = {&rack->pinion};
@@ -60,7 +60,7 @@ JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const WantedSafety& wa
   return made;
 }
 
-std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const WantedSafety& wanted) {
+std::vector<Finding> mesh_findings(const Drive& drive, std::size_t m, const Safeties& wanted) {
   JudgedMesh mesh = judged_mesh(drive, m, wanted);
   mesh.judged.warnings = &mesh.warnings;
   std::vector<Finding> findings = findings_of(mesh.judged);
@@ -74,7 +74,7 @@ std::size_t gear_index(const Drive& drive, std::size_t m, int which) {
   return drive.graph.meshes[m].gears[static_cast<std::size_t>(which - 1)];
 }
 
-std::vector<Part> parts_of(const Drive& drive, const WantedSafety& wanted) {
+std::vector<Part> parts_of(const Drive& drive, const Safeties& wanted) {
   std::vector<Part> parts;
   for (const Warning& w : drive.findings)
     parts.push_back({{w.code, level_of(severity_of(w)), 0, w.message}});
@@ -129,7 +129,7 @@ bool no_worse(const std::vector<Part>& before, const std::vector<Part>& after, s
 // Adds a remedy to the worst finding, which belongs to a mesh.
 void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& input,
                 const std::function<std::string(const DriveChange&)>& key_of,
-                const WantedSafety& wanted) {
+                const Safeties& wanted) {
   const std::size_t m = *parts.front().mesh;
   const TryChange attempt = [&](const SpecChange& change, TryDepth) -> std::optional<ChangedState> {
     const auto of_it = of_drive(drive, m, change);
@@ -258,7 +258,7 @@ std::optional<DriveInput> changed(const DriveInput& input, const DriveChange& ch
   }
 }
 
-Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_spacing_counts) {
+Level drive_level(const Drive& drive, const Safeties& wanted, bool unequal_spacing_counts) {
   Level level = Level::green;
   for (const Part& part : parts_of(drive, wanted))
     if (unequal_spacing_counts || part.finding.code != WarningCode::unequal_spacing)
@@ -268,7 +268,7 @@ Level drive_level(const Drive& drive, const WantedSafety& wanted, bool unequal_s
 
 Verdict judge_drive(const Drive& drive, const DriveInput& input,
                     const std::function<std::string(const DriveChange&)>& key_of,
-                    const WantedSafety& wanted) {
+                    const Safeties& wanted) {
   std::vector<Part> parts = parts_of(drive, wanted);
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     if (a.finding.level != b.finding.level) return a.finding.level > b.finding.level;

@@ -27,7 +27,21 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     });
     q.number("mesh_load_factor", "mesh load factor", "K_γ",
              "number of planets times the greatest share [T13.26]",
-             [](const V& v) { return v.shares->mesh_load_factor; });
+             [](const V& v) { return v.shares->mesh_load_factor().second; });
+    q.number("mesh_load_factors", "mesh load factor of each mesh", "K_γ",
+             "in the order of the loaded meshes; null if all meshes have the same shares",
+             [](const V& v) -> Value {
+               // Relative; the residual of the equilibrium is far smaller.
+               constexpr double kSame = 1e-6;
+               ValueList list;
+               bool same = true;
+               for (const auto& [mesh, factor] : v.shares->mesh_load_factors) {
+                 list.emplace_back(factor);
+                 same = same && factor >= (1 - kSame) * v.shares->mesh_load_factor().second;
+               }
+               return same ? Value() : Value(std::move(list));
+             })
+        .list({0});
     q.number("share_mean", "mean share of each planet", "",
              "load of a planet divided by the load of all planets, averaged over a period",
              [](const V& v) {
@@ -35,14 +49,15 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
              });
     q.number("share_max", "greatest share of each planet", "", "greatest value within a period",
              [](const V& v) {
-               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->greatest(i); });
+               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->greatest[i]; });
              });
     q.number("share_min", "least share of each planet", "",
              "least value within a period; 0 if the planet loses contact", [](const V& v) {
-               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least(i); });
+               return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least[i]; });
              });
     q.number("shares", "shares of the planets", "",
-             "share of each planet at each position of the period",
+             "share of each planet at each position of the period; for meshes of several "
+             "frequencies, at the positions of the first one and averaged over the others",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) {
                  return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());
@@ -57,7 +72,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
            });
     q.number("displacement_um", "greatest displacement of the floating body", "",
              "distance from the axis of the carrier; null if no body floats",
-             [](const V& v) { return micrometres(v.shares->greatest_displacement()); });
+             [](const V& v) { return micrometres(v.shares->greatest_displacement); });
     q.number("displacement_x_um", "displacement of the floating body", "",
              "component towards the first planet at each position, in the frame of the carrier",
              [](const V& v) -> Value {
@@ -93,7 +108,8 @@ const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
       return list;
     };
     q.number("loaded_arcsec", "rotation error under load", "",
-             "deviation of the output from its mean rotation at each position of the period",
+             "deviation of the output from its mean rotation at each position of the period; for "
+             "stepped planets, the mean over the positions of the other meshes",
              [seconds](const C& c) { return seconds(c.loaded); });
     q.number("rigid_arcsec", "rotation error of rigid teeth", "",
              "as `loaded_arcsec`, but for rigid teeth and equal shares",
@@ -108,8 +124,8 @@ const Quantities<Drive>& drive_load_quantities() {
     q.number("torque_Nm", "torque on the input", "T", "",
              [](const Drive& d) { return d.loaded->torque; });
     q.number("output_arcsec_peak_to_peak", "transmission error of the output under load", "",
-             "greatest value minus least value; for several mesh frequencies, the sum of these "
-             "differences",
+             "greatest value minus least value; for meshes of several frequencies that share no "
+             "planet, the sum of these differences",
              [](const Drive& d) { return Angle::radians(d.loaded->error.peak_to_peak).arcsec(); })
         .unit(Unit::arcsec);
     q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
@@ -148,7 +164,7 @@ std::optional<double> mesh_load_factor(const Drive& drive) {
   if (!drive.loaded || drive.loaded->sets.empty()) return std::nullopt;
   double greatest = 1.0;
   for (const PlanetShares& s : drive.loaded->sets)
-    greatest = std::max(greatest, s.mesh_load_factor);
+    greatest = std::max(greatest, s.mesh_load_factor().second);
   return greatest;
 }
 

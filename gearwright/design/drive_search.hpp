@@ -119,6 +119,8 @@ struct DriveCandidate {
   double stage_module(std::size_t stage) const {
     return stage_modules.empty() ? module : stage_modules[stage];
   }
+  /// x of both gears of a stage; none if the search does not choose them.
+  std::optional<std::array<double, 2>> stage_shifts(std::size_t stage) const;
   bool has_one_module() const {
     return std::adjacent_find(stage_modules.begin(), stage_modules.end(), std::not_equal_to<>()) ==
            stage_modules.end();
@@ -154,6 +156,10 @@ void complete_ends(DriveSearchProblem& problem);
 /// The set of a candidate, with the losses and the fixed, input and output members of the
 /// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+/// The helix angle of the first gear of a stage of a train, degrees. The hand alternates from stage to
+/// stage, so that both gears of an intermediate shaft have the same hand and their axial forces have
+/// opposite directions.
+double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
 /// The train with these modules of its stages, and with the size that follows from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);

@@ -95,6 +95,16 @@ double estimated_efficiency(int z1, int z2, double friction) {
   return 1.0 - kPath * std::numbers::pi * friction * (1.0 / z1 + 1.0 / z2);
 }
 
+std::optional<std::array<double, 2>> DriveCandidate::stage_shifts(std::size_t stage) const {
+  if (shifts.empty() || !shifts[2 * stage] || !shifts[2 * stage + 1]) return std::nullopt;
+  return std::array<double, 2>{*shifts[2 * stage], *shifts[2 * stage + 1]};
+}
+
+double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage) {
+  const double beta = problem.base.helix_deg.all.value_or(0.0);
+  return stage % 2 == 1 ? -beta : beta;
+}
+
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules) {
   GW_EXPECTS(modules.size() == train.stages.size());

@@ -40,7 +40,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
   std::vector<StageFit> fits;
   for (std::size_t k = 0; k < longest; ++k) {
     std::vector<StageShape> shapes;
-    std::vector<StageSafety> safeties;
+    std::vector<Safeties> safeties;
     for (const RatedTrain& train : rated) {
       if (train.stages.size() <= k) continue;
       shapes.push_back(shapes_of(train.candidate)[k]);
@@ -51,7 +51,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
     Eigen::MatrixXd terms(rows, 4), logs(rows, 2);
     for (Eigen::Index i = 0; i < rows; ++i) {
       const StageShape& shape = shapes[static_cast<std::size_t>(i)];
-      const StageSafety& safety = safeties[static_cast<std::size_t>(i)];
+      const Safeties& safety = safeties[static_cast<std::size_t>(i)];
       terms.row(i) << 1.0, shape.log_teeth, shape.log_ratio, shape.log_load;
       logs.row(i) << std::log(safety.flank) + shape.log_intensity / 2,
           std::log(safety.root) + shape.log_load;
@@ -70,7 +70,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
 }
 
 bool TrainStrength::may_hold(const DriveCandidate& candidate, std::size_t stage,
-                             const StageSafety& required) const {
+                             const Safeties& required) const {
   if (candidate.stages.size() > stages_.size()) return true;
   const StageShape s = shapes_of(candidate)[stage];
   const auto log_of = [&](const Fit& fit) {
@@ -82,8 +82,7 @@ bool TrainStrength::may_hold(const DriveCandidate& candidate, std::size_t stage,
          log_of(fit.root) - s.log_load >= std::log(required.root);
 }
 
-bool TrainStrength::is_hopeless(const DriveCandidate& candidate,
-                                const StageSafety& required) const {
+bool TrainStrength::is_hopeless(const DriveCandidate& candidate, const Safeties& required) const {
   for (std::size_t k = 0; k < candidate.stages.size(); ++k)
     if (!may_hold(candidate, k, required)) return true;
   return false;

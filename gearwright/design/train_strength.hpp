@@ -16,18 +16,14 @@
 #include <vector>
 
 #include "gearwright/design/drive_search.hpp"
+#include "gearwright/rating/sizing.hpp"
 
 namespace gearwright {
-
-/// S_H and S_F of a stage, each the smaller value of its two gears.
-struct StageSafety {
-  double flank = 0.0, root = 0.0;
-};
 
 /// A rated train. If the search chooses face widths, `candidate` has the face width of the rating.
 struct RatedTrain {
   DriveCandidate candidate;
-  std::vector<StageSafety> stages;
+  std::vector<Safeties> stages;
 };
 
 /// Margins that are added to the greatest residuals of the fits, in ln S. They were determined with
@@ -47,14 +43,13 @@ class TrainStrength {
   explicit TrainStrength(const std::vector<RatedTrain>& rated);
 
   /// False if, by the estimate, this stage of the train cannot have the required safeties.
-  bool may_hold(const DriveCandidate& candidate, std::size_t stage,
-                const StageSafety& required) const;
+  bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
   /// True if, by the estimate, a stage of the train cannot have the required safeties.
   ///
   /// `candidate`  with the greatest face width, if the search chooses it
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless
   ///              (2) a train that is not hopeless is not hopeless for lower safeties either
-  bool is_hopeless(const DriveCandidate& candidate, const StageSafety& required) const;
+  bool is_hopeless(const DriveCandidate& candidate, const Safeties& required) const;
 
  private:
   struct Fit {

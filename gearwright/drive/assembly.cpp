@@ -130,9 +130,9 @@ Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, l
     if (off > kSamePlace)
       return refused(
           "drive.positions", given,
-          fmt::format("a planet cannot be assembled there; the {} mounting positions are multiples "
-                      "of {}°, and the nearest of them is {}°",
-                      places, format_number(360.0 / static_cast<double>(places)),
+          fmt::format("a planet cannot be assembled there; the possible positions are multiples of "
+                      "{}°, and the nearest of them is {}°",
+                      format_number(360.0 / static_cast<double>(places)),
                       format_number(degrees.front() + 360.0 * n / static_cast<double>(grid))));
     turns.push_back(Rational::of(static_cast<long long>(n), grid).frac());
   }
@@ -219,16 +219,16 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
     const std::string others = teeth_that_assemble(graph, group);
     return Error{
         "drive.spacing", "equal",
-        fmt::format("{} planets cannot be assembled at equal pitch, because there are {} mounting "
-                    "positions per revolution, and {} is not a divisor of this number. One of "
-                    "these changes would help: {}{} planets; spacing \"nearest\"",
-                    n, made.places, n, others.empty() ? "" : others + "; ",
+        fmt::format("{} planets cannot be assembled at equal pitch, because {} is not a divisor of "
+                    "{}, the number of possible positions per revolution. One of these changes "
+                    "would help: {}{} planets; spacing \"nearest\"",
+                    n, n, made.places, others.empty() ? "" : others + "; ",
                     counts_that_assemble(made.places, n))};
   }
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",
-                 fmt::format("{} planets at {} mounting positions cannot form opposite pairs, "
-                             "because both numbers must be even; use \"nearest\"",
+                 fmt::format("needs an even number of planets and an even number of possible "
+                             "positions per revolution; they are {} and {}. Use \"nearest\"",
                              n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));

@@ -49,19 +49,23 @@ struct DriveError {
 };
 
 /// The shares of the planets of a set under load over one period of its meshes, in the frame of the
-/// carrier.
+/// carrier. If the meshes have several frequencies, the period is the period of the first one, and
+/// the values at its positions are means over all positions of the other meshes.
 struct PlanetShares {
-  std::size_t set = 0;                     ///< index in Drive::sets
-  std::vector<std::vector<double>> share;  ///< fraction of the load of the set, [planet][position]
-  double mesh_load_factor = 1.0;        ///< K_γ = N max share, over all meshes of the set [T13.26]
+  std::size_t set = 0;  ///< index in Drive::sets
+  /// Fraction of the load of the mesh with the greatest force, [planet][position].
+  std::vector<std::vector<double>> share;
+  std::vector<double> least, greatest;  ///< over all positions of all meshes, for each planet
+  /// Each loaded mesh of the set with its K_γ = N max share [T13.26]. The values differ only if a
+  /// planet has more than two meshes.
+  std::vector<std::pair<std::size_t, double>> mesh_load_factors;
   std::optional<std::size_t> floating;  ///< body that is free to move radially
   std::vector<Vec2> displacement;       ///< displacement of the floating body, mm, at each position
+  std::optional<double> greatest_displacement;  ///< mm, over all positions; none if no body floats
 
   double mean(std::size_t planet) const;
-  double greatest(std::size_t planet) const;
-  double least(std::size_t planet) const;
-  /// Length of the greatest displacement, mm; none if no body floats.
-  std::optional<double> greatest_displacement() const;
+  /// The mesh with the greatest K_γ, and its K_γ.
+  std::pair<std::size_t, double> mesh_load_factor() const;
 };
 
 /// Results for the drive under load, computed by drive/loaded_drive.hpp.

@@ -87,7 +87,7 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
   const auto& pairs = drive.geometry.pairs;
   const auto arcs =
       std::find_if(pairs.begin(), pairs.end(), [](const auto& p) { return p && p->arcs(); });
-  if (!drive.flow && arcs != pairs.end()) {
+  if (arcs != pairs.end()) {
     const auto mesh = static_cast<std::size_t>(arcs - pairs.begin());
     return Error{"drive.mesh", drive.graph.meshes[mesh].name,
                  "has circular-arc teeth, but ISO 6336 rates involute teeth only"};

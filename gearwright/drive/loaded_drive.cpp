@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numeric>
 
 #include "gearwright/base/contract.hpp"
@@ -28,6 +29,9 @@ using detail::set_of;
 /// Limit of the common multiple of the numbers of planets in positions_of(). A set with which the
 /// multiple would exceed this limit does not affect the number of positions.
 constexpr int kMostCommon = 60;
+/// Limit of the number of equilibria of a set whose meshes have several frequencies. 64 positions of
+/// two frequencies are below it, and 64 positions of three frequencies exceed it.
+constexpr double kMostCombinations = 1e5;
 
 // The number of positions over a period. It is a multiple of the numbers of planets, so that
 // the meshes of planets at equal pitch are evaluated in the same positions and can share
@@ -52,6 +56,76 @@ struct MeshUnderLoad {
   }
 };
 
+// The results of a set over all combinations of the positions of its meshes. Meshes of several
+// frequencies meet in all combinations of their positions.
+class SetTurn {
+ public:
+  SetTurn(const PlanetEquilibrium& equilibrium, const PlanetSet& set, std::size_t positions,
+          std::size_t frequencies)
+      : output(frequencies, std::vector<double>(positions)),
+        copies_(static_cast<std::size_t>(set.group.count)) {
+    const auto& nominal = equilibrium.nominal();
+    greatest_mesh_ = static_cast<std::size_t>(std::max_element(nominal.begin(), nominal.end()) -
+                                              nominal.begin());
+    for (const std::size_t m : equilibrium.meshes()) shares.mesh_load_factors.emplace_back(m, 1.0);
+    shares.share.assign(copies_, std::vector<double>(positions));
+    shares.least.assign(copies_, std::numeric_limits<double>::infinity());
+    shares.greatest.assign(copies_, 0.0);
+  }
+
+  std::size_t positions() const { return output.front().size(); }
+  std::size_t combinations() const {
+    std::size_t count = 1;
+    for (std::size_t f = 0; f < output.size(); ++f) count *= positions();
+    return count;
+  }
+
+  // Adds the equilibrium in which the meshes of frequency f are at the position at[f].
+  void add(const PlanetState& state, const std::vector<std::size_t>& at) {
+    const double part = static_cast<double>(positions()) / static_cast<double>(combinations());
+    for (std::size_t f = 0; f < at.size(); ++f) output[f][at[f]] += part * state.output;
+    least_ = std::min(least_, state.output);
+    greatest_ = std::max(greatest_, state.output);
+    for (std::size_t k = 0; k < state.forces.size(); ++k) {
+      const auto& forces = state.forces[k];
+      const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
+      for (std::size_t i = 0; i < copies_; ++i) {
+        const double share = forces[i] / sum;
+        double& factor = shares.mesh_load_factors[k].second;
+        factor = std::max(factor, static_cast<double>(copies_) * forces[i] / sum);
+        if (k != greatest_mesh_) continue;
+        shares.share[i][at.front()] += part * share;
+        shares.least[i] = std::min(shares.least[i], share);
+        shares.greatest[i] = std::max(shares.greatest[i], share);
+      }
+    }
+    if (!shares.floating) return;
+    shares.displacement.resize(positions(), Vec2::Zero());
+    shares.displacement[at.front()] += part * state.displacement;
+    shares.greatest_displacement =
+        std::max(shares.greatest_displacement.value_or(0.0), state.displacement.norm());
+  }
+
+  // The range of the output minus the sum of the ranges of its means over each frequency. It is 0
+  // if the rotations that the frequencies cause add up.
+  double coupling() const {
+    if (output.size() < 2) return 0.0;
+    double sum = greatest_ - least_;
+    for (const auto& mean : output) {
+      const auto [least, greatest] = std::minmax_element(mean.begin(), mean.end());
+      sum -= *greatest - *least;
+    }
+    return sum;
+  }
+
+  PlanetShares shares;
+  std::vector<std::vector<double>> output;  // rotation, mean over the other frequencies,
+                                            // [frequency][position]
+ private:
+  std::size_t copies_, greatest_mesh_ = 0;
+  double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
+};
+
 class DriveUnderLoad {
  public:
   DriveUnderLoad(const Drive& drive, const DriveLoadCase& load)
@@ -63,7 +137,7 @@ class DriveUnderLoad {
       return not_loaded("needs the geometry of all meshes and a possible place for each planet");
     phases_ = std::move(*phases);
     for (const PlanetSet& set : drive_.sets)
-      if (auto error = one_frequency(set)) return error;
+      if (auto error = too_many_positions(set)) return error;
     meshes_.resize(phases_.size());
     begin_stage(progress, "computing the meshes under load",
                 static_cast<std::int64_t>(phases_.size()));
@@ -82,6 +156,7 @@ class DriveUnderLoad {
   LoadedDrive result() {
     LoadedDrive found;
     found.torque = load_.torque;
+    found.error.peak_to_peak = coupling_;
     found.sets = std::move(sets_);
     for (std::size_t m = 0, c = 0; m < phases_.size(); ++m) {
       if (phases_[m].first != m) continue;
@@ -97,18 +172,24 @@ class DriveUnderLoad {
   }
 
  private:
-  std::optional<Error> one_frequency(const PlanetSet& set) const {
-    std::optional<std::size_t> first;
+  // The first meshes of all frequencies of a set. Each gear of a stepped planet has a frequency.
+  std::vector<std::size_t> frequencies(const PlanetSet& set) const {
+    std::vector<std::size_t> list;
     for (const std::size_t m : set.group.meshes) {
       if (drive_.flow->driver[m] < 0) continue;
-      if (first && phases_[m].first != phases_[*first].first)
-        return not_loaded(
-            "does not apply to stepped planets, whose meshes have different frequencies; extract "
-            "each mesh as a pair with drive --take, and use the verb load",
-            drive_.graph.meshes[m].name);
-      if (!first) first = m;
+      const std::size_t first = phases_[m].first;
+      if (std::find(list.begin(), list.end(), first) == list.end()) list.push_back(first);
     }
-    return std::nullopt;
+    return list;
+  }
+
+  std::optional<Error> too_many_positions(const PlanetSet& set) const {
+    const std::size_t count = frequencies(set).size();
+    if (count < 2 || std::pow(positions_, count) <= kMostCombinations) return std::nullopt;
+    return Error{"load.positions", std::to_string(load_.positions),
+                 fmt::format("is too many for planets with {} mesh frequencies, because all "
+                             "combinations of their positions are computed; give at most {}",
+                             count, static_cast<int>(std::pow(kMostCombinations, 1.0 / count)))};
   }
 
   int copies(std::size_t m) const {
@@ -202,39 +283,44 @@ class DriveUnderLoad {
     for (std::size_t m = 0; m < nominals.size(); ++m)
       if (!meshes_[m].at.empty()) nominals[m] = nominal(m);
     const PlanetEquilibrium equilibrium(drive_, set, phases_, nominals, errors);
-    const auto& loaded = equilibrium.meshes();
-    if (loaded.empty()) return std::nullopt;
-    const auto count = static_cast<std::size_t>(set.group.count);
-    PlanetShares shares;
-    shares.set = s;
-    shares.floating = errors.floating;
-    shares.share.resize(count);
-    LoadedDrive::Curve& curve = curves_[frequency(phases_[loaded.front()].first)];
-    for (std::size_t j = 0; j < static_cast<std::size_t>(positions_); ++j) {
-      std::vector<std::vector<MeshState>> states(loaded.size());
-      for (std::size_t k = 0; k < loaded.size(); ++k)
-        for (std::size_t i = 0; i < count; ++i) states[k].push_back(meshes_[loaded[k]].state(i, j));
-      const PlanetState state = equilibrium.solve(states);
+    if (equilibrium.meshes().empty()) return std::nullopt;
+    const std::vector<std::size_t> first = frequencies(set);
+    SetTurn turn(equilibrium, set, static_cast<std::size_t>(positions_), first.size());
+    turn.shares.set = s;
+    turn.shares.floating = errors.floating;
+    std::vector<std::size_t> at(first.size(), 0);
+    for (std::size_t left = turn.combinations(); left > 0; --left) {
+      const PlanetState state = equilibrium.solve(states_at(equilibrium.meshes(), first, at));
       if (!state.found)
         return errors.floating
                    ? Error{"load.floating", drive_.graph.bodies[*errors.floating].name,
                            "is not held in equilibrium by its planets; it needs at least three "
                            "planets around it, or two opposite planets"}
                    : not_loaded("at this torque, no equilibrium of the planets was found");
-      curve.loaded[j] += state.output;
-      for (std::size_t k = 0; k < loaded.size(); ++k) {
-        const auto& forces = state.forces[k];
-        const double sum = std::accumulate(forces.begin(), forces.end(), 0.0);
-        for (std::size_t i = 0; i < count; ++i) {
-          if (k == 0) shares.share[i].push_back(forces[i] / sum);
-          shares.mesh_load_factor =
-              std::max(shares.mesh_load_factor, static_cast<double>(count) * forces[i] / sum);
-        }
-      }
-      if (errors.floating) shares.displacement.push_back(state.displacement);
+      turn.add(state, at);
+      for (std::size_t f = 0; f < at.size() && ++at[f] == turn.positions(); ++f) at[f] = 0;
     }
-    sets_.push_back(std::move(shares));
+    for (std::size_t f = 0; f < first.size(); ++f) {
+      std::vector<double>& loaded = curves_[frequency(first[f])].loaded;
+      for (std::size_t j = 0; j < loaded.size(); ++j) loaded[j] += turn.output[f][j];
+    }
+    coupling_ += turn.coupling();
+    sets_.push_back(std::move(turn.shares));
     return std::nullopt;
+  }
+
+  // The springs of the meshes of a set if the meshes of frequency f are at the position at[f].
+  std::vector<std::vector<MeshState>> states_at(const std::vector<std::size_t>& loaded,
+                                                const std::vector<std::size_t>& first,
+                                                const std::vector<std::size_t>& at) const {
+    std::vector<std::vector<MeshState>> states(loaded.size());
+    for (std::size_t k = 0; k < loaded.size(); ++k) {
+      const auto f = std::find(first.begin(), first.end(), phases_[loaded[k]].first);
+      const MeshUnderLoad& mesh = meshes_[loaded[k]];
+      for (std::size_t i = 0; i < mesh.at.size(); ++i)
+        states[k].push_back(mesh.state(i, at[static_cast<std::size_t>(f - first.begin())]));
+    }
+    return states;
   }
 
   bool holds(const PlanetSet& set, std::size_t body) const {
@@ -276,6 +362,7 @@ class DriveUnderLoad {
   std::vector<MeshUnderLoad> meshes_;
   std::vector<LoadedDrive::Curve> curves_;
   std::vector<PlanetShares> sets_;
+  double coupling_ = 0.0;
 };
 
 }  // namespace
@@ -285,19 +372,9 @@ double PlanetShares::mean(std::size_t planet) const {
   return std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
 }
 
-double PlanetShares::greatest(std::size_t planet) const {
-  return *std::max_element(share[planet].begin(), share[planet].end());
-}
-
-double PlanetShares::least(std::size_t planet) const {
-  return *std::min_element(share[planet].begin(), share[planet].end());
-}
-
-std::optional<double> PlanetShares::greatest_displacement() const {
-  if (displacement.empty()) return std::nullopt;
-  double greatest = 0.0;
-  for (const Vec2& d : displacement) greatest = std::max(greatest, d.norm());
-  return greatest;
+std::pair<std::size_t, double> PlanetShares::mesh_load_factor() const {
+  return *std::max_element(mesh_load_factors.begin(), mesh_load_factors.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
 Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,

@@ -52,12 +52,14 @@ class PlanetEquilibrium {
   /// transverse line of action.
   ///
   /// Domain    a drive that is not self-locking and has a power flow; the meshes of the set are
-  ///           connected by gears and have one frequency (contract)
+  ///           connected by bodies without a loop (contract)
   PlanetEquilibrium(const Drive& drive, const PlanetSet& set, const std::vector<MeshPhase>& phases,
                     const std::vector<double>& nominal, const PlanetErrors& errors);
 
   /// The meshes of the set that carry load.
   const std::vector<std::size_t>& meshes() const { return meshes_; }
+  /// The force of an equal share of the load in each of meshes(), N.
+  const std::vector<double>& nominal() const { return nominal_; }
   /// Computes the equilibrium in one position.
   ///
   /// `states` is indexed by [mesh of meshes()][planet].

@@ -269,6 +269,43 @@ Drive drive_of(const nlohmann::json& c) {
   return testing::taken(make_drive({testing::taken(graph_of(set)), {}, 3}));
 }
 
+// Compares the forces of all meshes of a case with those of the engine. `order` is the number of
+// each mesh of the drive in the case.
+void expect_forces(const nlohmann::json& c, const Drive& drive, const PlanetErrors& errors,
+                   const std::vector<std::size_t>& order, const std::vector<double>& nominal) {
+  const PlanetSet& set = drive.sets[0];
+  const std::size_t planets = c["angles"].size();
+  for (std::size_t i = 0; i < planets; ++i)
+    ASSERT_NEAR(set.assembly.turns[i].value() * kTurn, c["angles"][i].get<double>(), 1e-12);
+  Springs springs;
+  for (const std::size_t k : order) {
+    springs.springs.emplace_back();
+    springs.leads.emplace_back();
+    for (std::size_t i = 0; i < planets; ++i) {
+      const double stiffness = c["stiffness"][i][k], bend = c["bend"][i][k];
+      // A parabola through 0 needs only one node, which is placed above all forces.
+      constexpr double kFar = 1.0;
+      springs.springs.back().emplace_back(std::vector<SpringNode>{
+          {kFar, stiffness * kFar + bend * kFar * kFar, stiffness + 2 * bend * kFar}});
+      springs.leads.back().push_back(c["lead"][i][k]);
+    }
+  }
+  const auto phases = phases_of(drive);
+  ASSERT_TRUE(phases);
+  const PlanetEquilibrium equilibrium(drive, set, *phases, nominal, errors);
+  const PlanetState state = equilibrium.solve(springs.states());
+  EXPECT_TRUE(state.found);
+  for (std::size_t i = 0; i < planets; ++i)
+    for (std::size_t m = 0; m < order.size(); ++m)
+      EXPECT_NEAR(state.forces[m][i], c["forces"][i][order[m]].get<double>(), 3e-6 * nominal[m]);
+  // Two opposite forces do not resist a displacement perpendicular to them. The displacement is
+  // then not unique.
+  for (const auto& carried : state.forces)
+    if (std::count_if(carried.begin(), carried.end(), [](double f) { return f > 0.0; }) < 3) return;
+  EXPECT_NEAR(state.displacement.x(), c["displacement"][0].get<double>(), 1e-7);
+  EXPECT_NEAR(state.displacement.y(), c["displacement"][1].get<double>(), 1e-7);
+}
+
 TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {
   const auto cases = nlohmann::json::parse(
       std::ifstream(testing::source_file("tests/oracle/planets/planet_springs.json")));
@@ -277,48 +314,58 @@ TEST(PlanetEquilibriumTest, AgreesWithAMinimisationOfTheEnergy) {
     SCOPED_TRACE(number);
     const auto& c = cases[number];
     const Drive drive = drive_of(c);
-    const PlanetSet& set = drive.sets[0];
-    const std::size_t planets = c["angles"].size(), meshes = drive.graph.meshes.size();
-    const bool idler = meshes == 3;
-    for (std::size_t i = 0; i < planets; ++i)
-      ASSERT_NEAR(set.assembly.turns[i].value() * kTurn, c["angles"][i].get<double>(), 1e-12);
-    Springs springs;
-    for (std::size_t k = 0; k < meshes; ++k) {
-      springs.springs.emplace_back();
-      springs.leads.emplace_back();
-      for (std::size_t i = 0; i < planets; ++i) {
-        const double stiffness = c["stiffness"][i][k], bend = c["bend"][i][k];
-        // A parabola through 0 needs only one node, which is placed above all forces.
-        constexpr double kFar = 1.0;
-        springs.springs[k].emplace_back(std::vector<SpringNode>{
-            {kFar, stiffness * kFar + bend * kFar * kFar, stiffness + 2 * bend * kFar}});
-        springs.leads[k].push_back(c["lead"][i][k]);
-      }
-    }
+    const std::size_t meshes = drive.graph.meshes.size();
     PlanetErrors errors;
     for (std::size_t r = c["pins"].size(); r-- > 0;)
       for (const double pin : c["pins"][r]) errors.pins.push_back(pin);
+    const PlanetSet& set = drive.sets[0];
     ASSERT_EQ(drive.graph.bodies[set.group.riders[0]].name, "planet");
-    ASSERT_EQ(set.group.riders.size(), idler ? 2u : 1u);
+    ASSERT_EQ(set.group.riders.size(), meshes - 1);
     if (!c["floating"].is_null()) errors.floating = body(drive, c["floating"]);
-    const double share =
-        c["torque"].get<double>() / c["bases"][0].get<double>() / static_cast<double>(planets);
-    const auto phases = phases_of(drive);
-    ASSERT_TRUE(phases);
-    const PlanetEquilibrium equilibrium(drive, set, *phases, std::vector<double>(meshes, share),
-                                        errors);
-    const PlanetState state = equilibrium.solve(springs.states());
-    EXPECT_TRUE(state.found);
-    for (std::size_t i = 0; i < planets; ++i)
-      for (std::size_t k = 0; k < meshes; ++k)
-        EXPECT_NEAR(state.forces[k][i], c["forces"][i][k].get<double>(), 3e-6 * share);
-    // Two opposite forces do not resist a displacement perpendicular to them. The displacement is
-    // then not unique.
-    const auto& carried = state.forces[0];
-    if (std::count_if(carried.begin(), carried.end(), [](double f) { return f > 0.0; }) < 3)
-      continue;
-    EXPECT_NEAR(state.displacement.x(), c["displacement"][0].get<double>(), 1e-7);
-    EXPECT_NEAR(state.displacement.y(), c["displacement"][1].get<double>(), 1e-7);
+    const double share = c["torque"].get<double>() / c["bases"][0].get<double>() /
+                         static_cast<double>(c["angles"].size());
+    std::vector<std::size_t> order(meshes);
+    std::iota(order.begin(), order.end(), 0u);
+    expect_forces(c, drive, errors, order, std::vector<double>(meshes, share));
+  }
+}
+
+TEST(PlanetEquilibriumTest, SteppedPlanetsAgreeWithAMinimisationOfTheEnergy) {
+  const auto cases = nlohmann::json::parse(
+      std::ifstream(testing::source_file("tests/oracle/planets/stepped_springs.json")));
+  ASSERT_EQ(cases.size(), 30u);
+  for (std::size_t number = 0; number < cases.size(); ++number) {
+    SCOPED_TRACE(number);
+    const auto& c = cases[number];
+    PlanetarySpec set;
+    for (std::size_t i = 0; i < kSetMembers; ++i)
+      if (const auto z = c["teeth"].find(to_string(static_cast<M>(i))); z != c["teeth"].end())
+        set.teeth[i] = z->get<int>();
+    set.planets = static_cast<int>(c["angles"].size());
+    set.normal_module = c["module"];
+    set.center_distance.all = c["distance"];
+    set.efficiency.all = 1.0;
+    set.fixed = std::vector<std::string>{c["fixed"].get<std::string>()};
+    set.inputs = {c["input"]};
+    set.output = c["output"];
+    const Drive drive = testing::taken(make_drive({testing::taken(graph_of(set)), {}, 3}));
+    std::vector<std::size_t> order;
+    const std::vector<std::string> names = c["meshes"];
+    for (const DriveMesh& mesh : drive.graph.meshes) {
+      const std::string name =
+          drive.graph.gear(mesh, 0).name + "_" + drive.graph.gear(mesh, 1).name;
+      const auto at = std::find(names.begin(), names.end(), name);
+      ASSERT_NE(at, names.end()) << name;
+      order.push_back(static_cast<std::size_t>(at - names.begin()));
+    }
+    const auto nominal = nominal_forces(drive, c["torque"]);
+    for (std::size_t m = 0; m < order.size(); ++m) {
+      const double expected = c["nominal"][order[m]];
+      EXPECT_NEAR(nominal[m], expected, 1e-9 * expected);
+    }
+    PlanetErrors errors{{}, c["pins"]};
+    if (!c["floating"].is_null()) errors.floating = body(drive, c["floating"]);
+    expect_forces(c, drive, errors, order, nominal);
   }
 }
 

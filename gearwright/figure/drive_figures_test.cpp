@@ -130,7 +130,8 @@ TEST(DriveFigures, CurvesUnderLoadLieWithinTheAxes) {
     loaded.curves.push_back({70.0 / 4.5, {1e-5, -1e-5 * varies, 0.0}, {0.0, 0.0, 0.0}});
     PlanetShares shares;
     shares.share = {{0.3, 0.3 + varies, 0.3}, {0.3, 0.3, 0.3}, {0.4, 0.4 - varies, 0.4}};
-    shares.mesh_load_factor = 1.5;
+    shares.mesh_load_factors = {{0, 1.5}};
+    shares.greatest_displacement = 0.2;
     shares.floating = 0;
     shares.displacement = {Vec2(0.0, 0.09), Vec2(varies, 0.0), Vec2(0.0, -varies)};
     loaded.sets.push_back(shares);

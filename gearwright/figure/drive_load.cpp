@@ -83,7 +83,7 @@ Figure planet_share_figure(const Drive& drive, std::size_t set) {
     f.keys.push_back({"line " + curve_style(i), words});
   }
   f.line({{0.0, 1 / count}, {period, 1 / count}}, "one", "equal share");
-  f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor);
+  f.note = fmt::format("K_γ = {:.3f}", shares.mesh_load_factor().second);
   constexpr double kLeast = 0.05;
   f = fitted(std::move(f), kLeast);
   f.y.lo = std::max(f.y.lo, 0.0);
@@ -113,7 +113,7 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set) {
            "curve " + style, c == 0 ? "x" : "y");
     f.keys.push_back({"line " + style, c == 0 ? "x" : "y"});
   }
-  f.note = fmt::format("at most {:.1f} µm", *shares.greatest_displacement() * kUmPerMm);
+  f.note = fmt::format("at most {:.1f} µm", *shares.greatest_displacement * kUmPerMm);
   constexpr double kLeast = 0.1;
   return fitted(std::move(f), kLeast);
 }

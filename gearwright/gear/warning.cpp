@@ -313,7 +313,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "there is no possible place for an idler",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
-     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer mounting "
+     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer possible "
      "positions than planets",
      "neighbouring planets collide"},
     {C::cannot_drive, "cannot_drive", kProblem,
@@ -331,9 +331,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "but manufactured gears need backlash",
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
-     "verbs rate and run, for a drive with [load]: K_γ of the planets under load is greater than "
-     "K_γ of the rating",
-     "the planets share the load less evenly than the rating assumes"},
+     "for a drive with [load]: K_γ of the planets under load is greater than K_γ of the rating or, "
+     "without a rating, at least 2",
+     "the planets share the load unevenly"},
     {C::default_rack, "default_rack", kNote,
      "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
      "of this pressure angle"},

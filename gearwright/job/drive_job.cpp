@@ -136,36 +136,53 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   return load;
 }
 
-std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive) {
-  const auto load = rating_load(spec, drive);
-  if (!load) return load.error();
-  const auto materials = drive_materials(spec.tree->tables);
-  auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {
-    const auto own = materials.find(drive.graph.gears[gear].name);
-    const MaterialInput given = own != materials.end() ? own->second
-                                : spec.rating.material ? *spec.rating.material
-                                                       : MaterialInput();
-    return material_of(given, "rating.material", spec.rating.input.edition);
-  });
-  if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
-  drive.ratings = std::move(ratings).take();
-  return std::nullopt;
+std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec) {
+  return [&spec,
+          materials = drive_materials(spec.tree->tables)](Drive& drive) -> std::optional<Error> {
+    const auto load = rating_load(spec, drive);
+    if (!load) return load.error();
+    auto ratings = rate_meshes(drive, *load, [&](std::size_t gear) {
+      const auto own = materials.find(drive.graph.gears[gear].name);
+      const MaterialInput given = own != materials.end() ? own->second
+                                  : spec.rating.material ? *spec.rating.material
+                                                         : MaterialInput();
+      return material_of(given, "rating.material", spec.rating.input.edition);
+    });
+    if (!ratings) return of_drive_table(ratings.error(), spec.tree->tables);
+    drive.ratings = std::move(ratings).take();
+    return std::nullopt;
+  };
 }
 
 namespace {
 
-// A finding if the planets under load have a greater K_γ than the rating.
+// A finding if the planets under load have a greater K_γ than the rating or, without a rating, if
+// their shares are very unequal.
 std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
   // less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
+  // Without a rating, a planet with twice an equal share is a finding. This includes one of two
+  // planets that carries the whole load, whose K_γ has a rounding error.
+  constexpr double kUnequal = 2.0 - 1e-9;
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
-  if (!computed || !rated || *computed <= (1 + kSameFactor) * *rated) return std::nullopt;
+  if (!computed || *computed <= (rated ? (1 + kSameFactor) * *rated : kUnequal))
+    return std::nullopt;
+  const std::string factor = fixed_decimals(*computed, 3);
+  std::string mesh;
+  for (const PlanetShares& shares : drive.loaded->sets)
+    if (const auto [m, greatest] = shares.mesh_load_factor(); greatest == *computed)
+      mesh = drive.graph.meshes[m].name;
+  if (!rated)
+    return Warning{WarningCode::mesh_load_factor,
+                   fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
+                               "them carries {} times an equal share. Reduce the errors of the "
+                               "pins, or let one member float.",
+                               mesh, factor, factor)};
   return Warning{WarningCode::mesh_load_factor,
                  fmt::format("The planets under this load have K_γ = {}, but the safeties are "
                              "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",
-                             fixed_decimals(*computed, 3), fixed_decimals(*rated, 3),
-                             fixed_decimals(*computed, 3))};
+                             factor, fixed_decimals(*rated, 3), factor)};
 }
 
 }  // namespace
@@ -178,7 +195,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, Rate
   if (!solved || !(rated || loaded)) return solved;
   DriveJob job = std::move(solved).take();
   if (rated)
-    if (auto error = rate_drive(spec, job.drive)) return *error;
+    if (auto error = drive_rater(spec)(job.drive)) return *error;
   if (loaded) {
     if (auto error = load_drive(job, progress)) return *error;
     if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
@@ -187,7 +204,7 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, Rate
   return job;
 }
 
-WantedSafety wanted_safety(const JobSpec& spec) {
+Safeties wanted_safety(const JobSpec& spec) {
   return {spec.rating.safety_flank_min.value_or(1.0), spec.rating.safety_root_min.value_or(1.0)};
 }
 

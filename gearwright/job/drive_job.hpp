@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,10 +38,11 @@ MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
-/// Rates each mesh under the load of [rating], or under the torque of the drive.
+/// A function that rates each mesh of a drive under the load of [rating], or under the torque of the
+/// drive. The materials of the spec are read once. `spec` must outlive the function.
 ///
 /// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
-std::optional<Error> rate_drive(const JobSpec& spec, Drive& drive);
+std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 
 /// Computes the drive under its [load].
 ///
@@ -56,12 +58,12 @@ enum class RateMeshes { no, if_given, yes };
 /// meshes are rated if the spec has [rating]. If the spec has [load], the drive is also computed
 /// under load.
 ///
-/// Errors    the errors of solve_drive(), rate_drive() and load_drive()
+/// Errors    the errors of solve_drive(), drive_rater() and load_drive()
 Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress = nullptr,
                                    RateMeshes rating = RateMeshes::if_given);
 
 /// The required safeties of [rating]; 1 if they are absent.
-WantedSafety wanted_safety(const JobSpec& spec);
+Safeties wanted_safety(const JobSpec& spec);
 
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);

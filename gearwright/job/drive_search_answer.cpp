@@ -42,6 +42,13 @@ std::string advice(const FoundDrives& f) {
         "No drive was found among the {} computed sets, but {} sets were not computed, so a drive "
         "may exist. Narrow the band of the ratio or the bands of numbers of teeth.",
         f.designs.computed, f.designs.beyond_limit);
+  if (const auto [least, most] = f.problem.stages;
+      f.problem.kind == DriveKind::train && least == most && f.result.found.empty() &&
+      (least % 2 == 0 ? f.problem.ratio[1] < 0.0 : f.problem.ratio[0] > 0.0))
+    return fmt::format(
+        "The ratio of a train of {} external stage{} is {}. Give ratio with the "
+        "other sign, or another number of stages.",
+        least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
@@ -189,10 +196,10 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
     return absent_input(
         "search.normal_module_mm",
         "; drives can be rated only with a module, for example normal_module_mm = [1, 1.5, 2]");
-  const WantedSafety of_rating = wanted_safety(spec);
+  const Safeties of_rating = wanted_safety(spec);
   task.required = {problem.safety_flank.value_or(of_rating.flank),
                    problem.safety_root.value_or(of_rating.root)};
-  if (rated) task.rate = [&](Drive& drive) { return rate_drive(spec, drive); };
+  if (rated) task.rate = drive_rater(spec);
   auto designs = drive_designs(task, *result, top, threads);
   if (!designs) return designs.error();
   const auto face_load =

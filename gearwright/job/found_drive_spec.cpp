@@ -43,12 +43,10 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
       if (!problem.modules.empty()) stage["normal_module_mm"] = c.stage_module(k);
-      // The hand alternates from stage to stage, so that both gears of an intermediate shaft have
-      // the same hand and their axial forces have opposite directions.
-      if (const auto& beta = problem.base.helix_deg.all; beta && k % 2 == 1 && *beta != 0.0)
-        stage["helix_angle_deg"] = -*beta;
-      if (const auto& x = c.shifts; !x.empty() && x[2 * k] && x[2 * k + 1])
-        stage["profile_shift"] = {*x[2 * k], *x[2 * k + 1]};
+      if (const double beta = stage_helix_deg(problem, k);
+          beta != problem.base.helix_deg.all.value_or(0.0))
+        stage["helix_angle_deg"] = beta;
+      if (const auto x = c.stage_shifts(k)) stage["profile_shift"] = *x;
       made["stage"].push_back(std::move(stage));
     }
     return made;

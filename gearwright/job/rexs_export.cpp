@@ -107,7 +107,8 @@ class Writer {
   JobFile file(const std::filesystem::path& path) const {
     const auto back = spec_of_rexs(model_);
     const std::string other = back ? "" : "; Gearwright cannot read it: " + back.error().rule;
-    return {path, "REXS", std::nullopt, "version 1.7" + note_ + other, rexs_text(model_)};
+    return {path, "REXS", std::nullopt, "version 1.7" + note_ + other,
+            path.extension() == ".rexsj" ? rexs_json(model_) : rexs_text(model_)};
   }
 
  private:

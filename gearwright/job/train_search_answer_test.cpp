@@ -89,7 +89,10 @@ TEST(TrainSearchAnswerTest, TheSpecOfACandidateDescribesTheDriveThatIsRated) {
       ASSERT_TRUE(own) << own.error().message();
       ASSERT_TRUE(read) << read.error().message();
       const Json& tree = read->tree->tables;
-      EXPECT_EQ(json_text(expanded_spec(tree, *own)), json_text(expanded_spec(tree, *read->drive)));
+      // The materials are read from the spec of the search on one side, and from the spec of the
+      // candidate on the other.
+      EXPECT_EQ(json_text(expanded_spec(spec->tree->tables, *own)["drive"]),
+                json_text(expanded_spec(tree, *read->drive)["drive"]));
     }
   }
 }
@@ -115,7 +118,7 @@ TEST(TrainSearchAnswerTest, EveryStageHasItsLeastModule) {
       const auto job = solve_drive(*spec);
       EXPECT_TRUE(job);
       Drive drive = job->drive;
-      EXPECT_FALSE(rate_drive(*spec, drive));
+      EXPECT_FALSE(drive_rater(*spec)(drive));
       const Rating& r = drive.ratings[stage]->rating;
       return std::min(r.S_H[0].value, r.S_H[1].value) >= 1.2 &&
              std::min(r.S_F[0].value, r.S_F[1].value) >= 1.4;
@@ -147,7 +150,7 @@ struct StageSearch {
     EXPECT_TRUE(spec) << spec.error().message();
     task.problem = read_drive_search(spec->tree->tables["search"]);
     task.problem.module_per_stage = true;
-    task.rate = [this](Drive& drive) { return rate_drive(*spec, drive); };
+    task.rate = drive_rater(*spec);
   }
 
   Result<JobSpec> spec;
@@ -184,26 +187,30 @@ TEST(TrainSearchAnswerTest, AStageThatIsWeakForTwoReasonsHasItsLeastModule) {
   }
 }
 
-// Law (5). The trains are sorted by their estimated sizes, so more than two are computed for the list
-// of two. Some of these trains are on the front.
+// Law (5). If each stage has its own module, the trains are sorted by their estimated sizes, so more
+// than two are computed for the list of two, and some of these are on the front. If all stages have
+// one module, only two are computed for the list, and the rest of the front is computed afterwards.
 TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
-  const StageSearch search(
+  StageSearch search(
       "objective = [\"size\", \"ratio\"]\nnormal_module_mm = [1.5, 2, 2.5, 3, 4, 5]\n"
       "ratio = [9, 14]\npinion_teeth = [20, 21]\nwheel_teeth = [70, 72]\nface_width_mm = 30\n",
       30);
-  const auto result = search_drives(search.task.problem, 2);
-  ASSERT_TRUE(result);
-  const auto all = drive_designs(search.task, *result, 1000, 2);
-  const auto few = drive_designs(search.task, *result, 2, 2);
-  ASSERT_TRUE(all && few);
-  EXPECT_EQ(all->pareto.size(), 3u);
-  EXPECT_LE(few->list.size(), 4u);
-  const auto stages_of = [](const DriveDesigns& designs) {
-    std::vector<std::vector<std::array<int, 2>>> front;
-    for (const std::size_t i : designs.pareto) front.push_back(designs.list[i].candidate.stages);
-    return front;
-  };
-  EXPECT_EQ(stages_of(*few), stages_of(*all));
+  for (const bool per_stage : {true, false}) {
+    search.task.problem.module_per_stage = per_stage;
+    const auto result = search_drives(search.task.problem, 2);
+    ASSERT_TRUE(result);
+    const auto all = drive_designs(search.task, *result, 1000, 2);
+    const auto few = drive_designs(search.task, *result, 2, 2);
+    ASSERT_TRUE(all && few);
+    EXPECT_EQ(all->pareto.size(), per_stage ? 3u : 2u);
+    EXPECT_LE(few->list.size(), 4u);
+    const auto stages_of = [](const DriveDesigns& designs) {
+      std::vector<std::vector<std::array<int, 2>>> front;
+      for (const std::size_t i : designs.pareto) front.push_back(designs.list[i].candidate.stages);
+      return front;
+    };
+    EXPECT_EQ(stages_of(*few), stages_of(*all)) << per_stage;
+  }
 }
 
 // Three stages with the default numbers of teeth have more than a million trains.
@@ -242,6 +249,18 @@ TEST(TrainSearchAnswerTest, AdviceForUnsafeTrainsIsForTrains) {
   const std::string text = answer->listing();
   EXPECT_NE(text.find("greater pinion_teeth"), std::string::npos) << text;
   EXPECT_EQ(text.find("planets or"), std::string::npos) << text;
+}
+
+// The ratio of three external stages is negative, so no band of positive ratios contains it.
+TEST(TrainSearchAnswerTest, AdviceForARatioOfTheOtherSignNamesTheSign) {
+  for (const auto& [ratio, sign] : {std::pair{"ratio = [20, 22]\nstages = 3\n", "negative"},
+                                    std::pair{"ratio = [-12, -11]\n", "positive"}}) {
+    const auto answer =
+        trains_of("2", std::string(ratio) + "pinion_teeth = [17, 19]\nwheel_teeth = [40, 60]\n", 4);
+    ASSERT_TRUE(answer) << answer.error().message();
+    EXPECT_NE(answer->listing().find(std::string("stages is ") + sign), std::string::npos)
+        << answer->listing();
+  }
 }
 
 // Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have opposite

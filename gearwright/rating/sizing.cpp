@@ -13,13 +13,13 @@ constexpr double kDecades = 1e6;      // greatest factor between input torque an
 constexpr double kSameTorque = 1e-9;  // relative accuracy of the torque
 constexpr double kSameFace = 1e-7;    // relative accuracy of the face width
 
-bool safe(const RatedPair& pair, const RatingInput& input, const WantedSafety& wanted) {
+bool safe(const RatedPair& pair, const RatingInput& input, const Safeties& wanted) {
   const auto r = rate(pair, input);
   return r && holds(*r, wanted);
 }
 
 // The least of the four safety factors, each relative to its required value.
-double share_of_wanted(const Rating& r, const WantedSafety& wanted) {
+double share_of_wanted(const Rating& r, const Safeties& wanted) {
   double share = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 2; ++i) {
     if (wanted.flank > 0.0) share = std::min(share, r.S_H[i].value / wanted.flank);
@@ -30,14 +30,14 @@ double share_of_wanted(const Rating& r, const WantedSafety& wanted) {
 
 }  // namespace
 
-bool holds(const Rating& rating, const WantedSafety& wanted) {
+bool holds(const Rating& rating, const Safeties& wanted) {
   for (std::size_t i = 0; i < 2; ++i)
     if (rating.S_H[i].value < wanted.flank || rating.S_F[i].value < wanted.root) return false;
   return true;
 }
 
 std::optional<double> torque_of_safety(const RatedPair& pair, const RatingInput& input,
-                                       const WantedSafety& wanted) {
+                                       const Safeties& wanted) {
   RatingInput in = input;
   const auto holds_at = [&](double torque) {
     in.torque = torque;
@@ -69,7 +69,7 @@ RatedPair with_face_width(RatedPair pair, double face_width) {
 }
 
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const WantedSafety& wanted, double most) {
+                                           const Safeties& wanted, double most) {
   const auto holds_at = [&](double b) { return safe(with_face_width(pair, b), input, wanted); };
   // Safety factors increase with the width, but they drop where a tolerance reaches its next
   // step. The sufficient widths may therefore form several ranges. If a safety factor at the
@@ -97,7 +97,7 @@ std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingIn
 }
 
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const WantedSafety& wanted) {
+                                           const Safeties& wanted) {
   // A steel is no alternative to a plastic.
   if (input.edition == RatingEdition::vdi_2736) return std::nullopt;
   const auto rated = rate(pair, input);

@@ -14,13 +14,14 @@
 
 namespace gearwright {
 
-struct WantedSafety {
-  double flank = 1.0;  ///< S_Hmin
-  double root = 1.0;   ///< S_Fmin
+/// The required safeties S_Hmin and S_Fmin, or the safeties of a pair: S_H and S_F, each the smaller
+/// value of its two gears.
+struct Safeties {
+  double flank = 1.0, root = 1.0;
 };
 
 /// True if flank and root of both gears have the required safety factors.
-bool holds(const Rating& rating, const WantedSafety& wanted);
+bool holds(const Rating& rating, const Safeties& wanted);
 
 /// The greatest torque on gear 1 with the required safety factors, N m. None if there is no such
 /// torque between 1e-6 and 1e6 times the torque of the input.
@@ -28,7 +29,7 @@ bool holds(const Rating& rating, const WantedSafety& wanted);
 /// Accuracy  1e-9, relative
 /// Law       safety factors decrease as the torque increases
 std::optional<double> torque_of_safety(const RatedPair& pair, const RatingInput& input,
-                                       const WantedSafety& wanted);
+                                       const Safeties& wanted);
 /// The pair with another common face width, mm, and the corresponding overlap ratio.
 RatedPair with_face_width(RatedPair pair, double face_width);
 
@@ -42,13 +43,13 @@ constexpr double kMostFaceModules = 40.0;
 ///           the sufficient widths may form several ranges. A range narrower than 1e-4 of the width
 ///           may be missed
 std::optional<double> face_width_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const WantedSafety& wanted, double most);
+                                           const Safeties& wanted, double most);
 /// Alternative steels of the table, the weakest first.
 inline constexpr std::array<std::string_view, 4> kSteelsByStrength{"42CrMo4", "34CrNiMo6",
                                                                    "31CrMoV9", "17CrNiMo6"};
 /// The weakest of these steels that makes the safety factors sufficient if it replaces the
 /// material of the gears whose safety factors are too low.
 std::optional<std::string> steel_of_safety(const RatedPair& pair, const RatingInput& input,
-                                           const WantedSafety& wanted);
+                                           const Safeties& wanted);
 
 }  // namespace gearwright

@@ -46,8 +46,8 @@ TEST(Sizing, FaceWidthOfSafetyIsTheLeast) {
     const auto rated = rate(with_face_width(pair, there), in);
     if (!rated) continue;
     constexpr double kLittle = 0.998;
-    const WantedSafety wanted{kLittle * std::min(rated->S_H[0].value, rated->S_H[1].value),
-                              kLittle * std::min(rated->S_F[0].value, rated->S_F[1].value)};
+    const Safeties wanted{kLittle * std::min(rated->S_H[0].value, rated->S_H[1].value),
+                          kLittle * std::min(rated->S_F[0].value, rated->S_F[1].value)};
     const auto holds_at = [&](double b) {
       const auto r = rate(with_face_width(pair, b), in);
       return r && holds(*r, wanted);

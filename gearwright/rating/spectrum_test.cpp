@@ -51,7 +51,7 @@ TEST(Spectrum, StepsAddUp) {
 TEST(Sizing, TorqueOfSafetyHasIt) {
   const RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();
-  const WantedSafety wanted{1.2, 1.5};
+  const Safeties wanted{1.2, 1.5};
   in.torque = *torque_of_safety(pair, in, wanted);
   const Rating r = rate(pair, in).value();
   EXPECT_TRUE(holds(r, wanted));
@@ -63,7 +63,7 @@ TEST(Sizing, FaceWidthOfSafetyHasIt) {
   const RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();
   in.torque *= 2.5;
-  const WantedSafety wanted{1.25, 1.5};
+  const Safeties wanted{1.25, 1.5};
   EXPECT_FALSE(holds(rate(pair, in).value(), wanted));
   const auto b = face_width_of_safety(pair, in, wanted, 2000);
   ASSERT_TRUE(b.has_value());
@@ -76,7 +76,7 @@ TEST(Sizing, SteelOfSafetyHasIt) {
   const RatedPair pair = testing::helical_24_95();
   RatingInput in = testing::helical_24_95_load();
   in.materials = {*material_named("42CrMo4"), *material_named("42CrMo4")};
-  const WantedSafety wanted{1.25, 1.5};
+  const Safeties wanted{1.25, 1.5};
   const auto steel = steel_of_safety(pair, in, wanted);
   ASSERT_TRUE(steel.has_value());
   in.materials = {*material_named(*steel), *material_named(*steel)};

@@ -15,7 +15,7 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-constexpr int kDeepest = 32;  // greatest depth of nested elements; REXS has six levels
+constexpr int kDeepest = 32;  // greatest depth of nested elements; REXS has at most ten levels
 
 // The parser is recursive, with one call for each level, so the depth is checked before it runs.
 bool too_deep(std::string_view xml) {
@@ -36,29 +36,58 @@ bool too_deep(std::string_view xml) {
 
 Error no_rexs(std::string rule) { return {"", "", std::move(rule)}; }
 
+// The same tree for JSON as for XML. The elements of a list have no tag.
+Tree tree_of(const Json& json) {
+  Tree tree;
+  if (json.is_string())
+    tree.data() = json.get<std::string>();
+  else if (json.is_number() || json.is_boolean())
+    tree.data() = json_text(json);
+  else if (json.is_structured())
+    for (const auto& [name, value] : json.items())
+      tree.push_back({json.is_array() ? std::string() : name, tree_of(value)});
+  return tree;
+}
+
 std::string attribute_of(const Tree& element, const char* name) {
-  return element.get(std::string("<xmlattr>.") + name, std::string());
+  return element.get(std::string("<xmlattr>.") + name, element.get(name, std::string()));
+}
+
+// The elements with a tag in XML, or in the list of this name in JSON.
+std::vector<const Tree*> elements_of(const Tree& owner, const char* list, const char* tag) {
+  std::vector<const Tree*> found;
+  for (const auto& [name, element] : owner.get_child(list, owner))
+    if (name == tag || (name.empty() && !element.empty())) found.push_back(&element);
+  return found;
+}
+
+// The value of an attribute. In JSON, it is a member whose name is the type of the value. The
+// values of an array are in separate elements.
+std::string value_of(const Tree& attribute) {
+  std::string value = attribute.data();
+  for (const auto& [type, own] : attribute)
+    if (value.empty() && type != "<xmlattr>" && type != "id" && type != "unit")
+      value = own.size() == 1 ? own.front().second.data() : own.data();
+  return value;
 }
 
 RexsComponent component_of(const Tree& element) {
   RexsComponent c{attribute_of(element, "id"), attribute_of(element, "type"),
                   attribute_of(element, "name")};
-  for (const auto& [tag, a] : element) {
-    // The values of an array are in separate elements.
-    const auto array = tag == "attribute" ? a.get_child_optional("array") : boost::none;
-    const std::string value =
-        array && array->count("c") == 1 ? array->get<std::string>("c") : a.data();
-    if (tag != "attribute" || value.empty()) continue;
-    c.attributes[attribute_of(a, "id")] = value;
-    c.units[attribute_of(a, "id")] = attribute_of(a, "unit");
+  for (const Tree* a : elements_of(element, "attributes", "attribute")) {
+    const std::string value = value_of(*a);
+    // Some programs write false in JSON instead of a text or of a vector.
+    if (value.empty() || value == "false") continue;
+    c.attributes[attribute_of(*a, "id")] = value;
+    c.units[attribute_of(*a, "id")] = attribute_of(*a, "unit");
   }
   return c;
 }
 
 RexsRelation relation_of(const Tree& element) {
   RexsRelation r{attribute_of(element, "type")};
-  for (const auto& [tag, ref] : element)
-    if (tag == "ref") r.refs.emplace_back(attribute_of(ref, "role"), attribute_of(ref, "id"));
+  for (const Tree* ref : elements_of(element, "refs", "ref"))
+    r.refs.emplace_back(attribute_of(*ref, "role"), attribute_of(*ref, "id"));
   return r;
 }
 
@@ -144,16 +173,24 @@ std::vector<const RexsComponent*> RexsModel::of_type(std::string_view type) cons
   return list;
 }
 
-Result<RexsModel> read_rexs(std::string_view xml) {
-  if (too_deep(xml))
+Result<RexsModel> read_rexs(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string_view::npos && text[first] == '{';
+  if (json ? json_depth(text) > kDeepest : too_deep(text))
     return no_rexs(fmt::format("the elements are nested more than {} levels deep", kDeepest));
   Tree tree;
   try {
-    std::istringstream in{std::string(xml)};
-    namespace parser = boost::property_tree::xml_parser;
-    parser::read_xml(in, tree, parser::trim_whitespace | parser::no_comments);
+    if (json) {
+      tree = tree_of(parse_json(text));
+    } else {
+      std::istringstream in{std::string(text)};
+      namespace parser = boost::property_tree::xml_parser;
+      parser::read_xml(in, tree, parser::trim_whitespace | parser::no_comments);
+    }
   } catch (const boost::property_tree::xml_parser_error& e) {
     return no_rexs(fmt::format("the file is not XML: line {}: {}", e.line(), e.message()));
+  } catch (const Json::parse_error& e) {
+    return no_rexs(fmt::format("the file is not JSON: byte {} does not fit", e.byte));
   }
   const auto model = tree.get_child_optional("model");
   if (!model) return no_rexs("the file is not REXS, because its root element is not `model`");
@@ -162,20 +199,22 @@ Result<RexsModel> read_rexs(std::string_view xml) {
     return no_rexs(fmt::format(
         "the file has the REXS version \"{}\"; versions 1.0 to 1.7 and 2.0 are supported",
         read.version));
-  if (const auto components = model->get_child_optional("components"))
-    for (const auto& [tag, element] : *components)
-      if (tag == "component") read.components.push_back(component_of(element));
-  if (const auto relations = model->get_child_optional("relations"))
-    for (const auto& [tag, element] : *relations)
-      if (tag == "relation") read.relations.push_back(relation_of(element));
+  const Tree none;
+  for (const Tree* c : elements_of(model->get_child("components", none), "", "component"))
+    read.components.push_back(component_of(*c));
+  for (const Tree* r : elements_of(model->get_child("relations", none), "", "relation"))
+    read.relations.push_back(relation_of(*r));
   return read;
 }
 
+bool is_rexs(const std::filesystem::path& path) {
+  return path.extension() == ".rexs" || path.extension() == ".rexsj";
+}
+
 std::optional<std::string> other_rexs_format(const std::filesystem::path& path) {
-  const std::filesystem::path form = path.extension();
-  if (form != ".rexsj" && form != ".rexsz") return std::nullopt;
-  return fmt::format("REXS as {} is not supported; use REXS as XML, with the ending .rexs",
-                     form == ".rexsj" ? "JSON" : "a compressed file");
+  if (path.extension() != ".rexsz") return std::nullopt;
+  return "compressed REXS is not supported; use REXS as XML or as JSON, with the ending .rexs or "
+         ".rexsj";
 }
 
 std::string rexs_text(const RexsModel& model) {
@@ -203,6 +242,41 @@ std::string rexs_text(const RexsModel& model) {
     out += "    </component>\n";
   }
   return out + "  </components>\n</model>\n";
+}
+
+std::string rexs_json(const RexsModel& model) {
+  const auto id_of = [](const std::string& id) { return std::stoi(id); };
+  Json tree;
+  tree["version"] = model.version;
+  tree["applicationId"] = model.application;
+  tree["relations"] = tree["components"] = Json::array();
+  for (const RexsRelation& r : model.relations) {
+    Json refs = Json::array();
+    for (const auto& [role, id] : r.refs) {
+      const RexsComponent* const c = model.find(id);
+      refs.push_back({{"id", id_of(id)}, {"role", role}, {"hint", c ? c->type : ""}});
+    }
+    tree["relations"].push_back(
+        {{"id", tree["relations"].size() + 1}, {"type", r.type}, {"refs", std::move(refs)}});
+  }
+  for (const RexsComponent& c : model.components) {
+    Json attributes = Json::array();
+    for (const auto& [id, value] : c.attributes) {
+      Json a{{"id", id}, {"unit", c.units.at(id)}};
+      if (value == "true")
+        a["boolean"] = true;
+      else if (id == "number_of_teeth")
+        a["integer"] = std::stoi(value);
+      else
+        a["floating_point"] = *c.number(id);
+      attributes.push_back(std::move(a));
+    }
+    tree["components"].push_back({{"id", id_of(c.id)},
+                                  {"type", c.type},
+                                  {"name", c.name},
+                                  {"attributes", std::move(attributes)}});
+  }
+  return json_text(Json{{"model", std::move(tree)}}, 2) + "\n";
 }
 
 }  // namespace gearwright

@@ -379,8 +379,8 @@ class Reader {
 
 Result<RexsSpec> spec_of_rexs(const RexsModel& model) { return Reader(model).spec(); }
 
-Result<std::string> spec_text_of_rexs(std::string_view xml) {
-  const auto model = read_rexs(xml);
+Result<std::string> spec_text_of_rexs(std::string_view file) {
+  const auto model = read_rexs(file);
   if (!model) return model.error();
   const auto spec = spec_of_rexs(*model);
   if (!spec) return spec.error();

@@ -196,13 +196,44 @@ TEST(Rexs, AModelReadsBack) {
   RexsModel model{"1.7", "a & b", {}, {}};
   model.components.push_back({"1", "cylindrical_gear", "<\"pinion\">"});
   model.components.back().set("normal_module", 0.1 + 0.2, "mm");
+  model.components.back().set("number_of_teeth", 17, "none");
+  model.components.back().flag("transmits_torque");
   model.relations.push_back({"stage", {{"gear_1", "1"}}});
-  const auto again = read_rexs(rexs_text(model));
-  ASSERT_TRUE(again) << again.error().rule;
-  EXPECT_EQ(again->application, "a & b");
-  EXPECT_EQ(again->components[0].name, "<\"pinion\">");
-  EXPECT_EQ(again->components[0].number("normal_module"), 0.1 + 0.2);
-  EXPECT_EQ(again->relations[0].of("gear_1"), "1");
+  for (const std::string& text : {rexs_text(model), rexs_json(model)}) {
+    const auto again = read_rexs(text);
+    ASSERT_TRUE(again) << again.error().rule;
+    EXPECT_EQ(again->version, "1.7");
+    EXPECT_EQ(again->application, "a & b");
+    EXPECT_EQ(again->components[0].name, "<\"pinion\">");
+    EXPECT_EQ(again->components[0].attributes, model.components[0].attributes);
+    EXPECT_EQ(again->components[0].units, model.components[0].units);
+    EXPECT_EQ(again->relations[0].of("gear_1"), "1");
+  }
+}
+
+// The members of a JSON file are those of the public samples: ids are numbers, and the type of a
+// value is its name. A list with one number is a value, and longer lists are not read.
+TEST(Rexs, JsonIsReadAsXml) {
+  const auto model = read_rexs(R"( {"model": {"version": "1.4", "applicationId": "Other",
+      "relations": [{"id": 7, "type": "stage", "refs": [{"id": 2, "role": "gear_1", "hint": "g"}]}],
+      "components": [{"id": 2, "type": "cylindrical_gear", "attributes": [
+        {"id": "number_of_teeth", "unit": "none", "integer": 17},
+        {"id": "face_width", "unit": "mm", "floating_point": 50.0},
+        {"id": "defines_speed", "unit": "none", "boolean": true},
+        {"id": "material", "unit": "none", "string": "16MnCr5"},
+        {"id": "series", "unit": "none", "boolean": false},
+        {"id": "one", "unit": "mm", "floating_point_array": [0.5]},
+        {"id": "axis", "unit": "mm", "floating_point_array": [1.0, 0.0, 0.0]}, 3]}, null]}})");
+  ASSERT_TRUE(model) << model.error().rule;
+  EXPECT_EQ(model->relations[0].of("gear_1"), "2");
+  const RexsComponent& gear = *model->find("2");
+  EXPECT_EQ(gear.name, "");
+  EXPECT_EQ(gear.number("number_of_teeth"), 17.0);
+  EXPECT_EQ(gear.number("face_width"), 50.0);
+  EXPECT_EQ(gear.text("defines_speed"), "true");
+  EXPECT_EQ(gear.text("material"), "16MnCr5");
+  EXPECT_EQ(gear.number("one"), 0.5);
+  for (const char* absent : {"axis", "series"}) EXPECT_FALSE(gear.text(absent));
 }
 
 TEST(Rexs, BrokenInputIsAnError) {
@@ -214,9 +245,18 @@ TEST(Rexs, BrokenInputIsAnError) {
   EXPECT_NE(rexs_refusal(file(stage("3", "1", "2"), component("3", "cylindrical_stage")))
                 .find("does not have two cylindrical gears"),
             std::string::npos);
-  std::string deep;
+  EXPECT_NE(rexs_refusal("{\"model\": ").find("not JSON"), std::string::npos);
+  for (const char* other : {"{}", "{\"gear1\": {}}"})
+    EXPECT_NE(rexs_refusal(other).find("`model`"), std::string::npos);
+  for (const char* empty : {"{\"model\": 3}", "{\"model\": {\"version\": [1]}}"})
+    EXPECT_NE(rexs_refusal(empty).find("REXS version \"\""), std::string::npos);
+  EXPECT_NE(rexs_refusal("{\"model\": {\"version\": \"1.4\", \"components\": 3}}").find("no cyl"),
+            std::string::npos);
+  std::string deep, deep_json;
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
-  EXPECT_NE(rexs_refusal(deep).find("nested"), std::string::npos);
+  for (int i = 0; i < 100'000; ++i) deep_json += "{\"a\":";
+  for (const std::string& text : {deep, deep_json})
+    EXPECT_NE(rexs_refusal(text).find("nested"), std::string::npos);
   const std::string apart = stage("10", "1", "2") + stage("11", "3", "4");
   EXPECT_NE(rexs_refusal(file(apart, gear("1", 20) + gear("2", 40) + gear("3", 20) + gear("4", 40) +
                                          component("10", "cylindrical_stage") +

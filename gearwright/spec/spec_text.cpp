@@ -327,7 +327,7 @@ Result<SpecText> read_spec_text(const std::filesystem::path& path) {
     return syntax_error(name + " is UTF-16 text; save it as UTF-8");
   const bool in_folder = !pipe && std::filesystem::is_regular_file(path, error);
   if (in_folder) read.folder = path.parent_path();
-  if (path.extension() == ".rexs") {
+  if (is_rexs(path)) {
     auto made = spec_text_of_rexs(read.text);
     if (!made) return syntax_error(fmt::format("{}: {}", name, made.error().rule));
     read.text = std::move(made).take();

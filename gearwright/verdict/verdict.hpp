@@ -107,7 +107,7 @@ struct JudgedRating {
   const RatedPair* pair = nullptr;
   const RatingInput* input = nullptr;
   const Rating* rating = nullptr;
-  WantedSafety wanted{};
+  Safeties wanted{};
 };
 
 /// The data to be judged. All pointers must stay valid during the call.

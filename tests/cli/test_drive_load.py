@@ -19,6 +19,9 @@ DRAFT = '[load]\naccuracy = "draft"\npositions = 12\n'
 STAGE = "[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\nface_width_mm = 12\nthickness_allowance_mm = -0.05\ntorque_Nm = 60\n"
 
 
+STEPPED = SET.replace("planet = 25", "planet = 25\nplanet2 = 18").replace("ring = 70", "ring2 = 63")
+
+
 class Shares(unittest.TestCase):
     def of(self, load, text=SET):
         run = Run("drive", text + DRAFT + load, "--json")
@@ -43,6 +46,33 @@ class Shares(unittest.TestCase):
         (of_set,) = self.of('pin_error_um = 15\nfloating = "sun"\n')["sets"]
         self.assertAlmostEqual(of_set["mesh_load_factor"], 1, 7)
         self.assertGreater(of_set["displacement_um"], 5)
+
+    def test_stepped_planets_have_a_curve_for_each_frequency(self):
+        load = self.of("pin_error_um = [4, 0, 0]\n", STEPPED)
+        (of_set,) = load["sets"]
+        self.assertAlmostEqual(sum(of_set["share_mean"]), 1, 9)
+        self.assertLess(of_set["share_max"][0], 0.33)
+        self.assertAlmostEqual(of_set["mesh_load_factor"], 3 * max(of_set["share_max"]), 2)
+        ratios = [curve["frequency_ratio"] for curve in load["curves"]]
+        self.assertEqual(len(ratios), 2)
+        self.assertAlmostEqual(ratios[0] / ratios[1], 25 / 18, 12)
+        floating = self.of('pin_error_um = 15\nfloating = "sun"\n', STEPPED)["sets"][0]
+        self.assertAlmostEqual(floating["mesh_load_factor"], 1, 7)
+        self.assertIsNone(floating["mesh_load_factors"])
+        three = self.of("", STEPPED.replace("ring2 = 63", "ring = 70\nring2 = 63").replace("planets", 'output = "ring2"\nplanets'))
+        (of_set,) = three["sets"]
+        self.assertEqual(len(of_set["mesh_load_factors"]), 3)
+        self.assertEqual(max(of_set["mesh_load_factors"]), of_set["mesh_load_factor"])
+        self.assertLess(min(of_set["mesh_load_factors"]), 0.9 * of_set["mesh_load_factor"])
+        joint = (SOURCE / "examples/drives/robot_joint.toml").read_text()  # its planets are in phase
+        self.assertAlmostEqual(self.of("", joint + "\n")["sets"][0]["mesh_load_factor"], 1, 7)
+
+    def test_unequal_shares_are_a_finding_without_a_rating(self):
+        """A pin that is 60 µm ahead leaves the load to the planet that is 60 µm behind, so K_γ is almost 3."""
+        for pin in (60, 2):
+            run = Run("drive", SET + DRAFT + f"pin_error_um = [{pin}, {-pin}, 0]\n", "--json")
+            found = [f for f in run.json["verdict"]["findings"] if f["code"] == "mesh_load_factor"]
+            self.assertEqual([f["level"] for f in found], ["amber"] if pin == 60 else [], found)
 
     def test_a_mesh_has_the_curve_of_the_verb_load(self):
         """If there are no shifts and allowances, the loaded flanks touch at the pitch point a quarter of
@@ -119,7 +149,6 @@ material = "16MnCr5"
 class Messages(unittest.TestCase):
     def test_bad_input_is_explained(self):
         pair = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[load]\ntorque_Nm = 5\n"
-        stepped = (SOURCE / "examples/drives/robot_joint.toml").read_text()
         differential = SET.replace("planets = 3", 'planets = 3\nfixed = []\ninput = ["sun", "ring"]')
         apart = SET.replace("sun = 20", "sun = 19").replace("planet = 25", "planet = 17").replace("ring = 70", "ring = 56")
         for verb, spec, *words in (
@@ -135,7 +164,7 @@ class Messages(unittest.TestCase):
                 ("drive", SET.replace("planets = 3", "planets = 1") + DRAFT + 'floating = "sun"\n', "load.floating", "single planet"),
                 ("drive", SET + DRAFT + "driver = 2\n", "load.driver", "--take N"),
                 ("drive", STAGE + DRAFT + "pin_error_um = [1, 2]\n", "load.pin_error_um", "has no planets"),
-                ("drive", stepped + DRAFT, "load", "stepped planets"),
+                ("drive", STEPPED + DRAFT.replace("12", "400"), "load.positions = 400", "at most"),
                 ("drive", differential + DRAFT, "load", "several inputs"),
         ):
             with self.subTest(words=words):

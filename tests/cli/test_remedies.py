@@ -163,8 +163,10 @@ class OtherMessages(unittest.TestCase):
         drive = {"input": "a", "output": "b", "body": [{"name": "a"}, {"name": "b"}], "mesh": [{"gears": ["p", "w"]}], "gear": [
             {**arcs, "name": "p", "body": "a", "teeth": 18}, {**arcs, "name": "w", "body": "b", "teeth": 50, "helix_angle_deg": -22}]}
         rating = {"torque_Nm": 100, "speed_rpm": 100, "quality": 6, "face_load_factor": 1.2}
-        message = solved("rate", {"drive": drive, "rating": rating})["error"]["message"]
-        self.assertIn("circular-arc teeth, but ISO 6336 rates involute teeth only", message)
+        lossy = {**drive, "mesh": [{"gears": ["p", "w"], "efficiency": 0.98}]}
+        for one in (drive, lossy):
+            message = solved("rate", {"drive": one, "rating": rating})["error"]["message"]
+            self.assertIn("circular-arc teeth, but ISO 6336 rates involute teeth only", message)
         message = solved("drive", {"drive": drive, "load": {"torque_Nm": 100}})["error"]["message"]
         self.assertIn("does not apply to circular-arc teeth", message)
 

@@ -122,16 +122,34 @@ class Rexs(unittest.TestCase):
             self.assertIn("Gearwright cannot read it: stage", " ".join(run.stdout.split()))
             self.assertEqual(raw("import", str(path)).returncode, 1)
 
-    def test_other_formats_of_rexs_are_rejected_by_name(self):
+    def test_json_has_the_content_of_xml(self):
+        """A file in JSON gives the same spec as the file in XML, for every example that can be exported."""
         with tempfile.TemporaryDirectory() as folder:
-            for ending, word in (("rexsj", "JSON"), ("rexsz", "a compressed file")):
-                path = Path(folder) / f"model.{ending}"
-                export = raw("export", str(EXAMPLES / "helical_pair.toml"), "--rexs", str(path))
-                self.assertFalse(path.exists())
-                path.write_text("{}")
-                for run in (export, raw("import", str(path)), raw("drive", str(path))):
-                    self.assertEqual((run.returncode, run.stdout), (1, ""))
-                    self.assertIn(f"REXS as {word} is not supported", run.stderr)
+            made = [Path(folder) / f"made.{ending}" for ending in ("rexs", "rexsj")]
+            for spec in (*sorted((EXAMPLES / "drives").glob("*.toml")), EXAMPLES / "helical_pair.toml",
+                         EXAMPLES / "ring_pair.toml"):
+                for path in made:
+                    run = raw("export", str(spec), "--rexs", str(path))
+                    self.assertEqual(run.returncode, 0, run.stderr)
+                xml, text = (raw("import", str(path)) for path in made)
+                self.assertEqual((text.stdout, text.stderr, text.returncode), (xml.stdout, xml.stderr, 0), spec)
+            model = json.loads(made[1].read_text())["model"]
+            self.assertEqual(model["version"], "1.7")
+            gear = next(c for c in model["components"] if c["type"] == "cylindrical_gear")
+            teeth = next(a for a in gear["attributes"] if a["id"] == "number_of_teeth")
+            self.assertEqual(teeth["integer"], tomllib.loads(spec.read_text())["gear1"]["teeth"])
+            run = raw("pair", str(made[1]), "--json")
+            self.assertEqual(run.stdout, raw("pair", str(made[0]), "--json").stdout)
+
+    def test_compressed_files_are_rejected_by_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "model.rexsz"
+            export = raw("export", str(EXAMPLES / "helical_pair.toml"), "--rexs", str(path))
+            self.assertFalse(path.exists())
+            path.write_text("{}")
+            for run in (export, raw("import", str(path)), raw("drive", str(path))):
+                self.assertEqual((run.returncode, run.stdout), (1, ""))
+                self.assertIn("compressed REXS is not supported", run.stderr)
 
     def test_import_prints_the_spec_that_every_verb_reads(self):
         with tempfile.TemporaryDirectory() as folder:
