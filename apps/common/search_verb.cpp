@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/output.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/search_answer.hpp"
@@ -79,7 +80,7 @@ std::string progress_text(const SearchProgress& p, double seconds) {
   const double rate = static_cast<double>(p.trials) / seconds;
   const std::string done = fmt::format("{} of {} chunks are done", p.chunks, p.of_chunks);
   if (rate == 0.0) return done;
-  return fmt::format("{}, {:.3g} candidates per second, about {} left", done, rate,
+  return fmt::format("{}, {} candidates per second, about {} left", done, rough_count(rate),
                      clock(static_cast<double>(p.left) / rate));
 }
 

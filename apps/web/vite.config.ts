@@ -31,11 +31,27 @@ const zstd = (file: string) => execFileSync("zstd", ["--ultra", "-22", "-qc", fi
 /** Returns the text compressed by the program gzip, whose result is half a per cent smaller than that of node. */
 const gzip = (text: string) => execFileSync("gzip", ["-9nc"], { input: text, maxBuffer: 1e8 });
 
+/** Returns the bytes as text in base 85, which src/unpack.js reads. */
+function base85(bytes: Buffer): string {
+  let text = "";
+  for (let i = 0; i < bytes.length; i += 4) {
+    const part = bytes.subarray(i, i + 4);
+    let group = Buffer.concat([part, Buffer.alloc(4 - part.length)]).readUInt32BE();
+    let five = "";
+    for (let j = 0; j < 5; ++j, group = Math.floor(group / 85)) {
+      const digit = group % 85;
+      five = String.fromCharCode(digit === 20 ? 126 : 40 + digit) + five;
+    }
+    text += five.slice(0, part.length + 1);
+  }
+  return text;
+}
+
 const kLicences =
   "<!-- Contains three.js, © 2010-2026 three.js authors, and fzstd, © 2020 Arjun Barrett, both under the MIT licence. -->";
 
 /** Puts everything into one HTML file. The style is included as it is. The script and the engine are
- *  compressed and in base64, and src/unpack.js unpacks them. Three quarters of the script are three.js,
+ *  compressed and in base 85, and src/unpack.js unpacks them. Three quarters of the script are three.js,
  *  which most visits do not need. */
 function single(): Plugin {
   return {
@@ -46,7 +62,7 @@ function single(): Plugin {
       if (page?.type !== "asset") throw new Error("no index.html");
       let html = String(page.source).replace("<html", `${kLicences}\n<html`);
       const place = (id: string, bytes: Buffer) =>
-        `<script id="${id}" type="text/plain">${bytes.toString("base64")}</script>\n`;
+        `<script id="${id}" type="text/plain">${base85(bytes)}</script>\n`;
       for (const [name, part] of Object.entries(bundle)) {
         if (part.type === "chunk" && part.isEntry) {
           const parts =

@@ -335,9 +335,14 @@ Error of_distance(const Error& error, const GivenPair& given) {
   if (which == 0 || member != GearMember::profile_shift || !given.pair.center_distance ||
       given.gear(which).profile_shift)
     return error;
-  return not_placed(following_from("pair.center_distance",
-                                   format_number(*given.pair.center_distance),
-                                   "this value requires", error));
+  Error made = following_from("pair.center_distance", format_number(*given.pair.center_distance),
+                              "this value requires", error);
+  const CylindricalSpec &a = given.gear(1).cylindrical, &b = given.gear(2).cylindrical;
+  if (a.teeth > 0 && b.teeth > 0 && a.helix_angle.rad() == -b.helix_angle.rad())
+    made.rule +=
+        fmt::format(" Without profile shifts, the centre distance is {:.4f} mm.",
+                    a.normal_module * (a.teeth + b.teeth) / 2 / std::cos(a.helix_angle.rad()));
+  return not_placed(std::move(made));
 }
 
 Error not_placed(Error error) {

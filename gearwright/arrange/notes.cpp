@@ -134,7 +134,7 @@ std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groo
   const std::optional<Bore>& bore = gear.bore;
   if (!bore || !gear.exists()) return std::nullopt;
   if (groove) *groove /= 2;
-  const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove}, 0.0);
+  const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove});
   if (!error) return std::nullopt;
   const bool keyway = subject_of(error->field).member == GearMember::keyway;
   return Warning{

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
@@ -99,7 +100,7 @@ std::optional<Warning> run_out_warning(const Halves& halves, int which) {
   return Warning{WarningCode::hob_run_out,
                  fmt::format("The run-out of the hob needs a gap of at least {:.4f} mm, but the "
                              "gap is {:.4f} mm. A smaller hob, a wider gap or shaping would help.",
-                             *halves.hob_run_out, halves.given.gap),
+                             rounded_up(*halves.hob_run_out, 4), halves.given.gap),
                  which};
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace gearwright {
 
@@ -21,9 +23,24 @@ std::string short_decimals(double x, int most) {
   return text;
 }
 
+double rounded_up(double x, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  const double nearest = std::round(x * scale);
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  const bool same = std::abs(x * scale - nearest) <= kRounding * std::abs(nearest);
+  return (same ? nearest : std::ceil(x * scale)) / scale;
+}
+
+double rounded_down(double x, int decimals) { return -rounded_up(-x, decimals); }
+
 std::string with_digits(double x, int digits) {
   const std::string text = fmt::format("{:.{}g}", x, digits);
   return std::strtod(text.c_str(), nullptr) == x ? fmt::format("{}", x) : text;
+}
+
+std::string rough_count(double x) {
+  const std::string text = fmt::format("{:.3g}", x);
+  return std::abs(x) < 1e6 ? format_number(std::strtod(text.c_str(), nullptr)) : text;
 }
 
 int digits_between(double x, double other) {

@@ -13,6 +13,14 @@ std::string fixed_decimals(double x, int decimals);
 /// The number with at most `most` decimals and without trailing zeros: "1.5", "2".
 std::string short_decimals(double x, int most);
 
+/// The number rounded up or down to this many decimals, for a limit that users copy: a printed
+/// lower limit is not less than x, and a printed upper limit is not greater. A number that has no
+/// more decimals, apart from rounding errors, is unchanged.
+///
+/// Domain    finite, decimals ≥ 0
+double rounded_up(double x, int decimals);
+double rounded_down(double x, int decimals);
+
 inline constexpr int kUsualDigits = 6;  ///< significant digits of a number in a sentence
 
 /// The number with this many significant digits, or fewer if the number has no more: 0.1, not
@@ -22,6 +30,9 @@ std::string with_digits(double x, int digits);
 /// The number of significant digits, at least six, that is needed to distinguish x from
 /// `other`. Six if x and `other` are equal.
 int digits_between(double x, double other);
+
+/// A rough count with three significant digits, without an exponent below 10⁶: 1020, 2.5e+10.
+std::string rough_count(double x);
 
 /// A number with six significant digits, as it is written in a sentence.
 std::string format_number(double x);

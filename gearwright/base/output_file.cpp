@@ -51,6 +51,14 @@ Target target_of(const fs::path& path) {
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw IoError("cannot make the folder " + folder.string() + ": " + error.message() +
+                  "; --out selects another folder");
+}
+
 void write_file(const fs::path& path, std::string_view content) {
   const Target target = target_of(path);
   const fs::path part = target.straight ? target.path : beside(target.path);

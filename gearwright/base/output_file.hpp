@@ -16,6 +16,10 @@ class IoError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Makes a folder for output files, with its parents, unless it exists.
+/// Throws    IoError naming the folder and the system's reason
+void make_folder(const std::filesystem::path& folder);
+
 /// Writes `content` to `path`, completely or not at all.
 /// Throws    IoError naming the path and the system's reason; the temporary file is then removed
 void write_file(const std::filesystem::path& path, std::string_view content);

@@ -93,7 +93,7 @@ std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_tu
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) {
   const bool ring = body.ring();
   const HoleLimits limits = body.hole_limits(ring ? outer : inner);
-  if (auto error = hole_error(body.bore, limits, kShortestArc_mm)) return *std::move(error);
+  if (auto error = hole_error(body.bore, limits)) return *std::move(error);
   const Bore& bore = *body.bore;
   if (ring) return circle_loop(bore.diameter / 2.0);
   const double radius = bore.diameter / 2.0;

@@ -32,7 +32,6 @@ constexpr double kCaption = 12;
 // axis beyond this face, mm. With this length, the axis ends 2 mm from the axis of the
 // transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
-constexpr const char* kWhere = "Section in the middle of the face width";
 
 struct Scale {
   double paper, gear;
@@ -73,7 +72,7 @@ class Views {
     tip_ = ring ? inner : outer;
     root_ = ring ? outer : inner;
     body_ = ring ? bore_->radius : outer;
-    const double half = text_width(kWhere, kUsual) / 2;
+    const double half = text_width(where(), kUsual) / 2;
     left_ = std::max(k_ * body_ + kAxis, half);
     if (keyed()) left_ = std::max(left_, elbow() + text_width(keyway_words(), kUsual));
     axial_ = std::max(k_ * body_ + kAxis, half) + kGap;
@@ -101,6 +100,12 @@ class Views {
 
  private:
   bool ring() const { return input_.body.ring(); }
+  // There are no teeth in the gap of a double-helical gear, so its section is in a half.
+  std::string where() const {
+    return !input_.body.grooved()    ? "Section in the middle of the face width"
+           : input_.body.twist > 0.0 ? "Section in the middle of the right-hand half"
+                                     : "Section in the middle of the left-hand half";
+  }
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
   std::string length(double mm) const {
@@ -169,7 +174,12 @@ class Views {
   }
 
   void transverse() {
-    path(outline_.points, outline_.bulges);
+    // The last band is the half at z > 0. Without a gap, the section is in the middle plane.
+    const Band band = input_.body.bands().back();
+    const Eigen::Rotation2Dd turn(input_.body.grooved() ? band.angle(band.middle) : 0.0);
+    std::vector<Vec2> points;
+    for (const Vec2& p : outline_.points) points.push_back(turn * p);
+    path(points, outline_.bulges);
     if (bore_ && bore_->keyway)
       path(bore_->points, bore_->bulges);
     else if (bore_)
@@ -178,7 +188,7 @@ class Views {
     const double r = k_ * body_ + kAxis;
     line(SheetLayer::axis, {-r, 0}, {r, 0});
     line(SheetLayer::axis, {0, -r}, {0, r});
-    sheet_->text(SheetLayer::dimension, origin_ + Vec2(0, -k_ * body_ - kCaption), kWhere, kUsual,
+    sheet_->text(SheetLayer::dimension, origin_ + Vec2(0, -k_ * body_ - kCaption), where(), kUsual,
                  Along::middle);
     if (!keyed()) return;
     // The arrow touches the left wall of the keyway from the material side.
@@ -209,10 +219,9 @@ class Views {
       sheet_->rectangle(kOutline,
                         {origin_ + Vec2(x0, -k_ * body_), origin_ + Vec2(x1, k_ * body_)});
     for (const double side : {-1.0, 1.0}) {
-      if (!input_.body.grooved()) {
-        across(kOutline, side * k_ * root_);
-        if (ring()) across(kOutline, side * k_ * tip_);
-      }
+      if (input_.body.grooved()) break;
+      across(kOutline, side * k_ * root_);
+      if (ring()) across(kOutline, side * k_ * tip_);
       across(SheetLayer::axis, side * k_ * input_.reference_diameter / 2, kAxis);
     }
     const bool solid = !ring() && !bore_;
@@ -249,7 +258,8 @@ class Views {
     callouts_->draw(*sheet_, origin_ + Vec2(x0, 0));
   }
 
-  // Draws the axial outline of a double-helical gear with its groove, and the roots of both halves.
+  // Draws the axial outline of a double-helical gear with its groove, and the roots and reference
+  // lines of both halves.
   void grooved(double x0, double x1, double groove) {
     const double half = (width_ - k_ * input_.body.two_helices->gap) / 2;
     for (const double x : {x0, x1}) line(kOutline, {x, -k_ * body_}, {x, k_ * body_});
@@ -262,6 +272,9 @@ class Views {
         line(kOutline, {edge, side * k_ * tip_}, {edge, side * k_ * groove});
       }
       line(kOutline, {x0 + half, side * k_ * groove}, {x1 - half, side * k_ * groove});
+      const double reference = side * k_ * input_.reference_diameter / 2;
+      line(SheetLayer::axis, {x0 - kAxis, reference}, {x0 + half + kAxis, reference});
+      line(SheetLayer::axis, {x1 - half - kAxis, reference}, {x1 + kAxis, reference});
     }
   }
 

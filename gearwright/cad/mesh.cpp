@@ -24,9 +24,6 @@ namespace {
 // 8, are 2ε, 4ε and 2ε. This choice gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
-// Smallest thickness between the root and the bore or rim, mm.
-constexpr double kWallMin_mm = 1e-3;
-
 // In a thin wall, the chords of the two sides must not meet. The tolerance therefore does not
 // exceed this fraction of the wall thickness.
 constexpr double kWallShare = 0.25;
@@ -211,8 +208,7 @@ class GearMesh {
     const auto [ray_s, ray_c] = sincos_turn(1, 2LL * copies_);
     if (!(root.dot(Vec2(ray_c, ray_s)) > 0.0))
       return not_a_body(teeth, "the root lies beyond the axis");
-    if (auto error = hole_error(body().bore, body().hole_limits(root.norm()), kWallMin_mm))
-      return error;
+    if (auto error = hole_error(body().bore, body().hole_limits(root.norm()))) return error;
     const double r = root.norm();
     double wall = std::min(std::abs(r - below), std::abs(r - above));
     // A neck begins at an end face, so only the bore or the rim is beside the groove.

@@ -52,8 +52,9 @@ std::optional<NumberText> number_at(std::string_view text) {
 
 // The number in the inch unit. A number with at least four significant digits and at least
 // three decimals is usually rounded, so its result has one significant digit less, and all
-// digits of the result are correct. Every other result has at least four significant digits.
-std::string number_in(const NumberText& number, const KeyUnit& unit) {
+// digits of the result are correct. Every other result has at least four significant digits. A
+// number after "at least" is rounded up, and a number after "at most" is rounded down.
+std::string number_in(const NumberText& number, const KeyUnit& unit, std::string_view before) {
   const double x = unit.to_inch(number.value);
   if (x == 0.0) return "0";
   const std::string_view mantissa = number.text.substr(0, number.text.find('e'));
@@ -66,7 +67,11 @@ std::string number_in(const NumberText& number, const KeyUnit& unit) {
   const bool rounded = point != mantissa.npos && mantissa.size() - point > kRounded;
   digits = rounded && digits >= kFull ? digits - 1 : std::max(kFull, digits);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(x))));
-  return short_decimals(x, std::max(0, digits - 1 - power));
+  const int decimals = std::max(0, digits - 1 - power);
+  const double shown = before.ends_with("least ")  ? rounded_up(x, decimals)
+                       : before.ends_with("most ") ? rounded_down(x, decimals)
+                                                   : x;
+  return short_decimals(shown, decimals);
 }
 
 struct Symbol {
@@ -136,11 +141,11 @@ class SentenceInInch {
                                                                " to ", " or ", " ("});
     at_ += number.text.size();
     if (symbol) {
-      out_ += number_in(number, *metric_unit(symbol->key));
+      out_ += number_in(number, *metric_unit(symbol->key), before);
       out_ += symbol->inch;
       at_ += symbol->metric.size();
     } else if (limit && bare) {
-      out_ += number_in(number, *of_);
+      out_ += number_in(number, *of_, before);
       limits_ = true;
     } else {
       out_ += number.text;
@@ -163,7 +168,7 @@ class SentenceInInch {
     if (!unit || !rest().starts_with(" = ")) return;
     const auto value = number_at(rest().substr(3));
     if (!value || symbol_at(rest().substr(3 + value->text.size()))) return;
-    out_ += " = " + number_in(*value, *unit);
+    out_ += " = " + number_in(*value, *unit, "");
     at_ += 3 + value->text.size();
   }
 

@@ -60,6 +60,10 @@ TEST(UnitSystem, Sentences) {
             "between -0.003937 in and -0.007874 in of gear 1");
   EXPECT_EQ(in("b ≥ 3.52 mm, below 100 N/mm, 1200 N/mm², 80 mm²"),
             "b ≥ 0.1386 in, below 100 N/mm, 1200 N/mm², 80 mm²");
+  // A limit is rounded to the safe side: 0.119/25.4 = 0.00468504, 36.248/25.4 = 1.42708661.
+  EXPECT_EQ(in("at least 0.119 mm, at most 36.248 mm, about 36.248 mm"),
+            "at least 0.004686 in, at most 1.427 in, about 1.427 in");
+  EXPECT_EQ(in("at least 36.248 mm"), "at least 1.428 in");
   EXPECT_EQ(in("give gear1.bore.diameter_mm = 20, and a module of 2\u00a0mm"),
             "give gear1.bore.diameter_in = 0.7874, and a module of 2\u00a0mm");
   EXPECT_EQ(in("the gear plate_2_mm, the file out_mm/gear.step"),

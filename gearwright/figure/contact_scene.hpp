@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ struct ContactScene {
   double marking = 0.0;   ///< δ  mm
   int positions = 0;      ///< number of positions per pitch of gear 1
   ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
-  std::string part{};     ///< suffix of the ids of figures; "-2" for the second half of a pair
+  /// Peak to peak of the continuous TE of the working and of the non-working flanks. None if
+  /// contact is lost or if it was not computed.
+  std::array<std::optional<Angle>, 2> span{};
+  std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
 };
 
 /// Makes the scene of a pair whose contact was computed over one pitch.

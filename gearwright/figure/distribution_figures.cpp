@@ -7,6 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/figure/free_labels.hpp"
 #include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
@@ -38,8 +39,7 @@ FigureAxis value_axis(const DistributionScene& scene) {
 // greatest y of the data. Labels that would overlap on a narrow screen are in different rows, up
 // to kMostRows; other lines have no label.
 void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
-  constexpr double kNarrow = 320.0, kLetter = 9.0, kRow = 17.0;  // px: least width of a plot, width
-                                                                 // of a letter, height of a row
+  constexpr double kNarrow = 320.0, kRow = 17.0;  // px: least width of a plot, height of a row
   constexpr std::size_t kMostRows = 4;
   struct Label {
     double value;
@@ -55,8 +55,7 @@ void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
             {value, std::numeric_limits<double>::infinity()}},
            "leader dash");
     std::string words = format_number(percent) + " %";
-    const double half =
-        0.5 * kLetter * static_cast<double>(words.size()) * (f.x.hi - f.x.lo) / kNarrow;
+    const double half = 0.5 * label_width(words + " ") * (f.x.hi - f.x.lo) / kNarrow;
     const auto free = std::find_if(ends.begin(), ends.end(),
                                    [&, at = value](double end) { return end <= at - half; });
     const auto row = static_cast<std::size_t>(free - ends.begin());

@@ -306,7 +306,14 @@ class PowerDiagram {
   void write_name(const Vec2& at, const std::string& name, const std::string& under, bool end) {
     const double px = kWidth / (f_.x.hi - f_.x.lo);
     const std::string& longest = name.size() > under.size() ? name : under;
-    double lift = 0.0;
+    // The words lie above all bands that pass below them.
+    double clear = at.y();
+    for (const FigureMark& m : f_.marks)
+      for (const Vec2& p : m.points)
+        if (m.kind == FigureMark::Kind::area &&
+            std::abs(p.x() - at.x()) * px <= label_width(longest) / 2)
+          clear = std::max(clear, p.y());
+    double lift = px * (clear - at.y());
     const auto box = [&] {
       return label_box({{px * at.x(), -px * at.y()}, {0.0, -18.0 - lift}, Anchor::middle}, longest);
     };
@@ -317,7 +324,7 @@ class PowerDiagram {
     own.bottom += kLift / 2;
     names_.push_back(own);
     if (lift > 0.0) f_.line({at, {at.x(), at.y() + lift / px}}, "leader");
-    f_.text(at, escaped(name), Anchor::middle, end ? "panel halo" : "halo", {0.0, -20.0 - lift});
+    f_.text(at, escaped(name), Anchor::middle, end ? "panel halo" : "halo", {0.0, -24.0 - lift});
     f_.text(at, escaped(under), Anchor::middle, "tick halo", {0.0, -6.0 - lift});
     top_ = std::max(top_, at.y() + (lift + 2 * kLift) / px);
   }

@@ -23,7 +23,7 @@ constexpr double kBell = 1.45;    // from the middle of a slot to the bell of a 
 constexpr double kLevel = 0.2;    // distance between coaxial shafts
 constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
-constexpr double kLine = 15.0;    // px between lines of words
+constexpr double kLine = 18.0;    // px between lines of words
 constexpr double kFurther = 2.5;  // from the end of a shaft to the end of the next shaft inside it
 
 // A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
@@ -291,19 +291,24 @@ class Scheme {
     } else if (drive_.flow && !drive_.flow->self_locking()) {
       const double t = drive_.flow->torque[body];
       const auto& given = graph_.torque_Nm;
-      lines.push_back(given ? fmt::format("{:.5g} N m", t * *given)
-                            : fmt::format("T {:.4g} T_in", t));
+      lines.push_back(given ? torque_text(t * *given) : fmt::format("T {:.4g} T_in", t));
     }
     const double lift = hollow ? -kLine * static_cast<double>(lines.size()) : 0.0;
     f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
             {0.0, lift - 7.0});
     for (std::size_t i = 0; i < lines.size(); ++i)
       f_.text(at, symbol_text(lines[i]), anchor, "tick halo",
-              {0.0, (hollow ? lift + 8.0 : 17.0) + kLine * static_cast<double>(i)});
+              {0.0, (hollow ? lift + 8.0 : 20.0) + kLine * static_cast<double>(i)});
     if (hollow)
       top_ = std::max(top_, at.y() + 1.3);
     else
       bottom_ = std::min(bottom_, at.y() - 1.2);
+  }
+
+  // A torque in N m, or in kN m if it has more than five digits.
+  static std::string torque_text(double Nm) {
+    return std::abs(Nm) < 1e5 ? fmt::format("{:.5g} N m", Nm)
+                              : fmt::format("{:.5g} kN m", Nm / 1e3);
   }
 
   // Writes a text with the subscripts of n_in and T_in.

@@ -17,10 +17,9 @@ namespace {
 
 using Kind = FigureMark::Kind;
 
-constexpr double kLetter = 7.6;  // px, width of a letter in a number of 12 to 14 px
-constexpr double kEdge = 12.0;   // px of margin around everything
-constexpr double kHead = 34.0;   // px above the plot, for the words of the y axis
-constexpr double kFoot = 44.0;   // px below the plot, for numbers and words of the x axis
+constexpr double kEdge = 12.0;  // px of margin around everything
+constexpr double kHead = 34.0;  // px above the plot, for the words of the y axis
+constexpr double kFoot = 44.0;  // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
 constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column of names beside the plot
                                                   // without the names, and gap before the names
@@ -28,13 +27,7 @@ constexpr double kLeaderGap = 19.0;               // px between the names of a c
 constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
-// Number of characters of markup. Continuation bytes of UTF-8 are not counted.
-double letters(std::string_view markup) {
-  const std::string text = without_tags(markup);
-  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
+double width_of(std::string_view markup) { return label_width(without_tags(markup)); }
 
 // An axis on the screen, from the value lo at `from` px to the value hi at `to` px.
 struct Scale {
@@ -92,7 +85,7 @@ struct Layout {
   static double column(const Figure& f, Anchor side) {
     double wide = 0.0;
     for (const FigureLeader& l : f.leaders)
-      if (l.anchor == side) wide = std::max(wide, kColumn + kLetter * letters(l.text()));
+      if (l.anchor == side) wide = std::max(wide, kColumn + width_of(l.text()));
     return wide;
   }
 
@@ -116,22 +109,23 @@ struct Layout {
     for (const FigureMark& m : f.marks) {
       if (m.kind != Kind::text || m.anchor != Anchor::start) continue;
       if (std::isinf(m.points[0].x()) && m.points[0].x() > 0 && m.offset.x() > 0)
-        beside = std::max(beside, m.offset.x() + kLetter * letters(m.text()));
+        beside = std::max(beside, m.offset.x() + width_of(m.text()));
     }
     if (f.shades)
-      beside = std::max(beside, 22 + kShade + kLetter * std::max(6.0, letters(f.shades->most)));
-    for (const FigureLane& lane : f.lanes) before = std::max(before, kLetter * letters(lane.words));
+      beside =
+          std::max(beside, 22 + kShade + std::max(label_width("000000"), width_of(f.shades->most)));
+    for (const FigureLane& lane : f.lanes) before = std::max(before, width_of(lane.words));
     if (before > width / 4) {
       before = 0.0;
       lane_words = 16.0;
     }
     const double tall = f.tall * (width - beside - 100);
     up = names_on(f.y, std::max(120.0, tall), kUp);
-    for (const AxisName& n : up) before = std::max(before, kLetter * letters(n.markup));
+    for (const AxisName& n : up) before = std::max(before, width_of(n.markup));
     left = before + kEdge + 8;
     right = width - kEdge - std::max(beside, 10.0);
     // The note gets a line of its own if it does not fit next to the words.
-    note = kLetter * (letters(words_of(f.y)) + letters(f.note)) > width - 4 * kEdge ? 38.0 : 20.0;
+    note = width_of(words_of(f.y)) + width_of(f.note) > width - 4 * kEdge ? 38.0 : 20.0;
     top = kHead + (f.note.empty() ? 0.0 : note - 20.0);
     bottom = top + std::max(110.0, f.tall * (right - left));
     foot = bottom + (f.lanes.empty() ? 0.0 : 8 + lane() * static_cast<double>(f.lanes.size()));
@@ -228,7 +222,7 @@ class Writer {
     svg_.text({kEdge, 20}, words_of(f_.y), Anchor::start, "panel");
     if (!f_.note.empty()) svg_.text({at_.right, at_.note}, escaped(f_.note), Anchor::end, "panel");
     // Words longer than the plot must not be cut off at the border of the picture.
-    const double half = std::min(width_, kLetter * letters(words_of(f_.x))) / 2;
+    const double half = std::min(width_, width_of(words_of(f_.x))) / 2;
     const double middle = std::clamp((at_.left + at_.right) / 2, half, width_ - half);
     svg_.text({middle, at_.foot + 36}, words_of(f_.x), Anchor::middle, "tick");
   }
@@ -336,7 +330,7 @@ class Writer {
                    to = std::min(x_(block.to), at_.right);
       if (to <= from) continue;
       svg_.rect(from, y, to - from, kLane - 4, block.style);
-      if (to - from > 8 + kLetter * letters(block.words) && !block.words.empty())
+      if (to - from > 8 + width_of(block.words) && !block.words.empty())
         svg_.text({(from + to) / 2, y + 14}, escaped(block.words), Anchor::middle, "inzone");
     }
   }

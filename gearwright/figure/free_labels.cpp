@@ -16,14 +16,6 @@ constexpr int kOutside = 1000;
 // count as one crossed line, because a reader could assign a distant label to another point.
 constexpr double kNear = 18.0;
 
-double width_of(std::string_view plain) {
-  const auto letters = std::count_if(plain.begin(), plain.end(), [](char c) {
-    // True if the byte does not continue a UTF-8 character.
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  });
-  return kNarrowLetter * static_cast<double>(letters);
-}
-
 PixelBox box_of(const LabelPlace& place, double width) {
   const double x = place.at.x() + place.offset.x();
   const double y = place.at.y() + place.offset.y();
@@ -52,8 +44,16 @@ bool meets(const PixelBox& box, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
+double label_width(std::string_view plain) {
+  const auto letters = std::count_if(plain.begin(), plain.end(), [](char c) {
+    // True if the byte does not continue a UTF-8 character.
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  });
+  return kNarrowLetter * static_cast<double>(letters);
+}
+
 PixelBox label_box(const LabelPlace& place, std::string_view plain) {
-  return box_of(place, width_of(plain));
+  return box_of(place, label_width(plain));
 }
 
 bool meet(const PixelBox& a, const PixelBox& b) {
@@ -81,7 +81,7 @@ int FreeLabels::conflicts(const PixelBox& box) const {
 
 bool FreeLabels::draw(Svg& svg, std::string_view plain, std::string_view markup,
                       std::string_view style, const std::vector<LabelPlace>& places, If when) {
-  const double width = width_of(plain);
+  const double width = label_width(plain);
   const LabelPlace* best = nullptr;
   int least = std::numeric_limits<int>::max();
   for (const LabelPlace& place : places) {

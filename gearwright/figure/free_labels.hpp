@@ -18,6 +18,10 @@ struct PixelBox {
   double left, top, right, bottom;
 };
 
+/// The width of a line of words in the letters of a narrow screen, which are the largest ones, px.
+/// `plain` is text without markup.
+double label_width(std::string_view plain);
+
 struct LabelPlace {
   Vec2 at;      ///< px, the labelled point
   Vec2 offset;  ///< px, from the labelled point to the middle of the near end of the words; for

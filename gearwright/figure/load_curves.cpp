@@ -198,7 +198,7 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
            .x = {"rotation of gear 1", "°"},
            .y = {"root stress", "N/mm²"}};
   f.pitch = pitch_of(scene) * kDegPerRad;
-  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
+  f.keys = {{"line edge-g1", "gear 1"}, {"line dash edge-g2", "gear 2"}};
   for (std::size_t g = 0; g < 2; ++g)
     f.line(over_the_pitch(scene, t, [g](const LoadedPosition& p) { return p.root_stress[g]; }),
            kOfGear[g], fmt::format("gear {}", g + 1));
@@ -212,7 +212,7 @@ std::optional<Figure> root_face_figure(const LoadScene& scene) {
            .caption = ", as the greatest value along the fillet.",
            .x = {"along the face from its middle", "mm"},
            .y = {"root stress", "N/mm²"}};
-  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
+  f.keys = {{"line edge-g1", "gear 1"}, {"line dash edge-g2", "gear 2"}};
   for (std::size_t g = 0; g < 2; ++g) {
     if (shown_torque(scene).root_stress[g].size() == 0) continue;
     const auto heights = heights_of(scene, g);

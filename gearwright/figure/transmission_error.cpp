@@ -178,7 +178,7 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                unit.text(Angle::radians(middle)), result.positions.size()),
            {"rotation of gear 1", "°", -pitch, pitch},
            {"transmission error", unit.words, -half, half},
-           "peak to peak " + unit.text(Angle::radians(te.hi - te.lo))};
+           "peak to peak " + unit.text(scene.span[other].value_or(Angle::radians(te.hi - te.lo)))};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   for (const double level : {te.hi, te.lo}) {

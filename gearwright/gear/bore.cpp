@@ -4,19 +4,21 @@
 
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
+
 namespace gearwright {
 
 namespace {
 
+constexpr int kDecimals = 3;  // of a printed diameter, mm
+
 // The error if an internal gear has no rim diameter, or if the rim has a keyway or does not
 // extend to the radius `room`, mm; empty if the rim is valid.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
-  // The value is rounded up, so that the printed diameter is large enough.
-  const double smallest = std::ceil(2.0 * room * 1000.0) / 1000.0;
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside diameter of its rim and must be at least {:.3f} "
       "mm, so that it lies outside the roots",
-      smallest);
+      rounded_up(2.0 * room, kDecimals));
   if (!bore) return Error{"bore.diameter", "", need};
   if (bore->keyway_width > 0.0) {
     return refused("bore.keyway_width", bore->keyway_width,
@@ -50,8 +52,7 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
   const double depth = bore.has_keyway() ? bore.keyway_depth : 0.0;
   const double largest =
       room > half ? 2.0 * (std::sqrt((room - half) * (room + half)) - depth) : 0.0;
-  // The value is rounded down, so that the printed diameter is small enough.
-  const double printed = std::floor(largest * 1000.0) / 1000.0;
+  const double printed = rounded_down(largest, kDecimals);
   const char* with = bore.has_keyway() ? " with its keyway" : "";
   return refused(
       "bore.diameter", bore.diameter,
@@ -69,11 +70,10 @@ double bore_reach(const Bore& bore) {
   return bore.has_keyway() ? std::hypot(bore.keyway_width / 2.0, r + bore.keyway_depth) : r;
 }
 
-std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
-                                double wall) {
+std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits) {
   const auto at = [&](double limit) {
-    return limits.internal ? rim_error(bore, limit + wall)
-           : bore          ? bore_error(*bore, limit - wall)
+    return limits.internal ? rim_error(bore, limit + kLeastWall)
+           : bore          ? bore_error(*bore, limit - kLeastWall)
                            : std::nullopt;
   };
   auto error = at(limits.groove.value_or(limits.root));

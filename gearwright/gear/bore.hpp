@@ -24,6 +24,10 @@ struct Bore {
 /// the keyway, or the bore radius if there is no keyway.
 double bore_reach(const Bore& bore);
 
+/// Least thickness of material between a bore or a rim and the roots or the groove, mm. It is a
+/// fifth of the default chord tolerance of a mesh.
+inline constexpr double kLeastWall = 1e-3;
+
 /// The cylinders of a gear that limit its bore or its rim.
 struct HoleLimits {
   bool internal;                   ///< true if the bore is the rim of an internal gear
@@ -31,10 +35,9 @@ struct HoleLimits {
   std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
 };
 
-/// The error if the bore or the rim leaves less than `wall` mm of material to the roots or to the
+/// The error if the bore or the rim leaves less than kLeastWall of material to the roots or to the
 /// groove, if the bore is invalid, if an internal gear has no rim diameter, or if a rim has a
 /// keyway. The result is empty if there is no error.
-std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits,
-                                double wall);
+std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits);
 
 }  // namespace gearwright

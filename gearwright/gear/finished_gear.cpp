@@ -9,6 +9,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/math/lowest.hpp"
 
 namespace gearwright::detail {
@@ -64,8 +65,8 @@ std::string without_undercut(const Gear& gear) {
   if (gear.spec.profile_shift >= *free_shift)
     return fmt::format("the thickness allowance of {:.4f} mm causes the undercut.",
                        gear.spec.thickness_allowance);
-  const double shift = std::ceil(1e4 * shift_for(gear, *free_shift)) / 1e4;  // rounded up
-  return fmt::format("a profile shift of at least {:.4f} avoids undercut.", shift);
+  return fmt::format("a profile shift of at least {:.4f} avoids undercut.",
+                     rounded_up(shift_for(gear, *free_shift), 4));
 }
 
 void warn_about_tip(Gear& gear) {
@@ -105,6 +106,32 @@ void warn_about_ring(Gear& gear) {
   warn_about_tip(gear);
 }
 
+// The greatest profile shift at which the root fillets of a tooth without undercut do not meet. It is
+// found by bisection to 1e-6. None if a straight rack does not cut the tooth, or if no profile shift
+// without undercut leaves a tooth.
+std::optional<double> greatest_shift(const Gear& gear) {
+  const StraightRack* const rack = gear.straight_cutter();
+  const auto least = gear.undercut_free_shift();
+  if (!rack || !least || gear.spec.root_fillet || gear.spec.tip_fillet) return std::nullopt;
+  const double m = gear.spec.normal_module;
+  const double given = gear.reference().generating_profile_shift;
+  const auto edge = make_edge(*rack, m, gear.spec.normal_pressure_angle);
+  const auto leaves_tooth = [&](double x_E) {
+    const RackMotion motion{gear.reference_diameter / 2, std::cos(gear.spec.helix_angle.rad()),
+                            x_E * m};
+    const auto tooth = cut_by_rack(edge.value().edge, motion, gear.spec.teeth,
+                                   gear.tip_diameter / 2 + (x_E - given) * m);
+    return tooth && !tooth->severed && !tooth->through_axis;
+  };
+  double below = *least, above = given;
+  if (!(below < above) || !leaves_tooth(below)) return std::nullopt;
+  while (above - below > 1e-6) {
+    const double middle = (below + above) / 2;
+    (leaves_tooth(middle) ? below : above) = middle;
+  }
+  return shift_for(gear, below);
+}
+
 // True if a gear without a usable flank would have one if its cutter had no protuberance.
 bool protuberance_removes_flank(const Gear& gear) {
   const StraightRack* const rack = gear.straight_cutter();
@@ -128,9 +155,13 @@ void warn_about_tooth(Gear& gear) {
     return;
   }
   if (tooth.severed) {
-    warn(gear, WarningCode::severed,
-         "The root fillets of both flanks meet, so the tooth is cut off." +
-             (gear.undercut ? " There is undercut; " + without_undercut(gear) : std::string()));
+    std::string message = "The root fillets of both flanks meet, so the tooth is cut off.";
+    if (gear.undercut)
+      message += " There is undercut; " + without_undercut(gear);
+    else if (const auto most = greatest_shift(gear))
+      message +=
+          fmt::format(" A profile shift of at most {:.4f} leaves a tooth.", rounded_down(*most, 4));
+    warn(gear, WarningCode::severed, message);
     return;
   }
   if (gear.undercut) {

@@ -113,8 +113,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verbs load and compensate: an edge of a tooth carries load; the pressure there is a lower "
      "bound, and the root stress depends on the number of slices",
      "an edge carries load",
-     "Give tip relief and lead crowning; on parallel axes the verb propose computes them and shows "
-     "their effect."},
+     "Give more tip relief and lead crowning; for spur and single-helical gears on parallel axes, "
+     "the verb propose computes them and shows their effect."},
     {C::edge_contact, "edge_contact", kCaution,
      "an edge is in contact; the message gives the share of the rotation with edge contact",
      "an edge touches"},

@@ -162,14 +162,17 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   const ContactAnswer& answer = over_pitch ? *over_pitch : given;
   auto setup = setup_of(job, errors_of(job));
   if (!setup) return setup.error();
-  const HalvesPair pair = HalvesSetup(*setup, job.halves[0]->given.stagger_pitches)
-                              .pair(setup->place().errors, input.driver == 2);
+  const HalvesSetup halves(*setup, job.halves[0]->given.stagger_pitches);
+  const bool gear2_drives = input.driver == 2;
+  const HalvesPair pair = halves.pair(setup->place().errors, gear2_drives);
   const auto& mounted = job.pair->mounted().gears;
   const std::array<const Gear*, 2> gears{&mounted[0], &mounted[1]};
   ContactReport r;
   static_cast<ContactScene&>(r) =
       contact_scene(gears, *pair.half[0], input.marking, answer.driving);
   r.other = answer.other;
+  r.span[1] = continuous_span(halves.pair(setup->place().errors, !gear2_drives).mesh,
+                              std::max(kLeastSpanPositions, input.positions));
   r.min_play = given.min_play;
   for (const FlankContact& half : flanks_of(gears, pair, input.marking,
                                             {&answer.halves[0].driving, &answer.halves[1].driving}))
@@ -183,7 +186,7 @@ void add_assumptions(ContactReport& r, const SolvedJob& job, const ContactAnswer
     if (job.spec.errors.value[i] != 0.0)
       r.errors.push_back(named_error(i, job.spec.errors.value[i]));
   r.modifications = modifications_of(job);
-  r.span = answer.continuous_span;
+  r.span[0] = answer.continuous_span;
   if (answer.map) {
     const auto& key = job.spec.contact.map->key;
     const auto& value = job.spec.errors.value;
@@ -208,6 +211,8 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
     r.driving = analyse_contact(pair, pitch);
     r.other = analyse_contact(answer.setup->pair(!gear2_drives), pitch);
   }
+  r.span[1] = continuous_span(answer.setup->pair(!gear2_drives),
+                              std::max(kLeastSpanPositions, input.positions));
   r.min_play = answer.min_play;
   make_patterns(r, job, *answer.setup);
   r.middle = middle_of(r.driving.positions);
@@ -230,14 +235,11 @@ Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& 
                  *pair},
                 kLines);
   r.min_play = answer.min_play;
-  if (fits) {
-    r.other = answer.other;
-    return r;
-  }
   options.gear2_drives = !options.gear2_drives;
   const auto other = contact_pair(*job.rack, errors_of(job), options);
   if (!other) return other.error();
-  r.other = analyse_contact(**other, options.request);
+  r.other = fits ? answer.other : analyse_contact(**other, options.request);
+  r.span[1] = continuous_span(**other, std::max(kLeastSpanPositions, options.request.positions));
   return r;
 }
 

@@ -60,9 +60,7 @@ bool as_written(const fs::path& path, const Listed& was) {
 void write_run_into(const fs::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options) {
   if (options.progress) options.progress->begin_writing();
-  std::error_code made;
-  fs::create_directories(folder, made);
-  if (made) throw IoError("cannot make the folder " + folder.string() + ": " + made.message());
+  make_folder(folder);
   const std::vector<Listed> former = read_list(folder);
   std::string list = kHeading;
   for (const JobFile& f : files) {

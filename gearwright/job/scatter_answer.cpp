@@ -217,9 +217,7 @@ Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
       const auto at = std::find(names.begin(), names.end(), name);
       const std::string field = "scatter.groups." + given.name;
       if (at == names.end())
-        return Error{
-            field, name,
-            fmt::format("is not an input of this spec; the inputs are {}", fmt::join(names, ", "))};
+        return Error{field, name, "is not an input of this spec; " + word_hint(name, names)};
       const auto index = static_cast<std::size_t>(at - names.begin());
       if (taken[index])
         return Error{field, name, "can be in one group only; remove it from the other groups"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 
 namespace gearwright {
@@ -51,6 +52,17 @@ std::vector<std::size_t> coordinates_named(const std::string& name,
   return {};
 }
 
+// The names of the coordinates that can be correlated.
+std::vector<std::string> names_with_score(const std::vector<ScatterTolerance>& tolerances) {
+  const std::vector<std::string> names = coordinate_names(tolerances);
+  std::vector<std::string> found;
+  std::size_t at = 0;
+  for (const ScatterTolerance& t : tolerances)
+    for (int k = 0; k < t.coordinates(); ++k, ++at)
+      if (t.has_score(k)) found.push_back(names[at]);
+  return found;
+}
+
 Result<std::vector<ToleranceCorrelation>> correlations_in_mm(
     const ScatterInput& input, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups) {
@@ -63,9 +75,9 @@ Result<std::vector<ToleranceCorrelation>> correlations_in_mm(
     for (std::size_t k = 0; k < 2; ++k) {
       named[k] = coordinates_named(given.between[k], tolerances);
       if (named[k].empty())
-        return Error{
-            field, given.between[k],
-            fmt::format("is not an input of this spec; the inputs are {}", fmt::join(names, ", "))};
+        return Error{field, given.between[k],
+                     "is not an input of this spec; " +
+                         word_hint(given.between[k], names_with_score(tolerances))};
     }
     for (std::size_t k = 0; k < 2; ++k)
       if (named[k].size() > named[1 - k].size())

@@ -30,6 +30,15 @@ void expect_no_correlation(const std::string& correlations, const std::string& k
   EXPECT_NE(error["rule"].get<std::string>().find(words), std::string::npos) << error.dump();
 }
 
+TEST(ScatterCorrelations, SuggestsTheNearestInputAndNoPhase) {
+  Json spec = correlated_spec(
+      R"([{"between": ["errors.crosing_deg", "errors.intersecting_deg"], "value": 0.5}])");
+  spec["scatter"]["quality"] = 6;
+  const std::string rule = testing::answered(spec, "scatter")["rule"];
+  EXPECT_NE(rule.find("did you mean errors.crossing_deg?"), std::string::npos) << rule;
+  EXPECT_EQ(rule.find("phase_deg"), std::string::npos) << rule;
+}
+
 TEST(ScatterCorrelations, RefusesWhatIsNoCorrelation) {
   const std::string first = "scatter.correlations[1]";
   expect_no_correlation("0.5", "scatter.correlations", "between = ");

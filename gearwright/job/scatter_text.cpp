@@ -144,6 +144,16 @@ std::string input_listing(const ScatterAnswer& a, UnitSystem units) {
   return out;
 }
 
+std::string correlation_listing(const ScatterTask& task, UnitSystem units) {
+  if (task.correlations.empty()) return {};
+  const std::vector<std::string> names = coordinate_names(task.tolerances);
+  std::string out = head("Correlations of the inputs");
+  for (const ToleranceCorrelation& c : task.correlations)
+    out += fmt::format("  {:<44}{:>12}  {}\n", printable(key_in(units, names[c.first])),
+                       format_number(c.value), printable(key_in(units, names[c.second])));
+  return out;
+}
+
 std::string spread_head(const ScatterTask& task) {
   std::string out = fmt::format("  {:<38}{:>12}{:>12}", "", "mean", "st. dev.");
   for (const double p : task.percentiles) out += fmt::format("{:>12}", format_number(p) + " %");
@@ -404,7 +414,8 @@ Json scatter_json(const SolvedJob& job, const ScatterAnswer& a) {
 
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& a) {
   const UnitSystem units = job.spec.units();
-  std::string out = title_listing(job.spec) + input_listing(a, units) + spread_listing(a, units) +
+  std::string out = title_listing(job.spec) + input_listing(a, units) +
+                    correlation_listing(a.task, units) + spread_listing(a, units) +
                     probability_listing(a) + loaded_listing(a, units);
   if (a.task.indices) out += index_listing(a, units);
   if (a.task.worst_case) out += worst_listing(scatter_view(job, a), units);

@@ -110,9 +110,7 @@ std::vector<std::filesystem::path> write_search_files(const JobSpec& spec, const
                                                       const std::filesystem::path& folder,
                                                       std::optional<std::size_t> top,
                                                       const FindSource& source) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
+  make_folder(folder);
   std::vector<std::filesystem::path> files{folder / kDesignsFile};
   if (search.problem().shift_step) files.push_back(folder / "points.parquet");
   write_tables(files.front(), files.back(), spec, search, source);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/parallel.hpp"
 
 namespace gearwright {
@@ -130,10 +131,11 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
   return Error{
       "--yes-large", fmt::format("{:.3g}", size),
       fmt::format(
-          "{:.3g} candidates would take about {} on this machine, at {:.3g} candidates per "
+          "{} candidates would take about {} on this machine, at {} candidates per "
           "second on {} thread{}. Narrow the bands, or add --yes-large. With --out DIR the "
           "search can be stopped and resumed, and --shard i/N divides it among machines{}",
-          size, duration_text(size / rate), rate, threads, threads == 1 ? "" : "s",
+          rough_count(size), duration_text(size / rate), rough_count(rate), threads,
+          threads == 1 ? "" : "s",
           search.problem().draw
               ? ". If `mounting` is given in [search] without tolerances and without a band of "
                 "face widths, designs are not drawn, which is faster"

@@ -211,6 +211,36 @@ TEST(WorkshopDrawing, has_the_outside_of_every_rim) {
   EXPECT_TRUE(contains(gear(ring + "[gear1.bore]\ndiameter_mm = 80"), "Ø80"));
 }
 
+// Oracle: a tooth of the half at z > 0 is turned by b_h/2 + gap/2 times 2π/lead at the middle of
+// the half, where the lead is π d/tan β.
+TEST(WorkshopDrawing, of_a_double_helical_gear_has_its_section_in_a_half) {
+  const std::string gears =
+      "teeth = 15\nnormal_module_mm = 2\nhelix_angle_deg = 30\nface_width_mm = 30\n"
+      "[gear1.double_helical]\ngap_mm = 6\n";
+  EXPECT_TRUE(contains(gear(gears), "Section in the middle of the right-hand half"));
+  EXPECT_FALSE(contains(gear(gears), "Section in the middle of the face width"));
+  const auto made = taken(workshop_sheets(solved(gear(gears)), {1}, SheetSize::a4, 0.001));
+  const auto& paths = made.sheets.front().paths;
+  const auto outline = std::max_element(
+      paths.begin(), paths.end(),
+      [](const auto& a, const auto& b) { return a.points.size() < b.points.size(); });
+  Vec2 center = Vec2::Zero();
+  for (const Vec2& p : outline->points) center += p / static_cast<double>(outline->points.size());
+  // The sum of exp(15 i angle) over the points of the tips has the angle of a tooth.
+  double tip = 0.0, turn_x = 0.0, turn_y = 0.0;
+  for (const Vec2& p : outline->points) tip = std::max(tip, (p - center).norm());
+  for (const Vec2& p : outline->points) {
+    if ((p - center).norm() < 0.999 * tip) continue;
+    const double a = 15 * std::atan2((p - center).y(), (p - center).x());
+    turn_x += std::cos(a);
+    turn_y += std::sin(a);
+  }
+  const double pi = 3.141592653589793;
+  const double lead = pi * (15 * 2 / std::cos(pi / 6)) / std::tan(pi / 6);
+  const double expected = 15 * 2 * pi * 9.0 / lead;
+  EXPECT_NEAR(std::remainder(std::atan2(turn_y, turn_x) - expected, 2 * pi), 0.0, 1e-3);
+}
+
 constexpr const char* kSurfaces = R"(
 [drawing]
 flank_roughness = "MRR Ra 0.4"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/interference.hpp"
@@ -69,7 +70,7 @@ void warn_about_line(ParallelPair& p) {
         p, WarningCode::transverse_contact_ratio,
         fmt::format("The transverse contact ratio is {:.3f}, so contact is continuous only through "
                     "the overlap of helical teeth. A face width of at least {:.2f} mm is needed.",
-                    p.mesh.true_ratio, *face_width_needed(p)));
+                    p.mesh.true_ratio, rounded_up(*face_width_needed(p), 2)));
   }
 }
 

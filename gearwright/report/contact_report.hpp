@@ -23,7 +23,6 @@ struct PatternUnder {
 
 struct ContactReport : ContactScene {
   ContactResult other;            ///< the non-working flanks, at the positions of `driving`
-  std::optional<Angle> span;      ///< peak to peak of the continuous TE; none if contact is lost
   std::optional<Angle> min_play;  ///< least backlash, rotation of gear 2; < 0 if the gears jam
   std::array<FlankRaster, 2> patterns;
   std::optional<ContactPoint> middle;      ///< the contact point nearest to the middle of the flank

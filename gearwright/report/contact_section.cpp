@@ -49,7 +49,8 @@ std::string facts(const ContactReport& report, UnitSystem units) {
   const std::string_view symbol = unit_text(units, te);
   const auto shown = [&](Angle x) { return shown_arcsec(value_in(units, te, unit.of(x))); };
   t.row("Transmission error, peak to peak", "", symbol,
-        {shown(report.span.value_or(a.peak_to_peak)), shown(b.peak_to_peak)});
+        {shown(report.span[0].value_or(a.peak_to_peak)),
+         shown(report.span[1].value_or(b.peak_to_peak))});
   const auto wave = [&](const ContactResult& r) {
     return r.harmonics.empty() ? std::string(kNoValue) : shown(r.harmonics[0]);
   };
@@ -218,7 +219,7 @@ std::string contact_section(const ContactReport& report, UnitSystem units) {
       "errors and "
       "modifications of the specification, and the first contact of the flanks is computed at each "
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
-      contact_words(report.driving, report.span), assumed(report));
+      contact_words(report.driving, report.span[0]), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
          in_columns(what, "\n" + facts(report, units)) + te_part(report, units) +
          (report.halves.empty() ? pattern_part(report, units) + gap_part(report, units)

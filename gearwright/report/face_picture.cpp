@@ -187,8 +187,9 @@ Figure speed_figure(const CrossedPair& pair) {
   f.line(std::move(curves[0]), "curve ink", "total");
   f.line(std::move(curves[1]), "curve action-curve", "across the teeth");
   f.line(std::move(curves[2]), "curve trailing-curve dash", "along the teeth");
-  f.keys = {
-      {"action", "across the teeth"}, {"trailing", "along the teeth (dashed)"}, {"ink", "total"}};
+  f.keys = {{"line edge-eps", "across the teeth"},
+            {"line dash edge-c", "along the teeth"},
+            {"line edge-mesh", "total"}};
   fit_axes(f, 0.1);
   f.y.lo = std::min(f.y.lo, 0.0);
   std::vector<LetterAt> letters;

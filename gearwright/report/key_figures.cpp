@@ -90,7 +90,7 @@ std::string key_figures(const ReportInput& input) {
   } else if (input.contact) {
     text += box("Transmission error, peak to peak", "",
                 te_unit(input.contact->driving.rack)
-                    .text(input.contact->span.value_or(input.contact->driving.peak_to_peak)));
+                    .text(input.contact->span[0].value_or(input.contact->driving.peak_to_peak)));
   }
   if (input.scatter) {
     const SpreadEntry& te = scatter_entries()[0];

@@ -134,7 +134,7 @@ Figure path_figure(const InvolutePair& pair) {
        .lo = lowest_shown(pair),
        .hi = 1.0,
        .symbol = "ζ"}};
-  f.keys = {{"g1", "gear 1"}, {"g2", "gear 2 (dashed)"}};
+  f.keys = {{"line edge-g1", "gear 1"}, {"line dash edge-g2", "gear 2"}};
   std::vector<LetterAt> letters;
   for (const PathMark& m : path_marks(mesh, std::max(mesh.rho1_E, mesh.rho1_D)))
     letters.push_back({fmt::format("<tspan class=\"letter\">{}</tspan>", m.letter),

@@ -76,6 +76,16 @@ std::string input_table(const ScatterView& view, UnitSystem units) {
   return table.str();
 }
 
+std::string correlation_table(const ScatterView& view, UnitSystem units) {
+  if (view.task->correlations.empty()) return {};
+  const std::vector<std::string> names = coordinate_names(view.task->tolerances);
+  TableBuilder table("Correlations of the inputs", {"Correlation"});
+  for (const ToleranceCorrelation& c : view.task->correlations)
+    table.row(key_in(units, names[c.first]) + ", " + key_in(units, names[c.second]), "ρ", "",
+              {format_number(c.value)});
+  return table.str();
+}
+
 std::string index_part(const ScatterView& view, UnitSystem units) {
   const auto& indices =
       view.scatter->indices[static_cast<std::size_t>(ScatterQuantity::peak_to_peak)];
@@ -207,9 +217,9 @@ std::string scatter_section(const ScatterView& view, UnitSystem units) {
              event("An edge of a tooth touches", s.edge_contact), event("the gears jam", s.jam),
              event("contact is lost", s.contact_lost)) +
          distribution_table(view, units, "Distribution over all pairs", view.spread) +
-         side_by_side(figures) + input_table(view, units) + loaded_part(view, units) +
-         index_part(view, units) + loosening_part(view, units) + robust_part(view, units) +
-         "</section>\n";
+         side_by_side(figures) + input_table(view, units) + correlation_table(view, units) +
+         loaded_part(view, units) + index_part(view, units) + loosening_part(view, units) +
+         robust_part(view, units) + "</section>\n";
 }
 
 }  // namespace gearwright

@@ -6,14 +6,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/key_hint.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 
 namespace gearwright {
 
 namespace {
+
+// The rule of a value that must be a number. A number in quotes is a text.
+std::string number_rule(const Json& value) {
+  const std::string text = value.is_string() ? value.get<std::string>() : std::string();
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  const bool quoted = !text.empty() && end == text.c_str() + text.size();
+  return quoted ? "must be a number; write it without quotes" : "must be a number";
+}
 
 Error absent_key(std::string name, const Key& key) {
   const std::string may_be = key.form.empty() ? "" : ". The value may be " + key.form;
@@ -88,7 +99,7 @@ double TableReader::checked(const std::string& key, const Json& value,
     throw SpecError{{name(key) + "." + part, shown(value), why}};
   };
   const KeyRange& range = entry(key).range;
-  if (!value.is_number()) reject("must be a number");
+  if (!value.is_number()) reject(number_rule(value));
   const double x = value.get<double>();
   if (!std::isfinite(x)) reject("must be a finite number");
   if (!range.contains(x)) reject(range.sentence(x));
@@ -104,7 +115,7 @@ std::optional<double> TableReader::number(const std::string& key) {
 std::optional<int> TableReader::whole(const std::string& key) {
   const Json* value = find(key);
   if (!value) return std::nullopt;
-  if (!value->is_number()) fail(key, "must be a number");
+  if (!value->is_number()) fail(key, number_rule(*value));
   const double x = value->get<double>();
   if (x != std::floor(x)) fail(key, "must be a whole number");
   check(key, x);
@@ -323,10 +334,18 @@ void TableReader::refuse_unknown() const {
     if (error) {
       others.push_back(called);
     } else {
-      error = Error{name(called), shown(value),
-                    fmt::format("unknown key in {}; {}", where, key_hint(keys_, path_, key))};
-      if (inch_unit(key) && keys_.find(metric_key(key)))
-        error->rule += ". A length in inch needs units = \"inch\" at the top of the spec";
+      const KeyUnit* const inch = keys_.find(metric_key(key)) ? inch_unit(key) : nullptr;
+      const std::string hint =
+          !inch
+              ? key_hint(keys_, path_, key)
+              : fmt::format(
+                    "did you mean {}{}? Lengths in inch need units = \"inch\" at the top "
+                    "of the spec",
+                    metric_key(key),
+                    value.is_number()
+                        ? fmt::format(" = {}", format_number(inch->to_metric(value.get<double>())))
+                        : std::string());
+      error = Error{name(called), shown(value), fmt::format("unknown key in {}; {}", where, hint)};
     }
   }
   if (!error) return;

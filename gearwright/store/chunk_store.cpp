@@ -140,12 +140,6 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
                             "); use the original spec of that search, or use another folder");
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError("cannot make the folder " + folder.string() + ": " + error.message());
-}
-
 }  // namespace
 
 struct ChunkStore::Impl {

@@ -45,7 +45,7 @@ const std::vector<Cure>& cures() {
       {C::no_flank,
        "gear {} has a usable flank",
        {{A::profile_shift, W::own, +1}, {A::tip_diameter, W::own, +1}, {A::teeth, W::own, +1}}},
-      {C::no_body, "gear {} has a body", {{A::bore, W::own, -1}, {A::teeth, W::own, +1}}},
+      {C::no_body, "gear {} has a body", {{A::bore, W::own, -1}}},
       {C::no_contact, kContactRatio, kLongerContact},
       {C::contact_ratio, kContactRatio, kLongerContact},
       {C::negative_backlash, kBacklash, kLooser},

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/verdict/margins.hpp"
@@ -28,7 +29,8 @@ double recommended_backlash(double center_distance, double normal_module) {
 }
 
 std::string recommendation(double recommended_backlash) {
-  return fmt::format("ISO/TR 10064-2 recommends at least {:.3f} mm", recommended_backlash);
+  return fmt::format("ISO/TR 10064-2 recommends at least {:.3f} mm",
+                     rounded_up(recommended_backlash, 3));
 }
 
 namespace {
@@ -285,15 +287,24 @@ std::optional<PatternPlace> pattern_place(const Judged& judged) {
       judged.pair
           ? std::array{judged.pair->gear(1).spec.face_width, judged.pair->gear(2).spec.face_width}
           : std::array{judged.rack->pinion.spec.face_width, judged.rack->rack.face_width};
+  const std::vector<ContactPoint>& positions = judged.contact->positions;
+  // The positions of the second half of a double-helical pair follow those of the first half.
+  const bool two_halves = judged.pair && judged.pair->gear(1).gap;
+  const std::size_t rotations = positions.size() / (two_halves ? 2 : 1);
   std::size_t touching = 0, edges = 0, points = 0;
   std::array<double, 2> sum{};
-  for (const ContactPoint& p : judged.contact->positions) {
-    if (p.kind == TouchKind::none) continue;
-    ++touching;
-    if (is_edge(p.kind)) ++edges;
-    if (p.kind == TouchKind::line) continue;
-    ++points;
-    for (const std::size_t i : {0u, 1u}) sum[i] += p.height[i] / (face_widths[i] / 2);
+  for (std::size_t k = 0; k < rotations; ++k) {
+    bool touches = false, at_edge = false;
+    for (std::size_t i = k; i < positions.size(); i += rotations) {
+      const ContactPoint& p = positions[i];
+      touches = touches || p.kind != TouchKind::none;
+      at_edge = at_edge || is_edge(p.kind);
+      if (p.kind == TouchKind::none || p.kind == TouchKind::line) continue;
+      ++points;
+      for (const std::size_t g : {0u, 1u}) sum[g] += p.height[g] / (face_widths[g] / 2);
+    }
+    touching += touches;
+    edges += at_edge;
   }
   if (touching == 0) return std::nullopt;
   PatternPlace place{static_cast<double>(edges) / static_cast<double>(touching), {}};

@@ -137,7 +137,9 @@ std::string safety_words(const std::vector<const Rating*>& ratings);
 
 /// Where the teeth touch, over all positions with contact.
 struct PatternPlace {
-  double edge_share;  ///< fraction of these positions at which an edge touches
+  /// Fraction of these positions at which an edge touches. For a double-helical pair, the edge of
+  /// either half counts.
+  double edge_share;
   /// Mean position along the face, relative to half of the face width, towards +z. It belongs to
   /// the gear on which the contact is nearer to an end of the face, which is the narrower gear if
   /// the widths differ. None if all positions have contact lines.

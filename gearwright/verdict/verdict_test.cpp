@@ -137,7 +137,7 @@ TEST(Verdict, small_clearances_are_said_with_their_thresholds) {
 }
 
 // Nominal teeth without allowances have no backlash. This is a note, because books compute gears in
-// this way, and the level stays green. 2/3 (0.06 + 0.0005·61 + 0.03·2) = 0.10033 mm.
+// this way, and the level stays green. 2/3 (0.06 + 0.0005·61 + 0.03·2) = 0.10033 mm, rounded up.
 TEST(Verdict, no_backlash_is_a_note) {
   const auto mounted_with = [](double allowance) {
     return judged(testing::taken(mount_as<ParallelPair>(sample_gear(20, 2, 0, 0.2, 0.0, allowance),
@@ -149,7 +149,7 @@ TEST(Verdict, no_backlash_is_a_note) {
   const auto found = std::find_if(none.findings.begin(), none.findings.end(), [](const Finding& f) {
     return f.code == WarningCode::no_backlash;
   });
-  EXPECT_EQ(found->message, "There is no backlash; ISO/TR 10064-2 recommends at least 0.100 mm.");
+  EXPECT_EQ(found->message, "There is no backlash; ISO/TR 10064-2 recommends at least 0.101 mm.");
   EXPECT_NEAR(found->values[1].value, 0.30100 / 3, 1e-12);
   EXPECT_FALSE(found->remedy.empty());
   // A backlash that is printed as 0.0000 mm is called none.

@@ -1,6 +1,8 @@
 """Tests each kind of invalid input. The program returns the documented exit status and a message with the
 key, and writes no incomplete file."""
+import math
 import os
+import re
 import subprocess
 import unittest
 
@@ -104,6 +106,26 @@ class BadInput(unittest.TestCase):
             self.assertAlmostEqual(answer["pair"]["backlash"]["normal_mm"], backlash, delta=1e-9)
         self.refused(spec.format(0.03), "pair.backlash_mm", "at most 0.02915")
 
+    def test_a_profile_shift_has_a_range(self):
+        """The printed limit leaves a tooth, and a shift that is greater by 0.0002 does not."""
+        for shift in (3, 30):
+            r = Run("pair", two(f"profile_shift = {shift}"), "--json")
+            limit = float(re.search(r"at most ([0-9.]+) leaves a tooth", r.json["error"]["message"])[1])
+            for x, cut in ((limit, False), (limit + 0.0002, True)):
+                gear = Run("gear", GEAR + f"profile_shift = {x}", "--json").json["gears"][0]
+                self.assertEqual(gear["severed"], cut, x)
+        # Oracle: m_n (z1 + z2)/2 = 40
+        self.refused(two(pair="center_distance_mm = 60"), "pair.center_distance_mm",
+                     "Without profile shifts, the centre distance is 40.0000 mm")
+
+    def test_a_wrong_unit_or_type_names_the_remedy(self):
+        self.refused(GEAR.replace("20", '"20"'), "gear1.teeth", "write it without quotes", verb="gear")
+        self.refused(two(pair="center_distance_in = 3"), "pair.center_distance_in",
+                     'did you mean center_distance_mm = 76.2? Lengths in inch need units = "inch"')
+        # Oracle: the cutter is pointed at the dedendum 1.25 if tan α_n = π/(4 · 1.25)
+        self.refused(GEAR + "normal_pressure_angle_deg = 45", "gear1.normal_pressure_angle_deg",
+                     f"less than {math.degrees(math.atan(math.pi / 5)):.6g}°", verb="gear")
+
     def test_racks(self):
         rack = GEAR + "[gear1.rack]\n"
         self.refused(rack + "root_fillet_radius = 0.9", "gear1.rack.root_fillet_radius", "greatest", verb="gear")
@@ -117,6 +139,17 @@ class BadInput(unittest.TestCase):
         self.assertEqual(r.status, 1)
         self.assertEqual(r.json["error"]["key"], "gear1.bore.diameter_mm")
         self.assertEqual(r.files(), ["case.toml"])
+
+    def test_all_verbs_have_one_limit_of_a_bore(self):
+        """Regression: pair, STEP and STL named limits of 36.250, 36.249 and 36.248 mm, and 18 teeth as a remedy."""
+        spec = two("[gear1.bore]\ndiameter_mm = 36").replace("teeth = 20", "teeth = 17", 1)
+        texts = [Run("pair", spec).out + Run("pair", spec).err]
+        texts += [Run("run", spec, "--only", kind).err for kind in ("step", "stl")]
+        found = [" ".join(text.split()) for text in texts]
+        limits = [re.search(r"at most ([0-9.]+) mm, so that it lies", text)[1] for text in found]
+        self.assertEqual(len(set(limits)), 1, limits)
+        self.assertIn("With a bore of", found[0])
+        self.assertNotIn("teeth on gear 1", found[0])
 
     def test_what_is_not_in_this_version_says_so(self):
         self.refused(GEAR + "[gear1.modifications]\ntip_relief_um = 20", "gear1.modifications.tip_relief_start_mm", "missing", verb="gear")
@@ -217,6 +250,7 @@ class BadInput(unittest.TestCase):
         self.assertEqual(raw("gear", "/").returncode, 3)
         r = Run("run", PAIR, "--out", "/proc/nothing/here")
         self.assertEqual(r.status, 3, r.err)
+        self.assertIn("--out selects another folder", r.err)
         r = Run("export", PAIR, "--gear", 1, "--stl", "/no/such/folder/a.stl")
         self.assertEqual(r.status, 3)
         self.assertIn("/no/such/folder/a.stl", r.err)

@@ -38,7 +38,7 @@ class Words(unittest.TestCase):
 
     def test_a_slip_of_a_verb_is_named(self):
         for wrong, near in (("gaer", "gear"), ("pear", "gear"), ("contct", "contact"), ("serach", "search"), ("exprot", "export"),
-                            ("Pair", "pair"), ("meas", "measure")):
+                            ("Pair", "pair"), ("meas", "measure"), ("pare", "pair")):
             p = raw(wrong, "x.toml")
             self.assertEqual(p.returncode, 2)
             self.assertRegex(p.stderr, f"no verb {wrong}; did you mean (gear|pair|{near})\\?")

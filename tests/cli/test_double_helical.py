@@ -41,6 +41,21 @@ class TwoHalves(unittest.TestCase):
         run = Run("pair", PAIR.format("hob_diameter_mm = 120\nhob_half_length_mm = 20"), "--json")
         self.assertIn("hob_run_out", [w["code"] for w in json.loads(run.out)["warnings"]])
 
+    def test_edge_contact_is_that_of_either_half(self):
+        """The verdict and the report count the rotations at which an edge of either half touches."""
+        spec = PAIR.format("stagger_pitches = 0.5") + "stagger_pitches = 0.5\n[errors]\ncrossing_deg = 0.08\n"
+        spec += "[gear1.modifications]\nlead_crowning_um = 20\nprofile_crowning_um = 6\n"
+        answer = json.loads(Run("contact", spec, "--json").out)
+        halves = [h["positions"] for h in answer["contact"]["halves"]]
+        edge = [any(p["kind"] not in ("interior", "line", "ridge") for p in both) for both in zip(*halves)]
+        share = sum(edge) / len(edge)
+        self.assertTrue(0 < share < 1, share)
+        found = next(f for f in answer["verdict"]["findings"] if f["code"] == "edge_contact")
+        self.assertAlmostEqual(found["values"]["share"], share, 12)
+        run = Run("run", spec, "--only", "report", "--out", "out")
+        text = re.sub("<[^>]*>", " ", (run.folder / "out/report.html").read_text())
+        self.assertRegex(text, rf"Rotation with an edge in contact\s+%\s+{100 * share:.0f} ")
+
     def rated(self, spec, torque):
         steel = '[gear1.material]\nname = "18CrNiMo7-6"\n'
         load = (f"[rating]\ntorque_Nm = {torque}\nspeed_rpm = 1200\nquality = 6\nface_load_factor = 1.2\n"

@@ -121,9 +121,9 @@ class Slips(Asked):
         for x1, x2, key in ((-2, 0.1, "gear1.profile_shift"), (0.1, -2, "gear2.profile_shift")):
             self.refused(two.format(x1, x2), key, "the sum of both profile shifts is -1.9", "greater than")
 
-    def test_a_rack_that_nobody_wrote_is_called_a_default(self):
+    def test_a_rack_that_nobody_wrote_is_not_blamed(self):
         steep = GEAR + "normal_pressure_angle_deg = 60\n"
-        self.refused(steep, "gear1.rack.dedendum", "not given, and its default does not match", "0.453449", verb="gear")
+        self.refused(steep, "gear1.normal_pressure_angle_deg", "less than 32.1419°", "dedendum 1.25", verb="gear")
         own = self.refused(steep + "[gear1.rack]\ndedendum = 1.25\n", "gear1.rack.dedendum", "0.453449", verb="gear")
         self.assertNotIn("default", own)
 

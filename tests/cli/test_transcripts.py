@@ -1,7 +1,7 @@
 """Tests that README and quick start show the actual output of the program.
 
 A block that begins with `$ gearwright …` is a transcript. It contains lines of the output in their order.
-A line with … stands for omitted lines. A remark after the command describes a change of the spec. The
+A line with … stands for omitted lines, also at the beginning and at the end of the output. A remark after the command describes a change of the spec. The
 specs are those on the page. If GW_WRITE_DOCS is set, each group of lines is replaced by the most similar
 lines of the output.
 """
@@ -137,9 +137,14 @@ class Transcripts(unittest.TestCase):
             if not run or GAP.match(run[0]):
                 made += run
                 continue
+            begin = at
             at = most_alike(run, output, at)
+            if made == [] and at > begin:
+                made.append("…")
             made += output[at:at + len(run)]
             at += len(run)
+        if at < len(output) and not (made[-1] == "" or GAP.match(made[-1])):
+            made.append("…")
         return made
 
     def test_readme(self):

@@ -114,7 +114,7 @@ class VerdictTest(unittest.TestCase):
 
     def test_a_bore_that_leaves_no_body_is_no_gear(self):
         for gear, limit in (
-            ({"teeth": 20, "bore": {"diameter_mm": 19}}, "17.500"),
+            ({"teeth": 20, "bore": {"diameter_mm": 19}}, "17.498"),
             ({"teeth": 20, "bore": {"diameter_mm": 17, "keyway_width_mm": 5, "keyway_depth_mm": 2}}, "keyway"),
             ({"teeth": -60, "bore": {"diameter_mm": 60}}, "62.5"),
         ):

@@ -33,6 +33,7 @@ export class VerdictLine {
   constructor() {
     this.element.setAttribute("aria-live", "polite");
     bench.on("solved", () => this.update());
+    bench.on("searched", () => this.update());
     bench.on("opened", () => this.wait());
     judgement.onChange(() => this.update());
   }
@@ -58,7 +59,9 @@ export class VerdictLine {
     let findings: Finding[] = verdict?.findings ?? [];
     if (solved.fault) {
       findings = [];
-      if (bench.finder) this.head("none", bench.finder, kFinders[bench.finder]);
+      const { searched } = bench;
+      if (bench.finder === "search" && searched.text === solved.text) this.head("none", "search", searched.words);
+      else if (bench.finder) this.head("none", bench.finder, kFinders[bench.finder]);
       else this.head("fault", "incomplete", solved.fault.message);
     } else if (verdict) this.head(verdict.level, kBadges[verdict.level] ?? verdict.level, verdict.headline);
     else {

@@ -22,6 +22,8 @@ class Workbench {
   design = 0;
   /** Time from the last change to its result, ms. */
   lastMs = 0;
+  /** The result of the last finished search in one sentence, and the text of this search. */
+  searched = { text: "", words: "" };
   front!: EngineLink;
   back!: EngineLink;
   press!: EngineLink;
@@ -35,7 +37,7 @@ class Workbench {
   private busy = false;
   private readonly listeners = new Map<string, Set<Listener>>();
 
-  on(what: "text" | "solved" | "history" | "opened", listener: Listener): void {
+  on(what: "text" | "solved" | "searched" | "history" | "opened", listener: Listener): void {
     if (!this.listeners.has(what)) this.listeners.set(what, new Set());
     this.listeners.get(what)!.add(listener);
   }
@@ -57,6 +59,11 @@ class Workbench {
     }
     this.notify("text");
     void this.solve();
+  }
+
+  setSearched(text: string, words: string): void {
+    this.searched = { text, words };
+    this.notify("searched");
   }
 
   private remember(what: string): void {

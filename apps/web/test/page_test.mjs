@@ -223,6 +223,7 @@ describe("pictures", () => {
     await page.waitForFunction(() => window.gearwright.idle(), undefined, { timeout: kPatience });
     const expected = native("search", example("gearbox_search")).search;
     assert.match(await page.textContent(".search-said"), new RegExp(`^${expected.feasible_count} of`));
+    assert.match(await page.textContent(".headline"), new RegExp(`^${expected.feasible_count} of .* every limit`));
     await page.click(".designs tbody tr:nth-child(2)");
     await page.waitForFunction(() => /teeth = /.test(window.gearwright.text()));
     await settled(page);
@@ -360,6 +361,8 @@ describe("for everybody", () => {
   ])
     it(`axe finds no serious problem: ${name}`, async () => {
       const one = await open(browser, address, { viewport: { width, height: 800 }, colorScheme: scheme });
+      const first = await one.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(first <= width, `the first page is ${first} px wide`);
       assert.deepEqual(await findings(one), []);
       const shown = { search: "gearbox_search", load: "loaded_pair", rating: "rated_pair" };
       for (const tab of ["mesh", "contact", "load", "rating", "shifts", "search"]) {

@@ -174,9 +174,9 @@ export class SearchView implements Tab {
       if (!answer.search) throw new Error(answer.error?.message ?? "the search returned no result");
       this.save.hidden = false;
       const time = ((performance.now() - begin) / 1000).toFixed(2);
-      this.status.textContent =
-        `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit. The search took ${time} s.` +
-        why(found.feasible, answer.search.rejected);
+      const words = `${count(found.feasible)} of ${count(found.tested)} candidates satisfy every limit.`;
+      this.status.textContent = `${words} The search took ${time} s.` + why(found.feasible, answer.search.rejected);
+      bench.setSearched(text, words);
       this.list(answer.search.designs, answer.search.pareto ?? [], text);
     } catch (reason) {
       if (this.running !== text) return;
