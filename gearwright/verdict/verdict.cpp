@@ -125,7 +125,8 @@ std::string gears_alone(const Judged& judged) {
 std::string standing(const Judged& judged) {
   if (judged.rack)
     return fmt::format("The rack and pinion run as specified, with {}.",
-                       backlash_words(judged.rack->normal_backlash()));
+                       backlash_words(judged.rack->normal_backlash(), judged.rack->center_distance,
+                                      judged.rack->rack.normal_module));
   if (!judged.pair) return gears_alone(judged);
   const auto& ends = judged.backlash_ends;
   const std::string nominal =
@@ -266,7 +267,10 @@ std::vector<Finding> findings_of(const Judged& judged) {
       add(detail::backlash_findings(judged.pair->stated_backlash(),
                                     recommended_backlash(judged.pair->center_distance(), module)));
   }
-  if (judged.rack) add(detail::backlash_findings(judged.rack->normal_backlash(), {}));
+  if (judged.rack)
+    add(detail::backlash_findings(
+        judged.rack->normal_backlash(),
+        recommended_backlash(judged.rack->center_distance, judged.rack->rack.normal_module)));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (const auto place = pattern_place(judged)) add(detail::contact_findings(*place));
   return findings;
