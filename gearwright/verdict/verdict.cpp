@@ -47,14 +47,11 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
   return list;
 }
 
-std::string backlash_words(double j) {
-  return std::abs(j) < kNoBacklash ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
-}
 // If there is no backlash, the words include the smallest backlash recommended for running
 // gears.
 std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= kNoBacklash) return backlash_words(j);
-  return fmt::format("{} ({})", backlash_words(j),
+  if (std::abs(j) >= kNoBacklash) return fmt::format("a backlash of {:.4f} mm", j);
+  return fmt::format("no backlash ({})",
                      recommendation(recommended_backlash(center_distance, normal_module)));
 }
 
