@@ -89,7 +89,7 @@ class Lacks {
   bool has(const std::string& field) const {
     return std::any_of(all_.begin(), all_.end(), [&](const Error& e) { return e.field == field; });
   }
-  /// Replaces the error of a missing input by one that says more.
+  /// Replaces the error of a missing input by a more detailed one.
   void explain(const Error& error) {
     add({error});
     caught_.clear();
