@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "gearwright/arrange/complete_pair.hpp"
 #include "gearwright/arrange/cut_gears.hpp"
 #include "gearwright/arrange/notes.hpp"
@@ -80,6 +83,49 @@ Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips)
   return gear;
 }
 
+// The least profile shift, rounded up to four decimals, with which a gear is not undercut if its
+// teeth are thinned for a backlash. Another shift changes the working pressure angle and with it the
+// allowance, so the shift is computed repeatedly. None if no shift is found.
+std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear& undercut) {
+  constexpr int kTries = 8;
+  constexpr double kDigits = 1e4;
+  const CylindricalSpec& spec = undercut.spec;
+  const double per_shift = 2 * spec.normal_module * std::tan(spec.normal_pressure_angle.rad());
+  const auto steps_for = [&](double allowance) {
+    return std::ceil(kDigits * (*undercut.undercut_free_shift() - allowance / per_shift));
+  };
+  std::optional<double> least;
+  double steps = steps_for(spec.thickness_allowance);
+  for (int i = 0; i < kTries; ++i) {
+    given.gear(which).profile_shift = steps / kDigits;
+    const auto made = arrange_nominal(given, Scope::gears);
+    if (!made) break;
+    const bool free = !made->gear(which).undercut;
+    if (free) least = std::min(steps, least.value_or(steps));
+    const double next = steps_for(made->gear(which).spec.thickness_allowance);
+    if (free && next >= steps) break;
+    steps = free ? next : std::max(next, steps + 1.0);
+  }
+  return least ? std::optional(*least / kDigits) : std::nullopt;
+}
+
+// The warning about undercut of a gear names the shift for its thickness allowance. If the allowance
+// follows from a backlash and changes with the shift, the shift for this backlash replaces it.
+void name_shift_for_backlash(Arranged& arranged, const GivenPair& given) {
+  if (!given.pair.wants_backlash()) return;
+  for (Warning& w : arranged.warnings) {
+    if (w.code != WarningCode::undercut) continue;
+    const Gear& gear = arranged.gear(w.gear);
+    const auto shift =
+        gear.undercut_free_shift() ? shift_for_backlash(given, w.gear, gear) : std::nullopt;
+    if (!shift) continue;
+    w.message = undercut_message(
+        gear, fmt::format("with teeth thinned for `{}`, a profile shift of at least {:.4f} avoids "
+                          "undercut.",
+                          backlash_field(given.pair), *shift));
+  }
+}
+
 }  // namespace
 
 Result<Arranged> arrange_nominal(const GivenPair& as_given, Scope scope) {
@@ -151,6 +197,7 @@ Result<Arranged> arrange(const GivenPair& given, Scope scope) {
   auto nominal = arrange_nominal(*allowed, scope);
   if (!nominal) return nominal;
   Arranged arranged = std::move(nominal).take();
+  name_shift_for_backlash(arranged, *allowed);
   arranged.given = std::make_shared<const GivenPair>(given);
   if (auto error = apply_tip_fits(arranged)) return *error;
   auto ends = arrange_ends(arranged, scope);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,6 +42,29 @@ ShiftProblem shift_problem(const GivenPair& given) {
   p.center_distance = given.pair.center_distance;
   p.mounting = given.pair.mounting;
   return p;
+}
+
+// Gives the pinion of an internal pair at least the profile shift with which it is not undercut, and
+// the internal gear the rest of the sum. Both shifts were absent.
+void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
+  const GearInput& pinion = *given.gears[0];
+  if (pinion.basic || pinion.cut_by) return;
+  CylindricalSpec unshifted = pinion.cylindrical;
+  unshifted.profile_shift = 0.0;
+  const auto gear = make_gear(unshifted);
+  const auto free = gear ? gear->undercut_free_shift() : std::nullopt;
+  if (!free) return;
+  // A thickness allowance moves the cutter like a profile shift. A backlash thins the pinion by
+  // about its share of this backlash.
+  const double backlash =
+      given.pair.backlash.value_or(given.pair.backlash_circumferential.value_or(0.0));
+  const double thinning = given.pair.backlash_split * backlash - unshifted.thickness_allowance;
+  const double per_shift =
+      2 * unshifted.normal_module * std::tan(unshifted.normal_pressure_angle.rad());
+  const double least = std::ceil(100 * (*free + thinning / per_shift)) / 100;
+  if (shifts.x1 >= least) return;
+  shifts.x2 += shifts.x1 - least;
+  shifts.x1 = least;
 }
 
 // True if both racks have the same module and pressure angle. Only then can profile shifts and
@@ -164,11 +188,15 @@ Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted) {
   const bool by_shifts = one_rack && (!crossed || shift_wanted || extended);
   std::optional<double> a = given.pair.center_distance;
   if (by_shifts) {
-    auto shifts = complete_shifts(shift_problem(given));
-    if (!shifts) return of_given_shift(shifts.error(), given);
-    given.gears[0]->cylindrical.profile_shift = shifts->x1;
-    given.gears[1]->cylindrical.profile_shift = shifts->x2;
-    a = shifts->center_distance;
+    auto found = complete_shifts(shift_problem(given));
+    if (!found) return of_given_shift(found.error(), given);
+    ShiftSolution shifts = std::move(found).take();
+    const bool ring = given.gears[1]->cylindrical.teeth < 0;
+    if (ring && shift_wanted && !given.gears[0]->profile_shift && !given.gears[1]->profile_shift)
+      avoid_undercut(given, shifts);
+    given.gears[0]->cylindrical.profile_shift = shifts.x1;
+    given.gears[1]->cylindrical.profile_shift = shifts.x2;
+    a = shifts.center_distance;
   }
   auto place =
       complete_place(nominal_base_pair(given.gears[0]->cylindrical, given.gears[1]->cylindrical), a,
@@ -192,10 +220,10 @@ struct Wanted {
 };
 
 Wanted wanted_of(const PairInput& p) {
-  if (p.backlash) return {"pair.backlash", *p.backlash, " mm"};
-  if (p.backlash_circumferential)
-    return {"pair.backlash_circumferential", *p.backlash_circumferential, " mm"};
-  return {"pair.backlash_angle", p.backlash_angle->deg(), "°"};
+  const char* const field = backlash_field(p);
+  if (p.backlash) return {field, *p.backlash, " mm"};
+  if (p.backlash_circumferential) return {field, *p.backlash_circumferential, " mm"};
+  return {field, p.backlash_angle->deg(), "°"};
 }
 
 // Splits the total thinning, mm in the normal section, between the two gears.
@@ -245,6 +273,11 @@ Error beyond_limit(const Wanted& wanted, double limit, const Error& cause) {
 }
 
 }  // namespace
+
+const char* backlash_field(const PairInput& pair) {
+  if (pair.backlash) return "pair.backlash";
+  return pair.backlash_circumferential ? "pair.backlash_circumferential" : "pair.backlash_angle";
+}
 
 std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<PairPlace>& place,
                                        std::vector<Warning>& warnings) {

@@ -13,7 +13,8 @@ namespace gearwright {
 /// Returns the position of the gears of the pair. Computed shifts and the diameters of shortened
 /// tips are written into the gears of `given`. If the shaft angle is computed from the centre
 /// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
-/// absent and must be computed from the centre distance.
+/// absent and must be computed from the centre distance. If both are absent, the pinion of an
+/// internal pair gets the sum of the shifts, but at least the shift with which it is not undercut.
 ///
 /// Domain    two gears (contract)
 /// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,
@@ -21,6 +22,9 @@ namespace gearwright {
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
 // Thins the teeth to obtain a required backlash.
+
+/// The member with the requested backlash, such as "pair.backlash".
+const char* backlash_field(const PairInput& pair);
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
 /// `backlash_split` divides the thinning between the gears. Backlash depends linearly on the

@@ -195,8 +195,8 @@ bool change_gear(GivenPair& given, const SpecChange& change) {
   return false;
 }
 
-// Makes the change that a user would make to follow a proposal of the verdict. Returns false if
-// the input gives the number in another form, or if another gear determines the number.
+}  // namespace
+
 bool make_change(GivenPair& given, const SpecChange& change) {
   if (change.what == Adjustable::center_distance) {
     given.pair.center_distance = change.value;
@@ -207,6 +207,8 @@ bool make_change(GivenPair& given, const SpecChange& change) {
          change_gear(given, {change.what, 1, change.value}) &&
          change_gear(given, {change.what, 2, change.value});
 }
+
+namespace {
 
 std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& with,
                                   const SpecChange& change, TryDepth depth) {

@@ -193,7 +193,12 @@ bool shares_gears(const DriveGraph& graph, std::size_t mesh) {
 std::string running(const Drive& drive) {
   std::string text = "The drive runs";
   std::string facts;
-  if (drive.motion.ratio) facts += "ratio " + fraction(*drive.motion.ratio);
+  const auto pitch = drive.rack_pitch(drive.graph.output);
+  if (const auto pitches = drive.speed_ratio(drive.graph.output); pitch && pitches) {
+    facts += fmt::format("travel {:.4f} mm per turn of the input", *pitch * *pitches);
+  } else if (drive.motion.ratio) {
+    facts += "ratio " + fraction(*drive.motion.ratio);
+  }
   if (drive.flow && !drive.flow->self_locking())
     facts += (facts.empty() ? "efficiency " : ", efficiency ") + share(drive.flow->efficiency);
   text += facts.empty() ? "." : ": " + facts + ".";

@@ -8,6 +8,7 @@
 #include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
+#include "gearwright/rating/root.hpp"
 
 namespace gearwright {
 
@@ -130,12 +131,36 @@ Bore rim(const Gear& ring) {
   return ring.bore.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
 }
 
+namespace {
+
+// A warning if the rim between the roots and the bore is thinner than Y_B of a rating allows.
+std::optional<Warning> thin_rim(const Gear& gear, int which) {
+  const double root = gear.root_diameter / 2;
+  const double module = gear.spec.normal_module;
+  const double height = std::abs(gear.tip_diameter / 2 - root);
+  const double least = least_rim(gear.internal(), module, height);
+  const double rim = gear.side() * (root - bore_reach(*gear.bore));
+  if (rim > least) return std::nullopt;
+  return Warning{
+      WarningCode::thin_rim,
+      fmt::format(
+          "The rim between the roots and the {} is {:.4f} mm thick; the rim thickness factor "
+          "of ISO 6336-3 is defined above {:.4f} mm, {}.",
+          gear.internal()           ? "outside diameter"
+          : gear.bore->has_keyway() ? "keyway"
+                                    : "bore",
+          rim, least, gear.internal() ? "1.75 modules" : "half the tooth height"),
+      which};
+}
+
+}  // namespace
+
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which) {
   const std::optional<Bore>& bore = gear.bore;
   if (!bore || !gear.exists()) return std::nullopt;
   if (groove) *groove /= 2;
   const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove});
-  if (!error) return std::nullopt;
+  if (!error) return thin_rim(gear, which);
   const bool keyway = subject_of(error->field).member == GearMember::keyway;
   return Warning{
       WarningCode::no_body,

@@ -50,8 +50,8 @@ Warning not_read(const std::string& what);
 Bore rim(const Gear& ring);
 
 /// A warning if no material remains between the bore and the roots, or between the roots and the
-/// rim of an internal gear. The groove of a double-helical gear, with the diameter `groove` mm,
-/// also limits the body.
+/// rim of an internal gear, or if this rim is too thin for the rim thickness factor of a rating. The
+/// groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 // The warnings about the contact of a pair with errors of mounting. They state facts that the

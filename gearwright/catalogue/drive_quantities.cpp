@@ -223,6 +223,14 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
             })
         .fraction()
         .doors(kJson);
+    q.number("travel_per_input_turn_mm", "travel per turn of the input", "",
+             "travel of a rack while the first input turns once, computed with the module of its "
+             "pinion; null for a body that turns",
+             [](const V& v) -> Value {
+               const auto pitch = v.drive->rack_pitch(v.body);
+               const auto pitches = v.drive->speed_ratio(v.body);
+               return pitch && pitches ? Value(*pitch * *pitches) : Value();
+             });
     q.number("relative_speed_ratio", "speed ratio relative to the frame", "",
              "speed ratio of the body minus the speed ratio of the carrier in whose frame the body "
              "meshes",

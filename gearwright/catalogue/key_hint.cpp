@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLongest = 80;    // number of bytes of a key that are compared
 constexpr std::size_t kLeastPart = 3;   // least length; shorter parts occur in every name
-constexpr std::size_t kLettersOff = 3;  // at most a third of the letters may differ
+constexpr std::size_t kLettersOff = 4;  // at most a quarter of the letters may differ
 constexpr std::size_t kSlipOff = 6;     // at most a sixth may differ in a typing error
 constexpr double kLikeWords = 0.7;      // least share of words that two names must have in common
 constexpr std::size_t kListed = 24;     // greatest number of keys that a message lists

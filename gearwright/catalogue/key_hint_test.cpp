@@ -50,6 +50,12 @@ TEST(KeyHint, where_nothing_is_near_the_table_says_what_it_has) {
             std::string::npos);
 }
 
+TEST(KeyHint, a_word_that_only_looks_similar_is_no_suggestion) {
+  EXPECT_EQ(key_hint(gear_keys(), "gear1", "hub_diameter_mm").find("did you mean"),
+            std::string::npos);
+  EXPECT_EQ(key_hint(spec_keys(), "", "gear"), nearest("gear1"));
+}
+
 TEST(KeyHint, a_table_of_the_spec_is_no_key_of_a_gear) {
   EXPECT_EQ(key_hint(gear_keys(), "gear2", "pair"),
             "[pair] is a separate table and not a part of [gear2]");

@@ -33,6 +33,13 @@ constexpr std::string_view kInternal =
     "is determined by the number of teeth; teeth = -61 is an internal gear with 61 teeth, and a "
     "positive number is an external gear";
 
+constexpr std::string_view kOtherGears =
+    "is not supported, because this program computes cylindrical gears and racks only; bevel gears "
+    "and worm gears are outside it. Shafts at an angle can have crossed helical gears, with "
+    "helix_angle_deg in [gear1] and [gear2] and shaft_angle_deg in [pair]";
+constexpr std::string_view kRoundBore =
+    "is not supported, because a bore is round; it may have a keyway by keyway_width_mm and "
+    "keyway_depth_mm";
 constexpr std::string_view kOutputTorque =
     "is not a key; give the torque on the input by torque_Nm, which is the torque on the output "
     "divided by ratio and efficiency, T_in = T_out/(i η). The verb drive computes i and η without "
@@ -41,8 +48,14 @@ constexpr std::string_view kOutputTorque =
 
 constexpr auto kRows = std::to_array<Row>({
     {"gear#", "",
-     "is not allowed, because a spec has at most two gears, [gear1] and [gear2]; write a separate "
-     "spec for each mesh"},
+     "is not allowed, because a spec of a pair has at most two gears, [gear1] and [gear2]; "
+     "describe a train of more gears as a drive, with a table [[stage]] for each mesh"},
+    {"bevel", "", kOtherGears},
+    {"worm", "", kOtherGears},
+    {"*.cone_angle_deg", "", kOtherGears},
+    {"*.form", "\"bevel\"", kOtherGears},
+    {"*.form", "\"worm\"", kOtherGears},
+    {"gear#.bore.shape", "", kRoundBore},
     {"rack", "", kRackMate},
     {"gear1.form", "\"rack\"",
      "must not be a rack; give the rack as gear 2 and its pinion as gear 1"},

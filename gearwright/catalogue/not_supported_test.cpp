@@ -13,6 +13,9 @@ TEST(NotSupported, a_number_in_a_path_is_any_and_a_star_any_table) {
   EXPECT_FALSE(not_supported("gear3").empty());
   EXPECT_FALSE(not_supported("gear12").empty());
   EXPECT_FALSE(not_supported("gear1.form", "\"rack\"").empty());
+  EXPECT_FALSE(not_supported("gear2.form", "\"bevel\"").empty());
+  EXPECT_FALSE(not_supported("gear1.cone_angle_deg").empty());
+  EXPECT_FALSE(not_supported("gear1.bore.shape").empty());
   EXPECT_TRUE(not_supported("units").empty());  // a known key
   EXPECT_FALSE(not_supported("gear1.rack.units").empty());
   for (const char* path : {"", "gear", "gears", "gear3x", "gear1.forms", "myunits", "gear1.rack"})

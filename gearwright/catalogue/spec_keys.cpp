@@ -49,7 +49,8 @@ const KeyTable& spec_keys() {
                  "unit of the lengths in the spec and in the results; see Units"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
-       table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair"),
+       table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair")
+           .with_also({"gear"}),
        gear_2_key(),
        table_key("pair", pair_keys,
                  KeyPlace::within<SpecTables>([](auto& tables) -> auto& { return tables.pair; }),

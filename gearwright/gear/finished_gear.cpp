@@ -62,11 +62,13 @@ std::string without_undercut(const Gear& gear) {
   }
   const auto free_shift = gear.undercut_free_shift();
   if (!free_shift) return "the pinion cutter reaches below the involute.";
+  const double E_sn = gear.spec.thickness_allowance;
   if (gear.spec.profile_shift >= *free_shift)
-    return fmt::format("the thickness allowance of {:.4f} mm causes the undercut.",
-                       gear.spec.thickness_allowance);
-  return fmt::format("a profile shift of at least {:.4f} avoids undercut.",
-                     rounded_up(shift_for(gear, *free_shift), 4));
+    return fmt::format("the thickness allowance of {:.4f} mm causes the undercut.", E_sn);
+  return fmt::format(
+      "{}a profile shift of at least {:.4f} avoids undercut.",
+      E_sn == 0.0 ? "" : fmt::format("with the thickness allowance of {:.4f} mm, ", E_sn),
+      rounded_up(shift_for(gear, *free_shift), 4));
 }
 
 void warn_about_tip(Gear& gear) {
@@ -164,15 +166,8 @@ void warn_about_tooth(Gear& gear) {
     warn(gear, WarningCode::severed, message);
     return;
   }
-  if (gear.undercut) {
-    warn(gear, WarningCode::undercut,
-         fmt::format("There is undercut, so {}; {}",
-                     tooth.form_radius
-                         ? fmt::format("the usable flank starts at a diameter of {:.4f} mm",
-                                       2 * *tooth.form_radius)
-                         : std::string("no usable flank is left"),
-                     without_undercut(gear)));
-  }
+  if (gear.undercut)
+    warn(gear, WarningCode::undercut, undercut_message(gear, without_undercut(gear)));
   if (!tooth.form_radius) {
     warn(gear, WarningCode::no_flank,
          fmt::format(
@@ -297,3 +292,16 @@ void finish(Gear& gear) {
 }
 
 }  // namespace gearwright::detail
+
+namespace gearwright {
+
+std::string undercut_message(const Gear& gear, std::string_view remedy) {
+  const auto& from = gear.tooth->form_radius;
+  return fmt::format(
+      "There is undercut, so {}; {}",
+      from ? fmt::format("the usable flank starts at a diameter of {:.4f} mm", 2 * *from)
+           : std::string("no usable flank is left"),
+      remedy);
+}
+
+}  // namespace gearwright

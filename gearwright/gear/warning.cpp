@@ -226,9 +226,12 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_notch, "rating_notch", kCaution,
      "the notch parameter q_s is outside 1 to 8, the range of Y_S",
      "a root fillet outside the range of the stress correction factor", "", kGearUnnamed},
-    {C::rating_rim, "rating_rim", kCaution,
-     "the rim is thinner than the rim thickness factor Y_B allows",
-     "a rim thinner than the rim thickness factor allows", "", kGearUnnamed},
+    {C::thin_rim, "thin_rim", kCaution,
+     "the rim, from the roots to the bore or to the outside of an internal gear, is thinner than "
+     "the "
+     "rim thickness factor Y_B of ISO 6336-3 allows: half the tooth height, or 1.75 m_n for an "
+     "internal gear",
+     "a thin rim", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,
      "plastic teeth: wear, deformation and static peaks, which VDI 2736 also covers, are not rated",
      "wear and deformation that are not rated"},

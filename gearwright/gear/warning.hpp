@@ -84,7 +84,7 @@ enum class WarningCode {
   rating_resonance,
   rating_mounting,
   rating_notch,
-  rating_rim,
+  thin_rim,
   rating_plastic,
   // Information only.
   not_read,

@@ -55,8 +55,9 @@ std::string body_listing(const Drive& drive, UnitSystem units) {
   }
   return "\nBodies\n" +
          row_listing(units, names, records_of(drive_body_quantities(), drive, bodies),
-                     {"speed_ratio", "speed_ratio_exact", "relative_speed_ratio", "speed_rpm",
-                      "speed_m_per_s", "torque_ratio", "torque_Nm", "force_N", "power_kW"}) +
+                     {"speed_ratio", "speed_ratio_exact", "relative_speed_ratio",
+                      "travel_per_input_turn_mm", "speed_rpm", "speed_m_per_s", "torque_ratio",
+                      "torque_Nm", "force_N", "power_kW"}) +
          (racks ? "  The speed ratio of a rack is in pitches per turn of the input.\n" : "");
 }
 
@@ -80,9 +81,9 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
   return out + "\nMeshes\n" +
          row_listing(units, names, records,
                      {"frequency_ratio", "frequency_hz", "efficiency", "power_ratio",
-                      "pair.center_distance_mm", "pair.contact_ratio", "pair.backlash.normal_mm",
-                      "rack_pair.center_distance_mm", "rack_pair.contact_ratio",
-                      "rack_pair.backlash.normal_mm"});
+                      "pair.center_distance_mm", "pair.contact_ratio_true",
+                      "pair.backlash.normal_mm", "rack_pair.center_distance_mm",
+                      "rack_pair.contact_ratio_true", "rack_pair.backlash.normal_mm"});
 }
 
 // The tooth forces in the meshes and on the bodies. The listing is empty if the drive has no

@@ -144,6 +144,31 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   return tree;
 }
 
+// The error for a bore of the spec that does not fit into the gear of the design.
+std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d) {
+  for (const int which : {1, 2}) {
+    const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];
+    const auto& bore = spec.gear(which).bore;
+    if (!bore) continue;
+    auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2}, 0.0);
+    if (!error) continue;
+    error->rule += " of the design for this spec; without a bore, the verb fit prints the design";
+    return of_gear(which, *error);
+  }
+  return std::nullopt;
+}
+
+// A sentence about the backlash and the tip clearances of the design. The backlash of [fit] is
+// circumferential, and that of the pair is measured in the normal section.
+std::string remark_of(const FewTeethDesign& d) {
+  const auto& c = d.pair.tip_clearance;
+  const auto& j = d.pair.mesh.backlash;
+  return fmt::format(
+      "The circumferential backlash is {:.4f} mm, and in the normal section it is {:.4f} mm. The "
+      "greater centre distance for this backlash makes the tip clearances {:.4f} mm and {:.4f} mm.",
+      j.circumferential[0], j.normal, c[0], c[1]);
+}
+
 }  // namespace
 
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
@@ -180,6 +205,8 @@ Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress) {
     return answer;
   }
   const FewTeethDesign& d = *found->design;
+  if (auto error = bore_too_large(spec, d)) return *error;
+  if (p.backlash > 0.0) answer.remark = remark_of(d);
   add_branch(answer,
              {{d.pinion.helix_angle, d.pair.gears[1].spec.helix_angle},
               {d.pinion.profile_shift, d.wheel_shift},

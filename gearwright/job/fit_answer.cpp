@@ -160,7 +160,9 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
          row_listing(units, names, records,
                      {"helix_angle_deg", "profile_shift", "center_distance_mm", "shaft_angle_deg",
                       "working_normal_pressure_angle_deg", "transverse_contact_ratio"}) +
-         rejected + "\nThe option --take NUMBER > pair.toml writes the spec of a branch.\n";
+         rejected +
+         (answer.remark.empty() ? "" : "\n" + wrapped(sentence_in(units, answer.remark))) +
+         "\nThe option --take NUMBER > pair.toml writes the spec of a branch.\n";
 }
 
 }  // namespace gearwright

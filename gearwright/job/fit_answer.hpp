@@ -20,6 +20,7 @@ namespace gearwright {
 
 struct FitAnswer : FitView {
   std::vector<Json> specs{};  ///< for each branch, the spec completed by the computed numbers
+  std::string remark{};       ///< a sentence for users about the design; may be empty
 };
 /// Adds a branch with its spec.
 void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
@@ -49,9 +50,11 @@ struct IdentifyAnswer {
   /// For each candidate, a sentence with its number and likelihood, followed by sentences about
   /// data of the gear that the readings do not determine.
   std::vector<std::vector<std::string>> notes;
+  std::vector<Warning> warnings;
 };
 
-/// Computes the candidates for the unknown gear of the spec.
+/// Computes the candidates for the unknown gear of the spec. If both gears have readings, this is
+/// gear 1, and a warning names the readings of gear 2 that were not used.
 ///
 /// Errors    `gear1.measured` if it is missing; the errors of identify(), with the keys of the spec
 Result<IdentifyAnswer> answer_identify(const JobSpec& spec);

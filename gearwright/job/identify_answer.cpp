@@ -29,6 +29,9 @@ bool gives_thickness(const Json& tree, const Json& gear) {
          has(tolerance, {"thickness_series", "span_mm", "over_balls_mm"});
 }
 
+// A computed value with six decimals, because readings are less accurate.
+double six_decimals(double value) { return std::round(1e6 * value) / 1e6; }
+
 // The spec with the computed data of a gear instead of its readings. Other keys are kept.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
@@ -37,17 +40,17 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   if (found.diametral_pitch) {
     gear["normal_diametral_pitch_per_in"] = *found.diametral_pitch;
   } else {
-    gear["normal_module_mm"] = found.normal_module;
+    gear["normal_module_mm"] = six_decimals(found.normal_module);
   }
   gear["normal_pressure_angle_deg"] = found.normal_pressure_angle.deg();
-  gear["helix_angle_deg"] = found.helix_angle.deg();
-  gear["profile_shift"] = found.profile_shift;
+  gear["helix_angle_deg"] = six_decimals(found.helix_angle.deg());
+  gear["profile_shift"] = six_decimals(found.profile_shift);
   if (found.thickness_allowance != 0.0 && !gear.contains("thickness_allowance_mm") &&
       !gives_thickness(tree, gear))
-    gear["thickness_allowance_mm"] = found.thickness_allowance;
+    gear["thickness_allowance_mm"] = six_decimals(found.thickness_allowance);
   // ISO53-A is the rack by default.
   if (!found.rack.empty() && found.rack != "ISO53-A") gear["rack"] = found.rack;
-  if (!gear.contains("tip_diameter_mm")) gear["tip_diameter_mm"] = found.tip_diameter;
+  if (!gear.contains("tip_diameter_mm")) gear["tip_diameter_mm"] = six_decimals(found.tip_diameter);
   return tree;
 }
 
@@ -152,6 +155,17 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
   return facts;
 }
 
+// The warning about the readings of gear 2 if both gears have readings.
+std::vector<Warning> unused_readings(const JobSpec& spec) {
+  if (!spec.measured[0] || !spec.measured[1]) return {};
+  return {
+      {WarningCode::not_read,
+       "gear2.measured was not used, because this verb identifies one gear at a time, and these "
+       "candidates are those of gear 1. To identify gear 2, run identify again with the "
+       "spec of a candidate: gearwright identify SPEC --take 1 | gearwright identify -",
+       2}};
+}
+
 // The sentence about a mistake that explains the readings.
 std::string alternative_text(const Identification& found, UnitSystem units) {
   const Alternative& a = *found.alternative;
@@ -209,7 +223,7 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   if (spec.units() == UnitSystem::inch) in_unit.other_unit = 1 / kMmPerInch;
   auto found = identify(in_unit);
   if (!found) return of_gear(which, found.error());
-  IdentifyAnswer answer{which, std::move(found).take(), {}, {}};
+  IdentifyAnswer answer{which, std::move(found).take(), {}, {}, unused_readings(spec)};
   for (const IdentifiedGear& g : answer.found.candidates) {
     answer.specs.push_back(spec_of(spec, which, g));
     answer.notes.push_back({fmt::format("Candidate {} of the readings, likelihood {:.2f} %.",

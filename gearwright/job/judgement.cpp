@@ -25,15 +25,37 @@ std::vector<std::string> not_judged(const SolvedJob& job, const JudgedParts& par
   return list;
 }
 
-// The verdict on the pinion and on its mesh with the rack. The remedies contain no numbers,
-// because changes of the spec are not tried.
-Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
+Judged judged_rack(const RackPair& rack, const std::vector<Warning>& warnings) {
   Judged judged;
-  judged.gears = {&job.gears[0]};
-  judged.rack = &*job.rack;
+  judged.gears = {&rack.pinion};
+  judged.rack = &rack;
+  judged.warnings = &warnings;
+  return judged;
+}
+
+// The pinion and its rack with one change of the pinion. None for a change whose effect only a
+// contact analysis shows.
+std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange& change,
+                                         TryDepth depth) {
+  GivenPair given = *job.given;
+  if (depth == TryDepth::with_contact || !make_change(given, change)) return std::nullopt;
+  auto made = arrange(given, Scope::gears);
+  if (!made) return std::nullopt;
+  const auto rack = mount_rack(made->gears[0], *job.spec.rack, given.pair.center_distance);
+  if (!rack) return std::nullopt;
+  std::vector<Warning> warnings = made->warnings;
+  warnings.insert(warnings.end(), rack->warnings.begin(), rack->warnings.end());
+  return ChangedState{findings_of(judged_rack(*rack, warnings)), rack->true_contact_ratio(),
+                      rack->normal_backlash()};
+}
+
+// The verdict on the pinion and on its mesh with the rack.
+Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
+  Judged judged = judged_rack(*job.rack, job.warnings);
   judged.contact = parts.contact;
-  judged.warnings = &job.warnings;
-  return verdict_of(judged);
+  return verdict_of(judged, findings_of(judged), [&](const SpecChange& change, TryDepth depth) {
+    return changed_rack(job, change, depth);
+  });
 }
 
 }  // namespace

@@ -231,8 +231,10 @@ Result<Answer> run_identify(const JobSpec& spec, Progress*) {
   auto found = answer_identify(spec);
   if (!found) return found.error();
   auto notes = found->notes;
+  auto warnings = found->warnings;
   Answer answer = proposals(spec.units(), std::move(found).take(), identify_json, identify_listing);
   answer.notes = std::move(notes);
+  answer.warnings = std::move(warnings);
   return answer;
 }
 
@@ -318,10 +320,8 @@ constexpr Verb kVerbs[] = {
 
 Json answer_json(const Answer& answer) {
   Json json = answer.record;
-  if (answer.verdict) {
-    json["warnings"] = warnings_json(answer.warnings);
-    json["verdict"] = verdict_json(*answer.verdict);
-  }
+  if (answer.verdict || !answer.warnings.empty()) json["warnings"] = warnings_json(answer.warnings);
+  if (answer.verdict) json["verdict"] = verdict_json(*answer.verdict);
   return in_units(answer.units, json);
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/pair/collision.hpp"
 #include "gearwright/pair/crossed_gap.hpp"
 #include "gearwright/pair/interference.hpp"
@@ -120,20 +121,26 @@ std::string at(const OutlineTouch& touch) {
   return fmt::format("at {:.3f}° of gear 1", Angle::radians(touch.rotation_1).deg());
 }
 
+// Example: "0.0195 mm", or "0.074 µm" for a length below 1 µm.
+std::string length_text(double mm) {
+  return mm < kMmPerUm ? fmt::format("{:.2g} µm", kUmPerMm * mm) : fmt::format("{:.4g} mm", mm);
+}
+
 Collision overlapping(const MountedGears& p, const OutlineTouch& touch) {
   const Cause cause = cause_of(p, touch);
   const double depth = -touch.gap * touch.arm;
   return {cause.what, cause.gear, depth, touch,
-          fmt::format("The {} and the {} overlap by {:.4g} mm, {}.{}", part(touch, 1),
-                      part(touch, 2), depth, at(touch), bulge(p, cause))};
+          fmt::format("The {} and the {} overlap by {}, {}.{}", part(touch, 1), part(touch, 2),
+                      length_text(depth), at(touch), bulge(p, cause))};
 }
 
 Collision beyond(const MountedGears& p, const OutlineTouch& touch, double early) {
   const Cause cause = cause_of(p, touch);
-  return {cause.what, cause.gear, early, touch,
-          fmt::format("The {} and the {} touch {:.4g} mm before the flanks touch, {}, so the ratio "
-                      "is not constant there.{}",
-                      part(touch, 1), part(touch, 2), early, at(touch), bulge(p, cause))};
+  return {
+      cause.what, cause.gear, early, touch,
+      fmt::format("The {} and the {} touch {} before the flanks touch, {}, so the ratio is not "
+                  "constant there.{}",
+                  part(touch, 1), part(touch, 2), length_text(early), at(touch), bulge(p, cause))};
 }
 
 // The collision of a tip that reaches below the root circle of the mating gear. The tip is deepest

@@ -58,7 +58,8 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
         "pair.shaft_angle", deg(sigma),
         fmt::format(
             "must be 0, because the base helix angles are equal and {}, so that the axes are "
-            "parallel at every centre distance; for crossed axes give one gear another helix angle",
+            "parallel at every centre distance; for crossed axes give one gear another helix angle "
+            "(bevel gears are not supported)",
             hands.parallel));
   }
   const auto range = shaft_angle_range(gears);

@@ -257,10 +257,9 @@ void Rater::check_limits() {
         which);
     const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
     const RatedGear& g = pair.gears[i];
-    const bool thin =
-        rim && (g.internal() ? *rim <= 1.75 * pair.normal_module : *rim <= 0.5 * g.tooth_height);
-    say(thin, WarningCode::rating_rim,
-        "The rim is thinner than the rim thickness factor Y_B allows.", which);
+    say(rim && *rim <= least_rim(g.internal(), pair.normal_module, g.tooth_height),
+        WarningCode::thin_rim, "The rim is thinner than the rim thickness factor Y_B allows.",
+        which);
   }
 }
 

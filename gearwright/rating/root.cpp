@@ -126,6 +126,10 @@ Factor root_helix_factor(RatingEdition edition, const RatedPair& pair) {
                                     : "ε_β ≤ 1"};
 }
 
+double least_rim(bool internal, double normal_module, double tooth_height) {
+  return internal ? 1.75 * normal_module : 0.5 * tooth_height;
+}
+
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim) {
   constexpr const char* formula = "ISO 6336-3, clause 9";
   if (!rim) return {1.0, formula, "thick rim, because no rim is given"};

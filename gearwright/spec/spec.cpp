@@ -82,10 +82,18 @@ class Lacks {
   /// Omits the second input if the first is also missing, because the second follows from the
   /// first.
   void shared(const std::string& first, const std::string& second) {
-    if (!has(all_, first)) return;
+    if (!has(first)) return;
     std::erase_if(all_, [&](const Error& e) { return e.field == second; });
   }
   bool any() const { return !all_.empty(); }
+  bool has(const std::string& field) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Error& e) { return e.field == field; });
+  }
+  /// Replaces the error of a missing input by a more detailed one.
+  void explain(const Error& error) {
+    add({error});
+    caught_.clear();
+  }
   void finish() const {
     if (all_.empty()) return;
     if (caught_.size() == 1 && caught_[0].missing.size() == all_.size()) throw caught_[0];
@@ -93,12 +101,37 @@ class Lacks {
   }
 
  private:
-  static bool has(const std::vector<Error>& list, const std::string& field) {
-    return std::any_of(list.begin(), list.end(), [&](const Error& e) { return e.field == field; });
-  }
   std::vector<Error> all_;
   std::vector<SpecError> caught_;
 };
+
+// The error of a missing module of gear 1. It names the module that fits the centre distance, or the
+// readings from which the module can be computed.
+Error missing_module(const Json& tree) {
+  const auto number = [&](const char* table, const char* key) {
+    const Json& of = tree.value(table, Json::object());
+    const auto it = of.find(key);
+    return it != of.end() && it->is_number() ? it->get<double>() : 0.0;
+  };
+  std::string hint =
+      "or, if it is unknown, give readings in [gear1.measured], from which the verb identify "
+      "computes it";
+  const double a = number("pair", "center_distance_mm");
+  const double z1 = number("gear1", "teeth"), z2 = number("gear2", "teeth");
+  if (a > 0.0 && z1 != 0.0 && z2 != 0.0 && z1 + z2 != 0.0 &&
+      number("pair", "shaft_angle_deg") == 0.0) {
+    const double beta = Angle::degrees(number("gear1", "helix_angle_deg")).rad();
+    hint = fmt::format(
+        "for these teeth without profile shift at the centre distance of {} mm, it is {:.6g}. The "
+        "verb search finds standard modules with profile shifts for center_distance_mm and ratio "
+        "in [search]",
+        format_number(a), 2 * a * std::cos(beta) / std::abs(z1 + z2));
+  }
+  return absent_input(
+      "gear1.normal_module_mm",
+      fmt::format("; give the module, for example normal_module_mm = 2 (possible keys: {}); {}",
+                  fmt::join(gear_keys().ways("normal_module_mm"), ", "), hint));
+}
 
 // Copies the material of [rating] to gears without their own material, and the accuracy grades of
 // the gears to a [rating] without grades.
@@ -251,6 +284,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   if (gear_2 && is_rack(*gear_2)) lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree); });
   refuse_halves(gear_1, "gear1", tree);
   refuse_halves(gear_2, "gear2", tree);
+  if (lacks.has("gear1.normal_module_mm")) lacks.explain(missing_module(tree));
   lacks.shared("gear1.normal_module_mm", "gear2.normal_module_mm");
   lacks.shared("gear2.teeth",
                "gear2.normal_module_mm");  // if gear 2 has teeth, it takes the module of gear 1

@@ -77,16 +77,14 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   return findings;
 }
 
-std::vector<Finding> backlash_findings(double j_n, std::optional<double> recommended) {
+std::vector<Finding> backlash_findings(double j_n, double recommended) {
   if (std::abs(j_n) >= kNoBacklash) return {};
-  Finding finding{WarningCode::no_backlash, Level::green, 0, "There is no backlash."};
-  finding.values = {{"backlash", j_n, true}};
-  if (recommended) {
-    finding.message.pop_back();
-    finding.message += "; " + recommendation(*recommended) + ".";
-    finding.values.push_back({"threshold", *recommended, true});
-  }
-  return {std::move(finding)};
+  return {{WarningCode::no_backlash,
+           Level::green,
+           0,
+           "There is no backlash; " + recommendation(recommended) + ".",
+           "",
+           {{"backlash", j_n, true}, {"threshold", recommended, true}}}};
 }
 
 std::vector<Finding> contact_findings(const PatternPlace& place) {

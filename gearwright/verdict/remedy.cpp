@@ -140,19 +140,29 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
     const double offset = lever.direction * (*lever.hint - lever.now);
     if (offset > 0.0 && offset < lever.span) places.push_back(steps_for(offset));
   }
-  std::sort(places.begin(), places.end(),
-            [&](double a, double b) { return lever.direction * (a - b) < 0.0; });
-  places.erase(std::unique(places.begin(), places.end()), places.end());
   std::optional<Score> best;
-  double at = begin, below = begin, last = begin;
-  for (const double steps : places) {
-    const auto score = trials.score(finding, change_of(steps), depth);
-    if (score && (!best || *score < *best)) {
-      best = score;
-      at = steps;
-      below = last;
+  double at = begin, below = begin;
+  const auto try_places = [&] {
+    std::sort(places.begin(), places.end(),
+              [&](double a, double b) { return lever.direction * (a - b) < 0.0; });
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    double last = begin;
+    for (const double steps : places) {
+      const auto score = trials.score(finding, change_of(steps), depth);
+      if (score && (!best || *score < *best)) {
+        best = score;
+        at = steps;
+        below = last;
+      }
+      last = steps;
     }
-    last = steps;
+  };
+  try_places();
+  // The profile shifts between undercut and a thin tip may lie between two places.
+  if (!best && lever.what == Adjustable::profile_shift && depth != TryDepth::with_contact) {
+    constexpr int kFine = 20;
+    for (int i = 1; i < kFine; ++i) places.push_back(steps_for(i * lever.span / kFine));
+    try_places();
   }
   if (!best) return std::nullopt;
   while (std::abs(at - below) > 1.0) {
@@ -190,6 +200,9 @@ void add_remedies(std::vector<Finding>& findings, const Judged& judged, const Tr
     const TryDepth deepest = under_errors ? TryDepth::with_contact : depth;
     std::optional<Found> best;
     for (const Lever& lever : levers(*cure, finding, judged)) {
+      // Another number of teeth changes the ratio of a pair, so it is tried only if nothing else
+      // helps.
+      if (best && judged.pair && lever.what == Adjustable::teeth) break;
       auto found = lever.what == Adjustable::lead_slope
                        ? centring_change(trials, finding, lever, *place)
                        : least_change(trials, finding, lever, depth);

@@ -75,6 +75,7 @@ const std::vector<Cure>& cures() {
       {C::contact_lost_to_undercut, "undercut removes no part of the path of contact on gear {}",
        kGearGrows},
       {C::undercut, "gear {} is not undercut", kGearGrows},
+      {C::thin_rim, "the rim of gear {} is thick enough", {{A::bore, W::own, -1}}},
       {C::no_tip_clearance, "the tip of gear {} has clearance", kOwnTipShorter},
       {C::tip_margin, "the tip clearance of gear {} is large enough", kOwnTipShorter},
       {C::form_margin, "the form clearance of gear {} is large enough", kReachLess},
@@ -263,7 +264,8 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   if (cure.then == kContactRatio) {
     then = fmt::format(kContactRatio, trial.contact_ratio);
   } else if (cure.then == kBacklash && finding.at.empty()) {
-    then = fmt::format(kBacklash, trial.backlash);
+    then = std::abs(trial.backlash) < kNoBacklash ? "there is no backlash"
+                                                  : fmt::format(kBacklash, trial.backlash);
   } else if (cure.then == kBacklash) {
     then = "the backlash is positive at every tolerance end";
   } else {
@@ -272,6 +274,11 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
         std::any_of(trial.findings.begin(), trial.findings.end(),
                     [](const Finding& f) { return f.code == WarningCode::undercut; });
     if (cure.code == WarningCode::through_axis && !undercut) then += " without undercut";
+  }
+  if (change.what == A::teeth && judged.pair) {
+    const double mate = judged.gears[change.gear == 1 ? 1 : 0]->spec.teeth;
+    const double u = std::abs(change.gear == 1 ? mate / change.value : change.value / mate);
+    then += fmt::format(", and the gear ratio is {:.6g}", u);
   }
   std::string because;
   const ParallelPair* p = judged.pair ? judged.pair->parallel() : nullptr;

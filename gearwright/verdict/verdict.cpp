@@ -49,14 +49,11 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
   return list;
 }
 
-std::string backlash_words(double j) {
-  return std::abs(j) < kNoBacklash ? "no backlash" : fmt::format("a backlash of {:.4f} mm", j);
-}
 // If there is no backlash, the words include the smallest backlash recommended for running
 // gears.
 std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= kNoBacklash) return backlash_words(j);
-  return fmt::format("{} ({})", backlash_words(j),
+  if (std::abs(j) >= kNoBacklash) return fmt::format("a backlash of {:.4f} mm", j);
+  return fmt::format("no backlash ({})",
                      recommendation(recommended_backlash(center_distance, normal_module)));
 }
 
@@ -129,7 +126,8 @@ std::string gears_alone(const Judged& judged) {
 std::string standing(const Judged& judged) {
   if (judged.rack)
     return fmt::format("The rack and pinion run as specified, with {}.",
-                       backlash_words(judged.rack->normal_backlash()));
+                       backlash_words(judged.rack->normal_backlash(), judged.rack->center_distance,
+                                      judged.rack->rack.normal_module));
   if (!judged.pair) return gears_alone(judged);
   const auto& ends = judged.backlash_ends;
   const std::string nominal =
@@ -275,7 +273,10 @@ std::vector<Finding> findings_of(const Judged& judged) {
       add(detail::backlash_findings(judged.pair->stated_backlash(),
                                     recommended_backlash(judged.pair->center_distance(), module)));
   }
-  if (judged.rack) add(detail::backlash_findings(judged.rack->normal_backlash(), {}));
+  if (judged.rack)
+    add(detail::backlash_findings(
+        judged.rack->normal_backlash(),
+        recommended_backlash(judged.rack->center_distance, judged.rack->rack.normal_module)));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (const auto place = pattern_place(judged)) add(detail::contact_findings(*place));
   return findings;

@@ -164,7 +164,10 @@ TEST(Verdict, of_a_rack_gives_its_backlash) {
     const RackPair rack = testing::taken(mount_rack(pinion, {}, 20.4 + more));
     return verdict_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &rack.warnings});
   };
-  EXPECT_EQ(judged_at(0.0).headline, "The rack and pinion run as specified, with no backlash.");
+  // 2/3 (0.06 + 0.0005 · 20.4 + 0.03 · 2) = 0.0868 mm
+  EXPECT_EQ(judged_at(0.0).headline,
+            "The rack and pinion run as specified, with no backlash (ISO/TR 10064-2 recommends at "
+            "least 0.087 mm).");
   EXPECT_TRUE(finds(judged_at(0.0), WarningCode::no_backlash, Level::green));
   // j_n = 2 δ tan α_n = 0.0728 mm
   EXPECT_EQ(judged_at(0.1).headline,

@@ -158,8 +158,11 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertEqual([shaft[key] for key in ("speed_m_per_s", "force_N")], [None, None])
         self.assertEqual(drive["verdict"]["level"], "green")
         self.assertIn("no backlash between the rack and its pinion", drive["verdict"]["headline"])
+        self.assertAlmostEqual(bar["travel_per_input_turn_mm"], math.pi * d, 9)
+        self.assertIsNone(shaft["travel_per_input_turn_mm"])
+        self.assertIn(f"travel {math.pi * d:.4f} mm per turn of the input", drive["verdict"]["headline"])
         text = Run("drive", self.LIFT).out
-        for words in (" 0.1276 ", " m/s ", " -482.6 ", "pitches per turn"):
+        for words in (" 0.1276 ", " m/s ", f" {math.pi * d:.4f} ", " -482.6 ", "pitches per turn"):
             self.assertIn(words, text)
         page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
         self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)

@@ -166,6 +166,19 @@ class Chosen(Asked):
         no_distance = self.SPEC.format("", "").replace("center_distance_mm = 79\n", "")
         self.assertEqual(self.notes(self.answer("pair", no_distance), "profile_shifts_chosen"), [])
 
+    def test_the_pinion_of_an_internal_pair_is_not_undercut(self):
+        """Regression: 12 teeth in a ring of 40 at 22 mm had x1 = -0.77 and x2 = 0, and a contact ratio of 0.487."""
+        ring = "[gear1]\nteeth = {}\nnormal_module_mm = 1.5\nface_width_mm = 10\n[gear2]\nteeth = -40\n[pair]\ncenter_distance_mm = {}\n"
+        answer = self.answer("pair", ring.format(12, 22) + "backlash_mm = 0.2\n")
+        x = [g["profile_shift"] for g in answer["gears"]]
+        self.assertEqual([g["undercut"] for g in answer["gears"]], [False, False])
+        self.assertAlmostEqual(x[0], 0.39, 12)  # h_Ff* - z sin²α/2 + 0.1/(2 m tan α), rounded up to two decimals
+        self.assertGreater(answer["pair"]["contact_ratio_true"], 1.2)
+        # No other pinion is affected: it has the whole sum.
+        x = [g["profile_shift"] for g in self.answer("pair", ring.format(20, 14.7))["gears"]]
+        self.assertGreater(x[0], 0)
+        self.assertEqual(x[1], 0)
+
     def test_it_can_be_forbidden(self):
         x = [g["profile_shift"] for g in self.answer("pair", self.SPEC.format("", ""))["gears"]]
         forbid = "choose_profile_shifts = false\n"
@@ -176,13 +189,31 @@ class Chosen(Asked):
         self.answer("pair", self.SPEC.format("", "").replace("center_distance_mm = 79\n", forbid))
 
 
+class NoModule(Asked):
+    def test_the_module_that_fits_is_named(self):
+        pair = "[gear1]\nteeth = 12\n[gear2]\nteeth = 36\n[pair]\ncenter_distance_mm = 40\n"
+        for verb in ("pair", "fit", "run"):
+            self.refused(verb, pair, "gear1.normal_module_mm", "centre distance of 40 mm, it is 1.66667", "[search]")
+        helical = pair.replace("teeth = 12", "teeth = 12\nhelix_angle_deg = 20")
+        self.refused("pair", helical, "gear1.normal_module_mm", "it is 1.56615")  # 80 cos 20°/48
+
+    def test_readings_have_a_table(self):
+        for verb in ("identify", "gear"):
+            self.refused(verb, "[gear1]\nteeth = 34\ntip_diameter_mm = 45.1\n", "gear1.normal_module_mm",
+                         "give readings in [gear1.measured]", "identify")
+
+
 class ByName(Asked):
     GEAR = "[gear1]\nteeth = 20\nnormal_module_mm = 2\n"
 
     def test_what_does_not_exist_here(self):
         gear, two = self.GEAR, self.GEAR + "[gear2]\nteeth = 61\n"
         for spec, key, *words in (
-                (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears"),
+                (two + "[gear3]\nteeth = 20\n", "gear3", "at most two gears", "[[stage]]"),
+                (gear + "form = \"bevel\"\n", "gear1.form", "cylindrical gears and racks only"),
+                (gear + "cone_angle_deg = 45\n", "gear1.cone_angle_deg", "bevel gears"),
+                (gear + "[worm]\nstarts = 1\n", "worm", "worm gears are outside"),
+                (gear + "[gear1.bore]\nshape = \"D\"\n", "gear1.bore.shape", "a bore is round"),
                 (two + "[rack]\nteeth = 20\n", "rack", "a rack as a mating part by [gear2]", "[gear1.rack]"),
                 (gear + "[gear2]\nteeth = 0\n", "gear2.teeth", "form = \"rack\"", "teeth = -61"),
                 (gear + "form = \"rack\"\n", "gear1.form", "must not be a rack"),

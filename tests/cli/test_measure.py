@@ -213,6 +213,19 @@ class Measuring(Asked):
         taken = Run("identify", beside, "--take", 1)  # the result is a complete pair
         self.assertAlmostEqual(self.ok("pair", taken.out)["pair"]["center_distance_mm"], 64, delta=1e-12)
 
+    def test_readings_that_are_not_used_are_named(self):
+        """Regression: readings of gear 2 had no effect and no message beside readings of gear 1."""
+        both = ('[gear1]\nteeth = 17\nhelix_angle_deg = 0\n[gear1.measured]\ntip_diameter_mm = 19.0\n'
+                '[gear2]\nteeth = 51\n[gear2.measured]\ntip_diameter_mm = 53.0\n')
+        answer = self.ok("identify", both)
+        self.assertEqual([(w["code"], w["gear"]) for w in answer["warnings"]], [("not_read", 2)])
+        self.assertIn("gear2.measured was not used", " ".join(Run("identify", both).out.split()))
+        first = Run("identify", both, "--take", 1).out
+        second = Run("identify", first, "--take", 1).out
+        pair = self.ok("pair", second)
+        self.assertEqual([g["normal_module_mm"] for g in pair["gears"]], [1, 1])
+        self.assertEqual([g["tip_diameter_mm"] for g in pair["gears"]], [19, 53])
+
     def test_a_gear_from_its_readings(self):
         found = self.ok("identify", BROKEN)["identify"]
         first = found["candidates"][0]

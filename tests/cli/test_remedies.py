@@ -157,7 +157,55 @@ class LimitTest(unittest.TestCase):
         self.assertIn("single tooth space", error["message"])
 
 
+class Undercut(unittest.TestCase):
+    def test_the_stated_shift_avoids_undercut_with_a_backlash(self):
+        """Regression: 0.3897 was stated for the first pair, which is still undercut at 0.391, because the allowance for the
+        backlash changes with the shift."""
+        for z1, z2, m, pair in ((12, -48, 1.5, {"backlash_mm": 0.2}), (10, 30, 1, {"backlash_mm": 0.2, "backlash_split": 1}),
+                                (9, 31, 2, {"backlash_deg": 0.5}), (11, 25, 1, {"backlash_circumferential_mm": 0.1, "center_distance_mm": 18})):
+            spec = {"gear1": {"teeth": z1, "normal_module_mm": m, "face_width_mm": 10, "profile_shift": 0.1}, "gear2": {"teeth": z2}, "pair": pair}
+            message = next(w["message"] for w in solved("pair", spec)["warnings"] if w["code"] == "undercut")
+            self.assertIn("with teeth thinned for pair.backlash", message)
+            least = float(re.search(r"profile shift of at least ([0-9.]+) avoids", message).group(1))
+            for shift, undercut in ((least, False), (least - 3e-4, True)):
+                gear = solved("pair", with_value(spec, "gear1.profile_shift", shift))["gears"][0]
+                self.assertEqual(gear["undercut"], undercut, (spec, shift))
+
+    def test_the_ratio_is_kept_if_a_shift_helps(self):
+        """Regression: 20 teeth were proposed for 12 teeth in a ring of 48. With 10:30, each shift makes the tip thin."""
+        spec = {"gear1": {"teeth": 10, "normal_module_mm": 1}, "gear2": {"teeth": 30}, "pair": {"backlash_mm": 0.2}}
+        self.assertIn("and the gear ratio is 1.5.", solved("pair", spec)["verdict"]["headline"])
+        spec = {"gear1": {"teeth": 12, "normal_module_mm": 1.5, "face_width_mm": 10}, "gear2": {"teeth": -48}, "pair": {"backlash_mm": 0.2}}
+        verdict = solved("pair", spec)["verdict"]
+        change = verdict["findings"][0]["change"]
+        self.assertEqual(list(change), ["gear1.profile_shift"])
+        after = solved("pair", with_value(spec, *next(iter(change.items()))))
+        self.assertNotIn(verdict["findings"][0]["code"], [f["code"] for f in after["verdict"]["findings"]])
+
+    def test_a_rack_has_remedies_with_numbers(self):
+        spec = {"gear1": {"teeth": 16, "normal_module_mm": 1, "face_width_mm": 8, "thickness_allowance_mm": -0.05},
+                "gear2": {"form": "rack", "thickness_allowance_mm": -0.05}}
+        verdict = solved("pair", spec)["verdict"]
+        self.assertEqual(verdict["level"], "amber")
+        path, value = next(iter(verdict["findings"][0]["change"].items()))
+        self.assertEqual(solved("pair", with_value(spec, path, value))["verdict"]["level"], "green")
+        spec["gear1"]["teeth"] = 20
+        for part in ("gear1", "gear2"):
+            del spec[part]["thickness_allowance_mm"]
+        self.assertIn("recommends at least", solved("pair", spec)["verdict"]["headline"])
+
+
 class OtherMessages(unittest.TestCase):
+    def test_a_rounding_error_is_no_backlash(self):
+        """Regressions: "the backlash is -0.0000 mm", "touch 7.401e-05 mm"."""
+        tight = {"gear1": {"teeth": 20, "normal_module_mm": 1, "profile_shift": 0}, "gear2": {"teeth": 40, "profile_shift": 0},
+                 "pair": {"center_distance_mm": 29.9}}
+        self.assertIn("With a centre distance of 30 mm, there is no backlash.", solved("pair", tight)["verdict"]["headline"])
+        early = {"gear1": {"teeth": 12, "profile_shift": 0.39, "normal_module_mm": 1.5, "face_width_mm": 10}, "gear2": {"teeth": -48},
+                 "pair": {"backlash_mm": 0.2}}
+        messages = [w["message"] for w in solved("pair", early)["warnings"] if w["code"] == "beyond_flank"]
+        self.assertTrue(any("touch 0.074 µm before" in m for m in messages), messages)
+
     def test_circular_arcs_in_a_drive_are_not_rated_or_loaded(self):
         arcs = {"normal_module_mm": 4, "helix_angle_deg": 22, "face_width_mm": 60, "rack": "GBT12759"}
         drive = {"input": "a", "output": "b", "body": [{"name": "a"}, {"name": "b"}], "mesh": [{"gears": ["p", "w"]}], "gear": [

@@ -126,6 +126,21 @@ class VerdictTest(unittest.TestCase):
             self.assertEqual(finding["code"], "no_body")
             self.assertIn(limit, finding["message"])
 
+    def test_a_thin_rim_is_a_caution(self):
+        """The rim thickness factor of ISO 6336-3 is defined above half the tooth height, or 1.75 m_n for a ring. Regression:
+        a rim of 0.05 mm was green."""
+        for gear, thick, thin in (({"teeth": 24}, 19.2, 21.4),  # d_f = 21.5, h = 2.25
+                                  ({"teeth": -48}, 54.1, 50.7)):  # d_f = 50.5
+            def run(bore):
+                spec = {"gear1": {**gear, "normal_module_mm": 1, "face_width_mm": 6, "bore": {"diameter_mm": bore}}}
+                return Run("gear", json.dumps(spec), "--json", name="spec.json").json["verdict"]
+            self.assertNotIn("thin_rim", [f["code"] for f in run(thick)["findings"]])
+            finding = run(thin)["findings"][0]
+            self.assertEqual((finding["code"], finding["level"]), ("thin_rim", "amber"))
+            enough = finding["change"]["gear1.bore.diameter_mm"]
+            self.assertNotIn("thin_rim", [f["code"] for f in run(enough)["findings"]])
+            self.assertLessEqual(abs(enough - (19.25 if gear["teeth"] > 0 else 54.0)), 0.101)
+
     def test_a_remedy_has_the_numbers_of_the_pair(self):
         near = "[gear1]\nteeth = 12\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[pair]\ncenter_distance_mm = 50.5\n"
         said = Run("pair", near, "--json").json["verdict"]
