@@ -29,11 +29,21 @@ VERBS = ("gear", "pair", "measure", "rate", "identify", "fit", "drive", "contact
 LENGTH_IN_MM = re.compile(r"\d (mm|µm)(?![²/\w])|(?<!module)_mm\b|_um\b")
 
 
+def coarse_example(path):
+    """Returns the spec with coarse finite elements and few samples, because a conversion of units does not depend on them."""
+    spec = tomllib.loads(path.read_text())
+    if "load" in spec:
+        spec["load"] |= {"accuracy": "draft", "slices": 8}
+    if "scatter" in spec:
+        spec["scatter"]["samples"] = 16
+    return spec
+
+
 class Law(unittest.TestCase):
     def test_the_answer_in_inch_is_the_answer_in_mm(self):
         compared = 0
         for path in sorted(SOURCE.glob("examples/**/*.toml")):
-            spec = tomllib.loads(path.read_text())
+            spec = coarse_example(path)
             if "search" in spec:  # the default step of face widths is 1 mm or 0.05 in, so it is given here
                 spec["search"].setdefault("face_width_step_mm", 1)
             in_inch = {"units": "inch"} | inch.spec_in_inch(spec)
@@ -46,7 +56,6 @@ class Law(unittest.TestCase):
                 self.assertEqual(inch.differences(mm.json, other.json), [], f"{path} {verb}")
                 compared += len(inch.numbers(mm.json))
         self.assertGreater(compared, 50_000)
-
 
     def same(self, text, *verbs):
         """Solves the spec in both systems and returns both JSON answers of the last verb."""
@@ -265,12 +274,12 @@ class Pictures(unittest.TestCase):
     def test_no_picture_and_no_table_mixes_units(self):
         compared = 0
         for path in sorted(SOURCE.glob("examples/**/*.toml")):
-            spec = tomllib.loads(path.read_text())
+            spec = coarse_example(path)
             if "gear1" not in spec and not any(key in spec for key in ("planetary", "drive", "stage")):
                 continue
             mm = self.report(spec)
-            if mm is None:  # these need the verbs fit and identify
-                self.assertIn(path.stem, ("broken_gear", "crossed_fit"))
+            if mm is None:  # these need the verbs identify, fit and search
+                self.assertIn(path.stem, ("broken_gear", "crossed_fit", "housing_search"))
                 continue
             other = self.report({"units": "inch"} | inch.spec_in_inch(spec))
             self.assertIsNotNone(other, path.name)

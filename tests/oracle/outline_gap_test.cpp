@@ -202,9 +202,9 @@ void report(const Count& run) {
   EXPECT_LT(run.rough, run.pairs / 20 + 1);
 }
 
-// Three thousand pairs in four tests, and a million in sixteen tests.
-constexpr std::uint64_t kSeeds = 1200;
-constexpr int kLeastPairs = 830;
+// A thousand pairs in four tests, and a million in sixteen tests.
+constexpr std::uint64_t kSeeds = 400;
+constexpr int kLeastPairs = 275;
 constexpr std::uint64_t kLongSeeds = 90000;
 constexpr int kLeastLongPairs = 62500;
 
