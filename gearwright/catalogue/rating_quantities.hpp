@@ -34,7 +34,7 @@ struct RatingAnswer {
   std::optional<double> face_holding;    ///< mm, least common face width with which the pair has
                                          ///< these safeties
   std::optional<ToothContact> contact;   ///< none unless the spec requests it
-  Safeties wanted{};                 ///< required safeties in the spec, or 1
+  Safeties wanted{};                     ///< required safeties in the spec, or 1
 };
 
 const Quantities<RatingAnswer>& rating_quantities();
