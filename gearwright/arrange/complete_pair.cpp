@@ -47,8 +47,11 @@ ShiftProblem shift_problem(const GivenPair& given) {
 // Gives the pinion of an internal pair at least the profile shift with which it is not undercut, and
 // the internal gear the rest of the sum. Both shifts were absent.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
+  // Nearer to the reference centre distance, the tip of the internal gear has no room for the
+  // greater pinion, and the division makes pairs worse (9 to 25 teeth in 30 to 90).
+  constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
-  if (pinion.basic || pinion.cut_by) return;
+  if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;
   CylindricalSpec unshifted = pinion.cylindrical;
   unshifted.profile_shift = 0.0;
   const auto gear = make_gear(unshifted);
