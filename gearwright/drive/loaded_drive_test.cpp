@@ -34,7 +34,7 @@ struct TestSet {
   double helix_deg = 0.0, crowning = 0.0, lead_crowning = 0.0;
 };
 
-Drive drive_of(const TestSet& t) {
+Drive loaded_set(const TestSet& t) {
   PlanetarySpec set;
   set.z(M::sun) = t.teeth[0];
   set.z(M::planet) = t.teeth[1];
@@ -87,7 +87,7 @@ double span(const std::vector<double>& values) {
 }
 
 TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
-  const Drive drive = drive_of({});  // 21/3 and 69/3 are whole, so all planets are in phase
+  const Drive drive = loaded_set({});  // 21/3 and 69/3 are whole, so all planets are in phase
   const LoadedDrive loaded = under(drive, load_of(drive, 30.0, 6));
   ASSERT_EQ(loaded.sets.size(), 1u);
   const PlanetShares& shares = loaded.sets[0];
@@ -107,7 +107,7 @@ TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
 // in this sense. Its share equals the share of planet 0 γ_i = 20 i/3 pitches earlier.
 TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
   constexpr int kPositions = 6;
-  const Drive drive = drive_of({{20, 25, 70}});
+  const Drive drive = loaded_set({{20, 25, 70}});
   const PlanetShares shares = under(drive, load_of(drive, 30.0, kPositions)).sets[0];
   ASSERT_GT(span(shares.share[0]), 1e-3);
   for (std::size_t i = 1; i < 3; ++i)
@@ -119,7 +119,7 @@ TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
 }
 
 TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
-  const Drive drive = drive_of({{20, 25, 70}});
+  const Drive drive = loaded_set({{20, 25, 70}});
   DriveLoadCase load = load_of(drive, 30.0, 6);
   load.pin_errors = {0.002, 0.0, 0.0};
   const PlanetShares centred = under(drive, load).sets[0];
@@ -222,7 +222,7 @@ TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
 }
 
 TEST(LoadedDriveTest, StiffTeethHaveTheCurveOfRigidOnes) {
-  const Drive drive = drive_of({{20, 25, 70}, 3, 0.0, 0.008});
+  const Drive drive = loaded_set({{20, 25, 70}, 3, 0.0, 0.008});
   DriveLoadCase load = load_of(drive, 30.0, 33, 1e6);
   load.floating = *find_body(drive.graph, "sun", "");
   const LoadedDrive loaded = under(drive, load);
@@ -238,7 +238,7 @@ TEST(LoadedDriveTest, SpringsAgreeWithDirectSolutions) {
   double worst = 0.0;
   for (const TestSet& t :
        {TestSet{.helix_deg = 20.0}, TestSet{.crowning = 0.008, .lead_crowning = 0.006}}) {
-    const Drive drive = drive_of(t);
+    const Drive drive = loaded_set(t);
     for (const std::size_t mesh : {0, 1}) {
       if (mesh == 1 && t.helix_deg != 0.0) continue;  // its compliance tables take longest
       const auto setup = detail::mesh_contact(drive, mesh, {}, true);
@@ -273,7 +273,7 @@ std::string refused_field(const Drive& drive, const DriveLoadCase& load) {
 }
 
 TEST(LoadedDriveTest, OtherKindsAreRejected) {
-  const Drive drive = drive_of({});
+  const Drive drive = loaded_set({});
   DriveLoadCase load = load_of(drive, 30.0, 6);
   load.pin_errors = {0.01, 0.0};
   EXPECT_EQ(refused_field(drive, load), "load.pin_errors");
@@ -283,7 +283,7 @@ TEST(LoadedDriveTest, OtherKindsAreRejected) {
   load.floating.reset();
   load.torque = 0.0;
   EXPECT_EQ(refused_field(drive, load), "load.torques");
-  const Drive single = drive_of({{21, 24, 69}, 1});
+  const Drive single = loaded_set({{21, 24, 69}, 1});
   DriveLoadCase one = load_of(single, 10.0, 6);
   one.floating = *find_body(single.graph, "sun", "");
   EXPECT_EQ(refused_field(single, one), "load.floating");
