@@ -1,4 +1,5 @@
-# Compiles sources of one folder together, a few at a time, if CMAKE_UNITY_BUILD is set.
+# Compiles sources of one folder together, eight at a time, if CMAKE_UNITY_BUILD is set. Tests of one folder are all
+# compiled together.
 #
 # Most of the compile time of a source is for templates that its neighbours also instantiate. The
 # disadvantage is that a name in an unnamed namespace may conflict with a name in a neighbour. The

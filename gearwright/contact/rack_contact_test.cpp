@@ -22,7 +22,7 @@ RackPair rack_pair(double helix_deg, double allowance = -0.05,
       .take();
 }
 
-FlankModifications crowned() {
+FlankModifications crowned_flank() {
   FlankModifications m;
   m.lead_crowning = 8 * kUm;
   m.profile_crowning = 5 * kUm;
@@ -68,14 +68,14 @@ TEST(RackContact, IsTheLimitOfWheels) {
   for (const double helix : {0.0, 20.0}) {
     const RackPair pair = rack_pair(helix, 0.0);
     ContactOptions options;
-    options.modifications[0] = on_both_flanks(crowned());
+    options.modifications[0] = on_both_flanks(crowned_flank());
     const ContactErrors errors = misaligned();
     const auto rack = contact(pair, errors, options);
     ASSERT_TRUE(rack) << rack.error().message();
     const auto difference = [&](int teeth) {
       testing::SamplePair p = testing::involutes(17, teeth, helix);
       p.gears[0] = pair.pinion;
-      p.modify(1, crowned());
+      p.modify(1, crowned_flank());
       p.place.errors = errors;
       const ContactResult wheel = analyse_contact(p.pair(), {});
       const double r_2 = p.gears[1].reference_diameter / 2;
@@ -178,7 +178,7 @@ TEST(RackContact, AgreesWithNestedGrids) {
 // error.
 TEST(RackContact, BothHandsAreMirrorImages) {
   ContactOptions options;
-  options.modifications[0] = on_both_flanks(crowned());
+  options.modifications[0] = on_both_flanks(crowned_flank());
   ContactErrors errors = misaligned();
   const auto right = contact(rack_pair(25), errors, options);
   errors.crossing = -errors.crossing;
@@ -194,7 +194,7 @@ TEST(RackContact, BothHandsAreMirrorImages) {
 // the flanks and reverses both motions.
 TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
   ContactOptions options;
-  options.modifications[0] = on_both_flanks(crowned());
+  options.modifications[0] = on_both_flanks(crowned_flank());
   ContactErrors errors = misaligned();
   const auto driven = contact(rack_pair(25), errors, options);
   errors.crossing = -errors.crossing;
@@ -211,7 +211,7 @@ TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
 TEST(RackContact, DerivativesAgreeWithDifferences) {
   const RackPair pair = rack_pair(20);
   ContactOptions options;
-  options.modifications[0] = on_both_flanks(crowned());
+  options.modifications[0] = on_both_flanks(crowned_flank());
   options.request.influences = {{ErrorKind::crossing}, {ErrorKind::center_distance}};
   const auto found = contact(pair, misaligned(), options);
   ASSERT_TRUE(found);

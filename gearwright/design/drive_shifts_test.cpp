@@ -16,7 +16,7 @@ namespace gearwright {
 namespace {
 
 using M = SetMember;
-constexpr double kStep = 1e-4;  // to which shifts are rounded up
+constexpr double kRounded = 1e-4;  // to which shifts are rounded up
 
 PlanetarySpec shifted_set(const std::vector<std::pair<M, int>>& teeth, double helix_deg) {
   PlanetarySpec set;
@@ -39,7 +39,7 @@ bool is_undercut(const DriveGear& gear, double x) {
 
 // True if x is the least multiple of the step from 0 up without undercut.
 bool is_least(const DriveGear& gear, double x) {
-  return !is_undercut(gear, x) && (x == 0.0 || is_undercut(gear, x - kStep));
+  return !is_undercut(gear, x) && (x == 0.0 || is_undercut(gear, x - kRounded));
 }
 
 TEST(DriveShifts, AreTheLeastOrLieOnTheLine) {
@@ -61,11 +61,11 @@ TEST(DriveShifts, AreTheLeastOrLieOnTheLine) {
     EXPECT_FALSE(least[2] || balanced[2]);  // the ring follows from the centre distance
     const double sum = *balanced[0] + *balanced[1];
     const auto line = divided_shift_sum(z1, z2, sum);
-    EXPECT_NEAR(*balanced[0], line[0], kStep);
+    EXPECT_NEAR(*balanced[0], line[0], kRounded);
     bool limited = false;
     for (const std::size_t g : {0, 1}) {
       EXPECT_FALSE(is_undercut(graph->gears[g], *balanced[g]));
-      limited = limited || is_undercut(graph->gears[g], *balanced[g] - kStep);
+      limited = limited || is_undercut(graph->gears[g], *balanced[g] - kRounded);
     }
     EXPECT_TRUE(limited || sum == 0.0) << z1 << " " << z2 << " " << sum;
     ++(limited ? at_limit : at_zero);

@@ -35,7 +35,7 @@ struct TestSet {
   std::optional<int> planet2{};  // the gear of a stepped planet that meshes with the ring
 };
 
-Drive drive_of(const TestSet& t) {
+Drive loaded_set(const TestSet& t) {
   PlanetarySpec set;
   set.z(M::sun) = t.teeth[0];
   set.z(M::planet) = t.teeth[1];
@@ -89,7 +89,7 @@ double span(const std::vector<double>& values) {
 }
 
 TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
-  const Drive drive = drive_of({});  // 21/3 and 69/3 are whole, so all planets are in phase
+  const Drive drive = loaded_set({});  // 21/3 and 69/3 are whole, so all planets are in phase
   const LoadedDrive loaded = under(drive, load_of(drive, 30.0, 6));
   ASSERT_EQ(loaded.sets.size(), 1u);
   const PlanetShares& shares = loaded.sets[0];
@@ -109,7 +109,7 @@ TEST(LoadedDriveTest, EqualPlanetsInPhaseShareEqually) {
 // in this sense. Its share equals the share of planet 0 γ_i = 20 i/3 pitches earlier.
 TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
   constexpr int kPositions = 6;
-  const Drive drive = drive_of({{20, 25, 70}});
+  const Drive drive = loaded_set({{20, 25, 70}});
   const PlanetShares shares = under(drive, load_of(drive, 30.0, kPositions)).sets[0];
   ASSERT_GT(span(shares.share[0]), 1e-3);
   for (std::size_t i = 1; i < 3; ++i)
@@ -121,7 +121,7 @@ TEST(LoadedDriveTest, PlanetsInSequenceHaveTheSharesOfEachOtherLater) {
 }
 
 TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
-  const Drive drive = drive_of({{20, 25, 70}});
+  const Drive drive = loaded_set({{20, 25, 70}});
   DriveLoadCase load = load_of(drive, 30.0, 6);
   load.pin_errors = {0.002, 0.0, 0.0};
   const PlanetShares centred = under(drive, load).sets[0];
@@ -139,7 +139,7 @@ TEST(LoadedDriveTest, AnErrorOfAPinUnloadsThePlanetAhead) {
 // planets share equally in all combinations of their positions. With equal shares, the rotation of
 // the output is a sum of functions of one position each.
 TEST(LoadedDriveTest, SteppedPlanetsInPhaseShareEqually) {
-  const Drive drive = drive_of({.teeth = {21, 24, 63}, .planet2 = 18});
+  const Drive drive = loaded_set({.teeth = {21, 24, 63}, .planet2 = 18});
   const LoadedDrive loaded = under(drive, load_of(drive, 30.0, 9));
   ASSERT_EQ(loaded.sets.size(), 1u);
   EXPECT_NEAR(loaded.sets[0].mesh_load_factor().second, 1.0, 1e-8);
@@ -158,9 +158,9 @@ TEST(LoadedDriveTest, SteppedPlanetsInPhaseShareEqually) {
 // by a part of a step.
 TEST(LoadedDriveTest, SteppedPlanetsIncludeTheStatesOfPlainPlanets) {
   TestSet set{.teeth = {20, 25, 70}};
-  const Drive plain = drive_of(set);
+  const Drive plain = loaded_set(set);
   set.planet2 = 25;
-  const Drive stepped = drive_of(set);
+  const Drive stepped = loaded_set(set);
   ASSERT_EQ(plain.motion.ratio, stepped.motion.ratio);
   const LoadedDrive one = under(plain, load_of(plain, 30.0, 24));
   const LoadedDrive all = under(stepped, load_of(stepped, 30.0, 24));
@@ -175,7 +175,7 @@ TEST(LoadedDriveTest, SteppedPlanetsIncludeTheStatesOfPlainPlanets) {
 }
 
 TEST(LoadedDriveTest, StiffSteppedPlanetsHaveTheCurvesOfRigidOnes) {
-  const Drive drive = drive_of({.teeth = {20, 25, 66}, .crowning = 0.008, .planet2 = 21});
+  const Drive drive = loaded_set({.teeth = {20, 25, 66}, .crowning = 0.008, .planet2 = 21});
   DriveLoadCase load = load_of(drive, 30.0, 24, 1e6);
   load.floating = *find_body(drive.graph, "sun", "");
   const LoadedDrive loaded = under(drive, load);
@@ -279,7 +279,7 @@ TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
 }
 
 TEST(LoadedDriveTest, StiffTeethHaveTheCurveOfRigidOnes) {
-  const Drive drive = drive_of({{20, 25, 70}, 3, 0.0, 0.008});
+  const Drive drive = loaded_set({{20, 25, 70}, 3, 0.0, 0.008});
   DriveLoadCase load = load_of(drive, 30.0, 33, 1e6);
   load.floating = *find_body(drive.graph, "sun", "");
   const LoadedDrive loaded = under(drive, load);
@@ -295,7 +295,7 @@ TEST(LoadedDriveTest, SpringsAgreeWithDirectSolutions) {
   double worst = 0.0;
   for (const TestSet& t :
        {TestSet{.helix_deg = 20.0}, TestSet{.crowning = 0.008, .lead_crowning = 0.006}}) {
-    const Drive drive = drive_of(t);
+    const Drive drive = loaded_set(t);
     for (const std::size_t mesh : {0, 1}) {
       if (mesh == 1 && t.helix_deg != 0.0) continue;  // its compliance tables take longest
       const auto setup = detail::mesh_contact(drive, mesh, {}, true);
@@ -330,7 +330,7 @@ std::string refused_field(const Drive& drive, const DriveLoadCase& load) {
 }
 
 TEST(LoadedDriveTest, OtherKindsAreRejected) {
-  const Drive drive = drive_of({});
+  const Drive drive = loaded_set({});
   DriveLoadCase load = load_of(drive, 30.0, 6);
   load.pin_errors = {0.01, 0.0};
   EXPECT_EQ(refused_field(drive, load), "load.pin_errors");
@@ -340,9 +340,9 @@ TEST(LoadedDriveTest, OtherKindsAreRejected) {
   load.floating.reset();
   load.torque = 0.0;
   EXPECT_EQ(refused_field(drive, load), "load.torques");
-  const Drive stepped = drive_of({.teeth = {21, 24, 63}, .planet2 = 18});
+  const Drive stepped = loaded_set({.teeth = {21, 24, 63}, .planet2 = 18});
   EXPECT_EQ(refused_field(stepped, load_of(stepped, 30.0, 400)), "load.positions");
-  const Drive single = drive_of({{21, 24, 69}, 1});
+  const Drive single = loaded_set({{21, 24, 69}, 1});
   DriveLoadCase one = load_of(single, 10.0, 6);
   one.floating = *find_body(single.graph, "sun", "");
   EXPECT_EQ(refused_field(single, one), "load.floating");
