@@ -339,8 +339,8 @@ void TableReader::refuse_unknown() const {
           !inch
               ? key_hint(keys_, path_, key)
               : fmt::format(
-                    "did you mean {}{}? Lengths in inch need units = \"inch\" at the top "
-                    "of the spec",
+                    "did you mean {}{}? A length in inch needs units = \"inch\" at the "
+                    "top of the spec",
                     metric_key(key),
                     value.is_number()
                         ? fmt::format(" = {}", format_number(inch->to_metric(value.get<double>())))

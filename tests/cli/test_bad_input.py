@@ -121,7 +121,7 @@ class BadInput(unittest.TestCase):
     def test_a_wrong_unit_or_type_names_the_remedy(self):
         self.refused(GEAR.replace("20", '"20"'), "gear1.teeth", "write it without quotes", verb="gear")
         self.refused(two(pair="center_distance_in = 3"), "pair.center_distance_in",
-                     'did you mean center_distance_mm = 76.2? Lengths in inch need units = "inch"')
+                     'did you mean center_distance_mm = 76.2? A length in inch needs units = "inch"')
         # Oracle: the cutter is pointed at the dedendum 1.25 if tan α_n = π/(4 · 1.25)
         self.refused(GEAR + "normal_pressure_angle_deg = 45", "gear1.normal_pressure_angle_deg",
                      f"less than {math.degrees(math.atan(math.pi / 5)):.6g}°", verb="gear")
