@@ -5,8 +5,12 @@
 #include <iterator>
 #include <numbers>
 
+// Boost's sums for SSE2 have another order than its sums for other processors.
+#pragma push_macro("__SSE2__")
+#undef __SSE2__
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/erf.hpp>
+#pragma pop_macro("__SSE2__")
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/math/root.hpp"
