@@ -51,7 +51,7 @@ std::vector<MeshCase> mesh_cases() {
   }
   all.push_back({"ring spur", ring_body(40, 2, 0.0, 15, 95)});
   all.push_back({"ring helical", ring_body(36, 2, 0.012, 15, 85)});
-  all.push_back({"two teeth, rounded tips", testing::two_teeth()});
+  all.push_back({"two teeth, rounded tips", testing::two_teeth_body()});
   all.push_back({"one tooth, rounded tip", testing::one_tooth()});
   all.push_back({"wheel cut by two teeth", testing::cut_wheel()});
   all.push_back({"ring cut by a pinion", testing::cut_ring()});

@@ -88,7 +88,7 @@ std::vector<Case> cases() {
       {"Ring", with_bore(plain_body(-12, 25.0, 0.2, 20.0, 0.08, 10.0, 0.03), {60.0}), 51},
       // Each tooth has six walls if tip and root have no land. τb = 3.4 and 11.5 rad require two
       // and four slices.
-      {"TwoTeethRoundedTip", testing::two_teeth(), 26},
+      {"TwoTeethRoundedTip", testing::two_teeth_body(), 26},
       {"OneToothRoundedTip", testing::one_tooth(), 26},
       {"WheelCutByTwoTeeth", testing::cut_wheel(), 362},
       {"RingCutByPinion", testing::cut_ring(), 395},

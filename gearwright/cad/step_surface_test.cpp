@@ -90,7 +90,7 @@ TEST(StepSurface, OneToothThatTurnsThreeTimes) {
 // The test covers every face of the first tooth: circular fillets, an involute, and the flanks that
 // a pinion cutter generates on an external and on an internal gear.
 TEST(StepSurface, TeethOfFewAndTeethCutByTeeth) {
-  expect_near(testing::two_teeth(), 6);
+  expect_near(testing::two_teeth_body(), 6);
   expect_near(testing::one_tooth(), 6);
   expect_near(testing::cut_wheel(), 6);
   expect_near(testing::cut_ring(), 6);

@@ -99,7 +99,7 @@ TEST_F(Step, TheHalvesOfADoubleHelicalGearAreMirrorImages) {
 }
 
 TEST_F(Step, FewTeethReadBackAsTheyWere) {
-  expect_same_back(testing::two_teeth());
+  expect_same_back(testing::two_teeth_body());
   expect_same_back(testing::one_tooth());
 }
 

@@ -150,7 +150,7 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
     const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];
     const auto& bore = spec.gear(which).bore;
     if (!bore) continue;
-    auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2}, 0.0);
+    auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2});
     if (!error) continue;
     error->rule += " of the design for this spec; without a bore, the verb fit prints the design";
     return of_gear(which, *error);

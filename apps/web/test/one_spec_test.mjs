@@ -101,7 +101,7 @@ describe("a picture of another spec", () => {
       );
     await inked(true);
     // With this bore the gear has no body, so the engine cannot draw its section.
-    await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 9"), "mesh");
+    await put(page, example("printed_drive").replace(/^diameter_mm = .*$/m, "diameter_mm = 80"), "mesh");
     await idle(page);
     assert.match(await page.textContent(".view-fault"), /bore/);
     await inked(false);

@@ -50,7 +50,7 @@ inline CylindricalSpec two_teeth_spec() {
   return filleted_pinion(2, 1.75, 30, 0.7, 0.01, 0.332, 12.0);
 }
 
-inline ToothedBody two_teeth() { return body_of("two teeth", make_gear(two_teeth_spec())); }
+inline ToothedBody two_teeth_body() { return body_of("two teeth", make_gear(two_teeth_spec())); }
 
 inline ToothedBody one_tooth() {
   return body_of("one tooth", make_gear(filleted_pinion(1, 2, 55, 0.75, 0.05, 0.5, 14.0)));
