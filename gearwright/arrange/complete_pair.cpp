@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/math/root.hpp"
@@ -59,12 +60,15 @@ void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   if (!free) return;
   // A thickness allowance moves the cutter like a profile shift. A backlash thins the pinion by
   // about its share of this backlash.
-  const double backlash =
-      given.pair.backlash.value_or(given.pair.backlash_circumferential.value_or(0.0));
+  const PairInput& p = given.pair;
+  const double radius = unshifted.normal_module * unshifted.teeth / 2;  // in the normal section
+  const double backlash = p.backlash_angle
+                              ? radius * p.backlash_angle->rad()
+                              : p.backlash.value_or(p.backlash_circumferential.value_or(0.0));
   const double thinning = given.pair.backlash_split * backlash - unshifted.thickness_allowance;
   const double per_shift =
       2 * unshifted.normal_module * std::tan(unshifted.normal_pressure_angle.rad());
-  const double least = std::ceil(100 * (*free + thinning / per_shift)) / 100;
+  const double least = rounded_up(*free + thinning / per_shift, 2);
   if (shifts.x1 >= least) return;
   shifts.x2 += shifts.x1 - least;
   shifts.x1 = least;
@@ -293,6 +297,11 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
     auto at_now = backlash_at(given, place, now);
+    if (!at_now &&
+        off_before * (now - before) > 0.0) {  // the teeth must become thicker, not thinner
+      now = 2 * before - now;
+      continue;
+    }
     if (!at_now) {
       // A gear cannot be made. The search continues at the limit, unless the backlash lies beyond.
       const Error cause = at_now.error();

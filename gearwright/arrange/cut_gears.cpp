@@ -340,7 +340,8 @@ Error of_distance(const Error& error, const GivenPair& given) {
   const CylindricalSpec &a = given.gear(1).cylindrical, &b = given.gear(2).cylindrical;
   if (a.teeth > 0 && b.teeth > 0 && a.helix_angle.rad() == -b.helix_angle.rad())
     made.rule +=
-        fmt::format(" Without profile shifts, the centre distance is {:.4f} mm.",
+        fmt::format("{} Without profile shifts, the centre distance is {:.4f} mm.",
+                    made.rule.ends_with('.') ? "" : ".",
                     a.normal_module * (a.teeth + b.teeth) / 2 / std::cos(a.helix_angle.rad()));
   return not_placed(std::move(made));
 }

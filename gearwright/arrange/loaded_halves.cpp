@@ -78,10 +78,12 @@ Result<LoadAnalysis> loaded_halves(const Arranged& arranged,
   if (!made) return made.error();
   add_new(std::exchange(found, {}), warnings);
   const LoadAnalysis first = std::move(made).take();
-  auto image = equal_halves(narrower, errors, input)
-                   ? Result(first)
-                   : loaded(arranged, errors, input_of_half(input, narrower, gear_1, true), found,
-                            progress, HalfPlace{true, &*first.compliance});
+  LoadInput below = input_of_half(input, narrower, gear_1, true);
+  below.slices = first.compliance->slices[0].count;  // the same for both gears on parallel axes
+  auto image =
+      equal_halves(narrower, errors, input)
+          ? Result(first)
+          : loaded(arranged, errors, below, found, progress, HalfPlace{true, &*first.compliance});
   if (!image) return image.error();
   add_new(std::move(found), warnings, kSecondHalf);
   LoadAnalysis second = std::move(image).take();

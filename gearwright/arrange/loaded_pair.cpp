@@ -15,7 +15,6 @@ namespace gearwright {
 namespace {
 
 constexpr double kMostPoisson = 0.49;  // at 0.5, plane strain has no stiffness matrix
-constexpr int kFewestSlices = 4;       // least number of slices of a face
 constexpr double kHertzRatio = 0.1;    // half width of the contact over radius of curvature; above
                                        // this ratio, Hertz' theory is wrong by more than 1 %
 
@@ -206,9 +205,17 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
                                                  "of gear 2 are sufficient",
                                                  fair[0], fair[1]))
           : fmt::format("are too many, because each slice is {} mm wide, which is less than the "
-                        "width of the contact; reduce the torque{} or the number of slices",
+                        "width of the contact; reduce the torque{}{}",
                         width,
-                        member.empty() ? "" : fmt::format(", the deflection (`{}`)", member)));
+                        member.empty() ? "" : fmt::format(" or the deflection (`{}`)", member),
+                        request.slices[g] > kLeastSlices ? " or the number of slices" : ""));
+}
+
+// Halves default numbers of slices. Returns false if both are the least.
+bool halve(std::array<int, 2>& slices) {
+  const auto before = slices;
+  for (int& count : slices) count = std::max(kLeastSlices, count / 2);
+  return slices != before;
 }
 
 Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
@@ -244,9 +251,9 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
                                               request.regime, request.reach);
   request.accuracy = input.accuracy;
   request.bodies = bodies;
-  while (!input.slices && request.slices[0] > kFewestSlices &&
-         surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
-    for (int& count : request.slices) count = std::max(kFewestSlices, count / 2);
+  while (!input.slices && surely_too_fine(task.setup.gear(1), task.setup.gear(2), request) &&
+         halve(request.slices)) {
+  }
   if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
     return too_fine(task.setup, request);
   request.deflection_slope = input.deflection_slope * kMmPerUm;
@@ -312,7 +319,6 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress, const std::optional<HalfPlace>& half) {
-  const std::vector<Warning> earlier = warnings;
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;
@@ -337,19 +343,14 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
-  if (!compliance) return compliance.error();
-  answer.compliance = std::move(compliance).take();
-  answer.contact = task.contact(*answer.compliance);
   // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so the default
   // is halved until there is a solution.
-  const int count = task.request.slices[0];
-  if (answer.contact->slices_too_fine && !input.slices && !half && count > kFewestSlices) {
-    LoadInput coarser = input;
-    coarser.slices = std::max(kFewestSlices, count / 2);
-    warnings = earlier;
-    return loaded(arranged, errors, coarser, warnings, progress);
-  }
+  do {
+    auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
+    if (!compliance) return compliance.error();
+    answer.compliance = std::move(compliance).take();
+    answer.contact = task.contact(*answer.compliance);
+  } while (answer.contact->slices_too_fine && !input.slices && halve(task.request.slices));
   if (auto error = judge_load(task, *answer.contact, warnings)) return *error;
   answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/pair/saddle_gap.hpp"
@@ -102,7 +103,7 @@ std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair) {
     const auto& needed = p->needed_crowning[static_cast<std::size_t>(which - 1)];
     if (!needed) continue;
     means += fmt::format("{}more than {:.2f} µm on gear {}", means.empty() ? "" : ", or ",
-                         kUmPerMm * *needed, which);
+                         rounded_up(kUmPerMm * *needed, 2), which);
   }
   return Warning{
       WarningCode::saddle_gap,
@@ -145,7 +146,8 @@ std::optional<Warning> thin_rim(const Gear& gear, int which) {
       WarningCode::thin_rim,
       fmt::format(
           "The rim between the roots and the {} is {:.4f} mm thick; the rim thickness factor "
-          "of ISO 6336-3 is defined above {:.4f} mm, {}.",
+          "of ISO 6336-3 is defined above {:.4f} mm, {}. A rating uses only a rim thickness that "
+          "is given in [rating].",
           gear.internal()           ? "outside diameter"
           : gear.bore->has_keyway() ? "keyway"
                                     : "bore",

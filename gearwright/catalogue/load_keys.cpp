@@ -1,4 +1,5 @@
 #include "gearwright/catalogue/rating_keys.hpp"
+#include "gearwright/load/pair_compliance.hpp"
 
 namespace gearwright {
 
@@ -35,7 +36,7 @@ const KeyTable& load_keys() {
            .with_list(KeyList{1, kMostLoadPositions})
            .with_fields({"rotations"}),
        Key::number(
-           "slices", "", Range::between(4, kMostSlices), &LoadInput::slices,
+           "slices", "", Range::between(kLeastSlices, kMostSlices), &LoadInput::slices,
            "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
            "for helical teeth; still fewer for internal pairs and for a contact that is wider than "
            "the slices",

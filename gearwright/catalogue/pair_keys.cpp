@@ -144,7 +144,7 @@ const KeyTable& fit_keys() {
        of_few_teeth(
            "backlash_mm", "", &FitInput::backlash, "0",
            "circumferential backlash, unlike `backlash_mm` of `[pair]`, which is measured in the "
-           "normal section; it determines the centre distance"),
+           "normal section; it determines the centre distance to first order"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
                     "required total contact ratio, which determines the face width")}};
   return table;

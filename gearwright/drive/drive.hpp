@@ -40,7 +40,8 @@ struct DriveError {
     double amplitude;        ///< rad; if the output is a rack, its travel with 2π per pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
-  /// of all frequencies. The error reaches this sum when the peaks coincide.
+  /// of all frequencies. The error reaches this sum when the peaks coincide. Under load, meshes that
+  /// share planets contribute the range over all combinations of their positions [T13.26b].
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< lines in the order of frequency
   /// p_t/2π mm, set if the output is a rack. The error of the travel of the rack is this length
@@ -70,7 +71,8 @@ struct PlanetShares {
 
 /// Results for the drive under load, computed by drive/loaded_drive.hpp.
 struct LoadedDrive {
-  /// Deviation of the output rotation from its mean over one period of a mesh frequency, rad.
+  /// Deviation of the output rotation from its mean over one period of a mesh frequency, rad. For
+  /// planets with several frequencies, it is the mean over the positions of the other meshes.
   struct Curve {
     double frequency_ratio = 0.0;       ///< teeth per turn of the input
     std::vector<double> loaded, rigid;  ///< with elastic and with rigid teeth, at each position

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/number_text.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -140,7 +142,7 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
   });
   if (const auto range = given ? possible_distances(graph, m) : std::nullopt)
     return fmt::format("A centre distance from {:.3f} mm to {:.3f} mm is possible.",
-                       std::ceil((*range)[0] * 1e3) / 1e3, std::floor((*range)[1] * 1e3) / 1e3);
+                       rounded_up((*range)[0], 3), rounded_down((*range)[1], 3));
   const auto teeth = possible_teeth(graph, m);
   if (!teeth) return {};
   const std::string& name = graph.gears[teeth->gear].name;

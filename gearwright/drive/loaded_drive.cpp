@@ -185,7 +185,8 @@ class DriveUnderLoad {
 
   std::optional<Error> too_many_positions(const PlanetSet& set) const {
     const std::size_t count = frequencies(set).size();
-    if (count < 2 || std::pow(positions_, count) <= kMostCombinations) return std::nullopt;
+    // positions_ is rounded up to a multiple of the planets, which costs little time.
+    if (count < 2 || std::pow(load_.positions, count) <= kMostCombinations) return std::nullopt;
     return Error{"load.positions", std::to_string(load_.positions),
                  fmt::format("is too many for planets with {} mesh frequencies, because all "
                              "combinations of their positions are computed; give at most {}",

@@ -307,8 +307,8 @@ class Scheme {
 
   // A torque in N m, or in kN m if it has more than five digits.
   static std::string torque_text(double Nm) {
-    return std::abs(Nm) < 1e5 ? fmt::format("{:.5g} N m", Nm)
-                              : fmt::format("{:.5g} kN m", Nm / 1e3);
+    return std::abs(Nm) < 99999.5 ? fmt::format("{:.5g} N m", Nm)
+                                  : fmt::format("{:.5g} kN m", Nm / 1e3);
   }
 
   // Writes a text with the subscripts of n_in and T_in.

@@ -153,8 +153,9 @@ Error Gear::why_not() const {
   };
   if (!straight_cutter() || !(allowance < 0.0) || !exists_with(0.0))
     return refused("profile_shift", spec.profile_shift, why);
-  return refused("thickness_allowance", allowance, {nearest_possible(0.0, allowance, exists_with)},
-                 "must be at least {} mm, because the cutter cuts off thinner teeth");
+  return refused(
+      "thickness_allowance", allowance, {nearest_possible(0.0, allowance, exists_with)},
+      "the thickness allowance must be at least {} mm, because the cutter cuts off thinner teeth");
 }
 
 std::optional<double> Gear::root_form_radius() const {

@@ -170,15 +170,18 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
     return std::nullopt;
   const std::string factor = fixed_decimals(*computed, 3);
   std::string mesh;
+  bool floats = false;
   for (const PlanetShares& shares : drive.loaded->sets)
-    if (const auto [m, greatest] = shares.mesh_load_factor(); greatest == *computed)
+    if (const auto [m, greatest] = shares.mesh_load_factor(); greatest == *computed) {
       mesh = drive.graph.meshes[m].name;
+      floats = shares.floating.has_value();
+    }
   if (!rated)
     return Warning{WarningCode::mesh_load_factor,
                    fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
                                "them carries {} times an equal share. Reduce the errors of the "
-                               "pins, or let one member float.",
-                               mesh, factor, factor)};
+                               "pins{}.",
+                               mesh, factor, factor, floats ? "" : ", or let one member float")};
   return Warning{WarningCode::mesh_load_factor,
                  fmt::format("The planets under this load have K_γ = {}, but the safeties are "
                              "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",

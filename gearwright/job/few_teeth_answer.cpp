@@ -164,7 +164,8 @@ std::string remark_of(const FewTeethDesign& d) {
   const auto& c = d.pair.tip_clearance;
   const auto& j = d.pair.mesh.backlash;
   return fmt::format(
-      "The circumferential backlash is {:.4f} mm, and in the normal section it is {:.4f} mm. The "
+      "The circumferential backlash at the working pitch circles is {:.4f} mm, and in the normal "
+      "section it is {:.4f} mm. The "
       "greater centre distance for this backlash makes the tip clearances {:.4f} mm and {:.4f} mm.",
       j.circumferential[0], j.normal, c[0], c[1]);
 }

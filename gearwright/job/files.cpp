@@ -195,9 +195,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files) {
   std::vector<ReportFile> rows;
   for (const JobFile& f : files) {
     std::string note = f.note;
-    if (f.deviation_mm)  // below 0.001 µm it is a rounding error
-      note += fmt::format("; within {:.3g} µm of the exact surface",
-                          std::max(0.001, *f.deviation_mm * kUmPerMm));
+    if (f.deviation_mm)
+      note += fmt::format("; within {:.3g} µm of the exact surface", f.printed_deviation_um());
     rows.push_back({f.path.filename().string(), f.what, note});
   }
   return rows;

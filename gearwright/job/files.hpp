@@ -2,6 +2,7 @@
 // all.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "gearwright/base/progress.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/cad/step.hpp"
 #include "gearwright/cad/toothed_body.hpp"
@@ -54,6 +56,9 @@ struct JobFile {
   std::optional<double> deviation_mm;  ///< greatest distance to the exact surface or outline
   std::string note;                    ///< "1208 triangles", "123 faces"
   std::string bytes;                   ///< the file
+
+  /// The deviation as it is printed, µm. Below 0.001 µm it is a rounding error.
+  double printed_deviation_um() const { return std::max(0.001, *deviation_mm * kUmPerMm); }
 };
 
 enum class FileKind { step, stl, glb, threemf, dxf, svg };

@@ -32,6 +32,13 @@ bool gives_thickness(const Json& tree, const Json& gear) {
 // A computed value with six decimals, because readings are less accurate.
 double six_decimals(double value) { return std::round(1e6 * value) / 1e6; }
 
+// A computed length with six decimals in the unit of the spec.
+double six_decimals(UnitSystem units, double mm) {
+  if (units == UnitSystem::mm) return six_decimals(mm);
+  const KeyUnit& inch = *metric_unit("tip_diameter_mm");
+  return inch.to_metric(six_decimals(inch.to_inch(mm)));
+}
+
 // The spec with the computed data of a gear instead of its readings. Other keys are kept.
 Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   Json tree = spec.tree->tables;
@@ -45,12 +52,13 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   gear["normal_pressure_angle_deg"] = found.normal_pressure_angle.deg();
   gear["helix_angle_deg"] = six_decimals(found.helix_angle.deg());
   gear["profile_shift"] = six_decimals(found.profile_shift);
-  if (found.thickness_allowance != 0.0 && !gear.contains("thickness_allowance_mm") &&
-      !gives_thickness(tree, gear))
-    gear["thickness_allowance_mm"] = six_decimals(found.thickness_allowance);
+  const double allowance = six_decimals(spec.units(), found.thickness_allowance);
+  if (allowance != 0.0 && !gear.contains("thickness_allowance_mm") && !gives_thickness(tree, gear))
+    gear["thickness_allowance_mm"] = allowance;
   // ISO53-A is the rack by default.
   if (!found.rack.empty() && found.rack != "ISO53-A") gear["rack"] = found.rack;
-  if (!gear.contains("tip_diameter_mm")) gear["tip_diameter_mm"] = six_decimals(found.tip_diameter);
+  if (!gear.contains("tip_diameter_mm"))
+    gear["tip_diameter_mm"] = six_decimals(spec.units(), found.tip_diameter);
   return tree;
 }
 

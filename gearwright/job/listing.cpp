@@ -166,10 +166,10 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   for (const JobFile& f : files) {
     std::string note = f.note;
     // The deviation is inserted before the first semicolon, after which the note states what
-    // the file omits. Below 0.001 µm it is a rounding error.
+    // the file omits.
     if (f.deviation_mm)
       note.insert(std::min(note.find(';'), note.size()),
-                  fmt::format(", within {:.2g} µm", std::max(0.001, *f.deviation_mm * kUmPerMm)));
+                  fmt::format(", within {:.2g} µm", f.printed_deviation_um()));
     out += "  " + padded(printable(native_text(f.path)), 44) + "  " + padded(f.what, 14) +
            sentence_in(units, note) + "\n";
   }

@@ -429,8 +429,8 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     for (Warning& w : job.warnings)
       if (w.code == WarningCode::samples_touch_edges && found->any())
         w.message += fmt::format(
-            " The corrections of [scatter.robust] change the number of samples in which an edge {} "
-            "from {} to {} of {} other samples.",
+            " Without and with the corrections of [scatter.robust], an edge {} in {} and {} of {} "
+            "other samples.",
             robust.load ? "carries load" : "is in contact", before.count, after.count, after.of);
     Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);

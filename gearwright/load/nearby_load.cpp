@@ -69,6 +69,7 @@ NearbyLoad::Loaded NearbyLoad::loaded(std::size_t position, std::size_t torque,
 
 NearbyLoad::Span NearbyLoad::span(std::span<const NearbyLoad> halves,
                                   std::span<const double> change, bool slopes) {
+  GW_EXPECTS(!halves.empty());
   const NearbyLoad& one = halves.front();
   const std::vector<double> none(slopes ? change.size() : 0, 0.0);
   for (const NearbyLoad& half : halves)

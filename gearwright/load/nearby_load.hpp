@@ -51,7 +51,7 @@ class NearbyLoad {
   }
   /// The same for the mean TE of both halves of a double-helical pair.
   ///
-  /// Domain    the halves have the same numbers of positions and torques (contract)
+  /// Domain    one half or two, with the same numbers of positions and torques (contract)
   static Span span(std::span<const NearbyLoad> halves, std::span<const double> change, bool slopes);
 
  private:

@@ -21,7 +21,7 @@ constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
 constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
                                      // if R is one module
-constexpr int kSlices = 32, kLeastSlices = 4;
+constexpr int kSlices = 32;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
 // True if tooth and face of both gears are equal to the last bit, so that one table serves for
 // both.

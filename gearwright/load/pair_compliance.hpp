@@ -80,6 +80,8 @@ std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegim
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 /// The gear (1 or 2) with the narrowest slices, and their width, mm.
+inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
+
 struct NarrowestSlices {
   int gear;
   double width;
@@ -90,11 +92,13 @@ NarrowestSlices narrowest_slices(const Gear& gear_1, const Gear& gear_2,
 /// True if the slices are too narrow for the section modes and the finite elements. The limit is
 /// 0.15 modules for spur teeth, 0.2 modules for helical teeth with line contact, and 0.18 modules
 /// for helical teeth with point contact. The matrix of [T12.14] is indefinite for such slices,
-/// whatever the torque is. For line contact, slices narrower than twice the half width of the contact
-/// are also too narrow, if three tooth pairs share the greatest torque. Spur pairs of steel with
-/// 20:40 and 60:90 teeth had no solution at less than 2.2 times the greatest half width. A dozen external and internal pairs were tested with draft and full
+/// whatever the torque is. A dozen external and internal pairs were tested with draft and full
 /// accuracy. None had a solution at a width of 0.16 modules (spur teeth) or 0.2 modules (helical
-/// teeth). For point contact, the compliance of a place would be negative. The check needs no
+/// teeth). For point contact, the compliance of a place would be negative.
+///
+/// For line contact, slices narrower than twice the half width of the contact, computed as if three
+/// tooth pairs shared the greatest torque, are also too narrow. Spur pairs of steel with 20:40 and
+/// 60:90 teeth had no solution at less than 2.2 times the greatest half width. The check needs no
 /// tooth table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 

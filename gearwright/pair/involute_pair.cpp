@@ -40,7 +40,7 @@ void warn_about_axes(CrossedPair& p) {
            fmt::format(
                "The line of action runs beyond the face of gear {}. Both flanks need "
                "a face width of {:.2f} mm about the centre line, but the face is {:.2f} mm wide.",
-               i + 1, wanted, b),
+               i + 1, rounded_up(wanted, 2), b),
            i + 1);
     }
   }
@@ -70,7 +70,7 @@ void warn_about_line(ParallelPair& p) {
         p, WarningCode::transverse_contact_ratio,
         fmt::format("The transverse contact ratio is {:.3f}, so contact is continuous only through "
                     "the overlap of helical teeth. A face width of at least {:.2f} mm is needed.",
-                    p.mesh.true_ratio, rounded_up(*face_width_needed(p), 2)));
+                    p.mesh.true_ratio, *face_width_needed(p)));
   }
 }
 

@@ -191,6 +191,8 @@ Result<RexsModel> read_rexs(std::string_view text) {
     return no_rexs(fmt::format("the file is not XML: line {}: {}", e.line(), e.message()));
   } catch (const Json::parse_error& e) {
     return no_rexs(fmt::format("the file is not JSON: byte {} does not fit", e.byte));
+  } catch (const Json::out_of_range&) {
+    return no_rexs("the file has a number that is too large");
   }
   const auto model = tree.get_child_optional("model");
   if (!model) return no_rexs("the file is not REXS, because its root element is not `model`");
@@ -249,7 +251,8 @@ std::string rexs_json(const RexsModel& model) {
   Json tree;
   tree["version"] = model.version;
   tree["applicationId"] = model.application;
-  tree["relations"] = tree["components"] = Json::array();
+  tree["relations"] = Json::array();
+  tree["components"] = Json::array();
   for (const RexsRelation& r : model.relations) {
     Json refs = Json::array();
     for (const auto& [role, id] : r.refs) {

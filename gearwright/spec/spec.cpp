@@ -122,7 +122,8 @@ Error missing_module(const Json& tree) {
       number("pair", "shaft_angle_deg") == 0.0) {
     const double beta = Angle::degrees(number("gear1", "helix_angle_deg")).rad();
     hint = fmt::format(
-        "for these teeth without profile shift at the centre distance of {} mm, it is {:.6g}. The "
+        "for these teeth without profile shift at the centre distance of {} mm, normal_module_mm "
+        "is {:.6g}. The "
         "verb search finds standard modules with profile shifts for center_distance_mm and ratio "
         "in [search]",
         format_number(a), 2 * a * std::cos(beta) / std::abs(z1 + z2));

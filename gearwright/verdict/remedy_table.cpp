@@ -192,6 +192,10 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     }
     case A::bore:
       if (!gear(which).bore) return std::nullopt;
+      // A rim thickness that is given for the rating does not depend on the bore.
+      if (finding.code == C::thin_rim && judged.rating &&
+          judged.rating->input->rim[static_cast<std::size_t>(which - 1)])
+        return std::nullopt;
       lever.now = gear(which).bore->diameter;
       lever.direction *= static_cast<int>(outward);
       lever.span = outward > 0 ? 0.99 * lever.now : 10 * m;

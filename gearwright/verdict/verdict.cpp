@@ -103,7 +103,8 @@ std::string running(const CrossedPair& p, double backlash) {
       p.contact_ratio_true() > 0.0
           ? fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
                         p.contact_ratio_true())
-          : "A tooth pair is in contact at every position, but not conjugate. There is");
+          : "A tooth pair is in contact at every position, but the contact is not conjugate. There "
+            "is");
 }
 
 std::string gears_alone(const Judged& judged) {
@@ -258,8 +259,9 @@ std::vector<Finding> findings_of(const Judged& judged) {
   const bool touches =
       judged.pair && judged.pair->crossed() && judged.contact && !judged.contact->contact_lost;
   for (const Warning& w : *judged.warnings) {
-    const Level level =
-        touches && w.code == WarningCode::no_contact ? Level::amber : level_of(severity_of(w));
+    const bool only_edges =
+        touches && w.code == WarningCode::no_contact && judged.pair->contact_ratio_true() == 0.0;
+    const Level level = only_edges ? Level::amber : level_of(severity_of(w));
     findings.push_back({w.code, level, w.gear, w.message, "", value_of(w, judged)});
   }
   const auto add = [&](std::vector<Finding> more) {

@@ -105,6 +105,13 @@ class BadInput(unittest.TestCase):
             answer = Run("pair", spec.format(backlash), "--json").json
             self.assertAlmostEqual(answer["pair"]["backlash"]["normal_mm"], backlash, delta=1e-9)
         self.refused(spec.format(0.03), "pair.backlash_mm", "at most 0.02915")
+        # Regression: the teeth must become thicker, but the first step made them thinner, which is impossible.
+        apart = spec.replace("backlash_mm", "center_distance_mm = 60.1\nbacklash_mm")
+        self.assertAlmostEqual(Run("pair", apart.format(0.06), "--json").json["pair"]["backlash"]["normal_mm"], 0.06, delta=1e-9)
+
+    def test_an_impossible_distance_names_the_distance_without_shifts(self):
+        spec = "[gear1]\nteeth = 200\nnormal_module_mm = 1\n[gear2]\nteeth = 200\n[pair]\ncenter_distance_mm = 15000\n"
+        self.refused(spec, "pair.center_distance_mm", ". Without profile shifts, the centre distance is 200.0000 mm.")
 
     def test_a_profile_shift_has_a_range(self):
         """The printed limit leaves a tooth, and a shift that is greater by 0.0002 does not."""

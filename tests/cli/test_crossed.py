@@ -264,7 +264,7 @@ class Crossed(unittest.TestCase):
         answer = Run("contact", spec, "--json").json
         self.assertFalse(answer["contact"]["contact_lost"])
         self.assertEqual(answer["verdict"]["level"], "amber")
-        self.assertIn("at every position, but not conjugate", answer["verdict"]["headline"])
+        self.assertIn("at every position, but the contact is not conjugate", answer["verdict"]["headline"])
         self.assertEqual(Run("pair", spec, "--json").json["verdict"]["level"], "red")
 
     def test_measure(self):
