@@ -86,7 +86,7 @@ class Crossed(unittest.TestCase):
         self.assertIsNone(p["contact_ratio_range"])
         warning = next(w for w in plain.json["warnings"] if w["code"] == "saddle_gap")
         needed = p["needed_lead_crowning_um"]
-        self.assertIn(f"{needed[0]:.2f} µm on gear 1", warning["message"])
+        self.assertIn(f"{math.ceil(100 * needed[0]) / 100:.2f} µm on gear 1", warning["message"])
         self.assertRegex(" ".join(Run("pair", RING.format("", "shaft_angle_deg = 10")).out.split()), "With a lead crowning of 5 µm on gear 1, the flanks stay clear of each other")
         for share, codes in ((0.97, ["saddle_gap"]), (1.03, [])):
             crowned = f"[gear1.modifications]\nlead_crowning_um = {share * needed[0]}"
