@@ -88,9 +88,10 @@ TEST(Catalogue, SharedWordsAreTerms) {
   for (const auto& [said, in] : tables) {
     if (in.size() < 2) continue;
     ++shared;
-    const auto is_this = [&](const Term& term) { return term.key == said.second[0]; };
+    const std::string& key = said.second[0];
+    const auto is_this = [&](const Term& term) { return term.key == key; };
     EXPECT_TRUE(std::any_of(terms().begin(), terms().end(), is_this))
-        << said.second[0] << " is worded in " << in.size() << " tables: " << *in.begin();
+        << key << " is worded in " << in.size() << " tables: " << *in.begin();
   }
   EXPECT_GT(shared, 30u);
 }
