@@ -38,9 +38,12 @@ function(gw_target target)
   # digits of `load` would depend on the processor.
   target_compile_definitions(${target} PRIVATE EIGEN_NO_CPUID EIGEN_DEFAULT_L1_CACHE_SIZE=32768)
   # Eigen computes blocks of six rows at once if the processor has fused multiply-adds, otherwise of four. The order of a
-  # sum depends on it. All systems compute blocks of six rows of vectors of two doubles, without fusing.
-  target_compile_definitions(${target} PRIVATE EIGEN_HAS_SINGLE_INSTRUCTION_MADD)
-  if(EMSCRIPTEN OR CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  # sum depends on it. All processors compute blocks of six rows of vectors of two doubles, without fusing.
+  # WebAssembly has no vectors (cmake/gw_wasm.cmake).
+  if(NOT EMSCRIPTEN)
+    target_compile_definitions(${target} PRIVATE EIGEN_HAS_SINGLE_INSTRUCTION_MADD)
+  endif()
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
     target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/cmake/eigen_vectors)
   endif()
   if(WIN32)

@@ -7,6 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { describe } from "node:test";
 import { pathToFileURL } from "node:url";
+import { compare, kNear, kSolved } from "../../../tests/wasm/near.mjs";
 import {
   example,
   examples,
@@ -54,14 +55,18 @@ describe("every example", () => {
 });
 
 describe("numbers", () => {
-  it("are those of the native program", async () => {
+  it("are those of the native program except for the last bits of sums", async () => {
     for (const one of examples)
       for (const verb of ["gear", "pair", "contact", "load", "rate"]) {
         const run = ([verb, text]) => window.gearwright.run(verb, text);
         const mine = JSON.parse(await page.evaluate(run, [verb, one.text]));
         const theirs = native(verb, one.text);
         for (const side of [mine, theirs]) delete side.error?.file;
-        assert.deepEqual(mine, theirs, `${verb} ${one.name}`);
+        const { faults, differing } = compare(mine, theirs);
+        assert.deepEqual(faults, [], `${verb} ${one.name}`);
+        const tolerance = verb === "load" ? kSolved : kNear;
+        const far = differing.filter((number) => number.error > tolerance);
+        assert.deepEqual(far, [], `${verb} ${one.name}`);
       }
   });
 
