@@ -65,7 +65,7 @@ void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   const double backlash = p.backlash_angle
                               ? radius * p.backlash_angle->rad()
                               : p.backlash.value_or(p.backlash_circumferential.value_or(0.0));
-  const double thinning = given.pair.backlash_split * backlash - unshifted.thickness_allowance;
+  const double thinning = p.backlash_split * backlash - unshifted.thickness_allowance;
   const double per_shift =
       2 * unshifted.normal_module * std::tan(unshifted.normal_pressure_angle.rad());
   const double least = rounded_up(*free + thinning / per_shift, 2);
@@ -297,8 +297,8 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
     auto at_now = backlash_at(given, place, now);
-    if (!at_now &&
-        off_before * (now - before) > 0.0) {  // the teeth must become thicker, not thinner
+    // The first step makes teeth thinner. If that is impossible, they may have to become thicker.
+    if (!at_now && off_before * (now - before) > 0.0) {
       now = 2 * before - now;
       continue;
     }

@@ -55,6 +55,18 @@ def motion(case):
     return math.copysign(1.0, relative["sun"]), enters == (central == "sun")
 
 
+def least_energy(energy, x, scale):
+    """Returns the place with the least energy, searched from x. `scale` is the size of the energy."""
+    for _ in range(60):
+        before = energy(x)
+        x = minimize(lambda v: energy(v) / scale, x, method="BFGS", options={"gtol": 1e-13, "maxiter": 5000}).x
+        x = minimize(lambda v: energy(v) / scale, x, method="Powell",
+                     options={"xtol": 1e-14, "ftol": 1e-16, "maxiter": 20000}).x
+        if before - energy(x) < 1e-15 * scale:
+            break
+    return x
+
+
 class Set:
     def __init__(self, case):
         self.case = case
@@ -134,15 +146,7 @@ class Set:
     def solve(self):
         x = np.zeros(1 + self.riders * self.copies + (2 if self.case["floating"] else 0))
         x[0] = math.copysign(0.1, self.moment())
-        scale = self.case["torque"] / self.bases[0] * 0.01
-        for _ in range(60):
-            before = self.energy(x)
-            x = minimize(lambda v: self.energy(v) / scale, x, method="BFGS", options={"gtol": 1e-13, "maxiter": 5000}).x
-            x = minimize(lambda v: self.energy(v) / scale, x, method="Powell",
-                         options={"xtol": 1e-14, "ftol": 1e-16, "maxiter": 20000}).x
-            if before - self.energy(x) < 1e-15 * scale:
-                break
-        return x
+        return least_energy(self.energy, x, self.case["torque"] / self.bases[0] * 0.01)
 
 
 def random_case(rng, number):

@@ -17,7 +17,8 @@ import math
 import pathlib
 
 import numpy as np
-from scipy.optimize import minimize
+
+from planet_springs import least_energy
 
 DATA = pathlib.Path(__file__).with_suffix(".json")
 COSINE = math.cos(math.radians(20))
@@ -138,15 +139,7 @@ class Set:
         x = np.zeros(n)
         for i, name in enumerate(self.moving):
             x[i] = math.copysign(0.1, self.moments[name])
-        scale = max(self.nominal) * 0.01
-        for _ in range(60):
-            before = self.energy(x)
-            x = minimize(lambda v: self.energy(v) / scale, x, method="BFGS", options={"gtol": 1e-13, "maxiter": 5000}).x
-            x = minimize(lambda v: self.energy(v) / scale, x, method="Powell",
-                         options={"xtol": 1e-14, "ftol": 1e-16, "maxiter": 20000}).x
-            if before - self.energy(x) < 1e-15 * scale:
-                break
-        return x
+        return least_energy(self.energy, x, max(self.nominal) * 0.01)
 
 
 def places(teeth, meshes):
