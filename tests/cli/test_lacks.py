@@ -193,9 +193,9 @@ class NoModule(Asked):
     def test_the_module_that_fits_is_named(self):
         pair = "[gear1]\nteeth = 12\n[gear2]\nteeth = 36\n[pair]\ncenter_distance_mm = 40\n"
         for verb in ("pair", "fit", "run"):
-            self.refused(verb, pair, "gear1.normal_module_mm", "centre distance of 40 mm, it is 1.66667", "[search]")
+            self.refused(verb, pair, "gear1.normal_module_mm", "centre distance of 40 mm, normal_module_mm is 1.66667", "[search]")
         helical = pair.replace("teeth = 12", "teeth = 12\nhelix_angle_deg = 20")
-        self.refused("pair", helical, "gear1.normal_module_mm", "it is 1.56615")  # 80 cos 20°/48
+        self.refused("pair", helical, "gear1.normal_module_mm", "normal_module_mm is 1.56615")  # 80 cos 20°/48
 
     def test_readings_have_a_table(self):
         for verb in ("identify", "gear"):
