@@ -19,8 +19,8 @@ Judged judged_of(const Arranged& arranged, const JudgedWith& with) {
   judged.errors = with.errors;
   judged.tolerances = arranged.ends != nullptr;
   if (arranged.ends && arranged.ends->lower.pair && arranged.ends->upper.pair) {
-    const double least = arranged.ends->upper.pair->stated_backlash();
-    const double greatest = arranged.ends->lower.pair->stated_backlash();
+    const double least = arranged.ends->upper.pair->stated_backlash().normal;
+    const double greatest = arranged.ends->lower.pair->stated_backlash().normal;
     if (least != greatest) judged.backlash_ends = {least, greatest};
   }
   if (arranged.pair) {
@@ -230,7 +230,7 @@ std::optional<ChangedState> tried(const Arranged& arranged, const JudgedWith& wi
   state.place = pattern_place(judged_of(changed, of_changed));
   if (changed.pair) {
     state.contact_ratio = changed.pair->contact_ratio_true();
-    state.backlash = changed.pair->stated_backlash();
+    state.backlash = changed.pair->stated_backlash().normal;
   }
   return state;
 }
@@ -305,8 +305,8 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row) {
   Arranged arranged = std::move(made).take();
   DrawnDesign drawn;
   if (arranged.ends)
-    drawn.backlash = {arranged.ends->upper.pair->stated_backlash(),
-                      arranged.ends->lower.pair->stated_backlash()};
+    drawn.backlash = {arranged.ends->upper.pair->stated_backlash().normal,
+                      arranged.ends->lower.pair->stated_backlash().normal};
   JudgedWith with;
   std::optional<RatedDrawing> rated;
   if (problem.rating) {

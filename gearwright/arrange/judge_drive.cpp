@@ -145,7 +145,7 @@ void add_remedy(std::vector<Part>& parts, const Drive& drive, const DriveInput& 
       if (part.mesh == m) state.findings.push_back(part.finding);
     const Pair& pair = *made->geometry.pairs[m];
     state.contact_ratio = pair.contact_ratio_true();
-    state.backlash = pair.stated_backlash();
+    state.backlash = pair.stated_backlash().normal;
     return state;
   };
   std::vector<Finding> own;
@@ -203,11 +203,13 @@ std::string running(const Drive& drive) {
     facts += (facts.empty() ? "efficiency " : ", efficiency ") + share(drive.flow->efficiency);
   text += facts.empty() ? "." : ": " + facts + ".";
   std::optional<std::size_t> tight;  // the mesh with the least backlash
-  double least = 0.0, greatest = 0.0;
+  StatedBacklash least{};
+  bool everywhere = true;  // no mesh has backlash
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto backlash = drive.geometry.stated_backlash(m);
-    if (backlash) greatest = std::max(greatest, *backlash);
-    if (!backlash || (tight && *backlash >= least)) continue;
+    if (!backlash) continue;
+    if (backlash->normal > 0.0 && !backlash->none()) everywhere = false;
+    if (tight && backlash->normal >= least.normal) continue;
     tight = m;
     least = *backlash;
   }
@@ -216,27 +218,29 @@ std::string running(const Drive& drive) {
   for (const auto& rating : drive.ratings)
     if (rating) ratings.push_back(&rating->rating);
   text += safety_words(ratings);
-  if (least >= kNoBacklash) return text + fmt::format(" The least backlash is {:.4f} mm.", least);
+  if (least.normal > 0.0 && !least.none())
+    return text + fmt::format(" The least backlash is {:.4f} mm.", least.normal);
   if (drive.geometry.racks[*tight])
     return text + " There is no backlash between the rack and its pinion.";
   const std::string& name = drive.graph.meshes[*tight].name;
   const ParallelPair* pair = drive.geometry.involutes(*tight);
   if (!pair) return text + fmt::format(" There is no backlash in the mesh {}.", name);
   const CylindricalSpec& spec = pair->gears[0].spec;
-  const double recommended = recommended_backlash(pair->center_distance, spec.normal_module);
+  const double recommended = recommended_backlash(least);
   // If both gears get the same allowance E_sn, j_bn changes by −2 (E_sn − mean) cos α_n, where
   // `mean` is the mean of the present allowances. The normal backlash is j_n = j_bn/cos α_wn.
   const double per_allowance =
       2 * std::cos(spec.normal_pressure_angle.rad()) / pair->mesh.rack.angles.cos_alpha;
   const double mean = (spec.thickness_allowance + pair->gears[1].spec.thickness_allowance) / 2;
-  const double allowance = std::floor((mean - (recommended - least) / per_allowance) * 100) / 100;
-  const bool everywhere = greatest < kNoBacklash;
+  const double allowance =
+      std::floor((mean - (recommended - least.normal) / per_allowance) * 100) / 100;
   const bool alone = !everywhere && !shares_gears(drive.graph, *tight);
   return text + fmt::format(
                     " There is no backlash{}. A thickness allowance of {} mm on {} gears gives a "
                     "backlash of {:.3f} mm in {}; {}.",
                     everywhere ? "" : " in the mesh " + name, format_number(allowance),
-                    alone ? "both of its" : "all", least + per_allowance * (mean - allowance),
+                    alone ? "both of its" : "all",
+                    least.normal + per_allowance * (mean - allowance),
                     everywhere ? "the mesh " + name : "this mesh", recommendation(recommended));
 }
 

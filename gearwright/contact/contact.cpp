@@ -55,7 +55,8 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 
 bool jams(Angle least_play, const Gear& moved) {
   const double radius = std::abs(moved.reference_diameter) / 2;
-  return least_play.rad() * radius * std::cos(moved.spec.helix_angle.rad()) <= -kNoBacklash;
+  return least_play.rad() * radius * std::cos(moved.spec.helix_angle.rad()) <=
+         -no_backlash(moved.spec.normal_module);
 }
 
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,

@@ -54,15 +54,13 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
 /// True if the gears jam at this least play. This is the case if least_play · r cos β is at
-/// most −kNoBacklash, where r and β are the reference radius and the helix angle of `moved`. A
-/// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
-/// pinion if gear 2 is a rack.
+/// most −no_backlash(m_n), where r and β are the reference radius and the helix angle of `moved`.
+/// A smaller overlap may result from rounding of the centre distance or of the profile shifts.
+/// `moved` is gear 2, or the pinion if gear 2 is a rack.
 ///
 /// Formula   r cos β times the play is the backlash in the normal section at the reference
-///           cylinder, j_n cos α_wn/cos α_n. The limit kNoBacklash applies to j_n, so the
-///           factor cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from
-///           15° to 30°, the product differs from j_n by 8 % at most, which is 4e-6 mm at the
-///           limit
+///           cylinder, j_n cos α_wn/cos α_n. The limit applies to j_n, so the factor
+///           cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from 15° to 30°, the product differs from j_n by 8 % at most
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the

@@ -75,7 +75,7 @@ TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
         testing::taken(mount_as<ParallelPair>(p.gears[0], p.gears[1], {.center_distance = a}));
     EXPECT_NEAR(pair.mesh.backlash.normal, j_n, 1e-9);
     EXPECT_NEAR(pair.mesh.backlash.normal_base, j_n * cosine_wn, 1e-9);
-    const double limit = -kNoBacklash / (r_2 * std::cos(beta));
+    const double limit = -no_backlash(p.gears[1].spec.normal_module) / (r_2 * std::cos(beta));
     EXPECT_TRUE(jams(Angle::radians(limit * 1.001), p.gears[1]));
     EXPECT_FALSE(jams(Angle::radians(limit * 0.999), p.gears[1]));
   }

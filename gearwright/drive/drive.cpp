@@ -156,7 +156,8 @@ void find_facts(Drive& drive) {
   for (const DriveMesh& mesh : drive.graph.meshes)
     for (const std::size_t g : mesh.gears) {
       const DriveGear& gear = drive.graph.gears[g];
-      if (mesh.backlash && gear.spec && gear.spec->thickness_allowance > kNoBacklash)
+      if (mesh.backlash && gear.spec &&
+          gear.spec->thickness_allowance > no_backlash(gear.spec->normal_module))
         say(WarningCode::thickened_for_backlash,
             fmt::format("For a backlash of {:g} mm in the mesh {}, the teeth of {} must be {:.4f} "
                         "mm thicker than their profile shift requires.",

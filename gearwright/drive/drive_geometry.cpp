@@ -366,8 +366,8 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
   return found;
 }
 
-std::optional<double> DriveGeometry::stated_backlash(std::size_t mesh) const {
-  if (racks[mesh]) return racks[mesh]->normal_backlash();
+std::optional<StatedBacklash> DriveGeometry::stated_backlash(std::size_t mesh) const {
+  if (racks[mesh]) return racks[mesh]->stated_backlash();
   return pairs[mesh] ? std::optional(pairs[mesh]->stated_backlash()) : std::nullopt;
 }
 

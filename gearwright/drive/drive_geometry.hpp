@@ -39,8 +39,7 @@ struct DriveGeometry {
   const ParallelPair* involutes(std::size_t mesh) const {
     return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
   }
-  /// Pair::stated_backlash() of a mesh, or j_n of a pinion and its rack, mm; none without teeth.
-  std::optional<double> stated_backlash(std::size_t mesh) const;
+  std::optional<StatedBacklash> stated_backlash(std::size_t mesh) const;  ///< none without teeth
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()

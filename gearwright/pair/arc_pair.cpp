@@ -255,7 +255,7 @@ void warn_about_pair(ArcPair& pair) {
                      "less than the spacing of the contact points, {:.4f} mm.",
                      pair.whole_face(face), pair.whole_face(pair.face_for_contact)));
   }
-  if (pair.backlash_rotation && pair.base_backlash <= -kNoBacklash) {
+  if (pair.backlash_rotation && pair.base_backlash <= -no_backlash(s_1.normal_module)) {
     warn(pair, WarningCode::negative_backlash,
          fmt::format(
              "The teeth are too thick for this centre distance; the normal backlash is {:.4f} mm.",
@@ -288,6 +288,12 @@ std::array<double, 2> ArcPair::working_pitch_diameter() const {
 
 double ArcPair::normal_backlash() const {
   return base_backlash / std::cos(first_contact().at.theta.rad());
+}
+
+StatedBacklash ArcPair::stated_backlash() const {
+  const double module = gears[0].spec.normal_module;
+  if (!backlash_rotation) return {0.0, 1.0, center_distance, module};
+  return {normal_backlash(), std::cos(first_contact().at.theta.rad()), center_distance, module};
 }
 
 const ArcPairContact& ArcPair::first_contact() const {

@@ -37,7 +37,8 @@ struct ArcPair : MountedGears {
 
   /// j_n  mm, j_bn/cos θ at the same contact.   Domain: there are contacts
   double normal_backlash() const;
-  double contact_ratio() const;  ///< ε_β times the number of contacts
+  StatedBacklash stated_backlash() const;  ///< 0 without contact
+  double contact_ratio() const;            ///< ε_β times the number of contacts
   double contact_ratio_true() const { return contact_ratio(); }
   std::array<double, 2> working_pitch_diameter() const;  ///< 2 a z_i/(z_1 + z_2), mm
   /// The contact with the least angular backlash. It touches first.   Domain: there are contacts

@@ -84,7 +84,7 @@ void warn_about_line(CrossedPair& p) {
 }
 
 void warn_about_backlash(InvolutePair& p) {
-  if (p.mesh.backlash.normal <= -kNoBacklash) {
+  if (p.stated_backlash().negative()) {
     const std::string distance =
         p.backlash_free_center_distance
             ? fmt::format("The backlash-free centre distance is {:.4f} mm.",

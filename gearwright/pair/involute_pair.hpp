@@ -64,7 +64,11 @@ struct InvolutePair : MountedGears {
   double contact_ratio() const;  ///< ε_α + ε_β, or AE/p_bn on crossed axes; 0 without contact
   double contact_ratio_true() const;  ///< contact ratio with the clipped path
   double normal_backlash() const { return mesh.backlash.normal; }  ///< j_n  mm
-  std::array<double, 2> working_pitch_diameter() const {           ///< d_w  mm
+  StatedBacklash stated_backlash() const {
+    return {normal_backlash(), mesh.rack.angles.cos_alpha, center_distance,
+            gears[0].spec.normal_module};
+  }
+  std::array<double, 2> working_pitch_diameter() const {  ///< d_w  mm
     return {2 * mesh.rack.sides[0].pitch_radius, 2 * mesh.rack.sides[1].pitch_radius};
   }
   /// The point on the line of action of the leading flanks that belongs to the given ρ_1. On

@@ -1,5 +1,4 @@
-// Two mounted gears: the data that pairs of all kinds of teeth have in common. The file also
-// defines the size below which a backlash counts as none.
+// Two mounted gears: the data that pairs of all kinds of teeth have in common.
 //
 // Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of
 // gear 2 lie on the centre line, at the mesh. The housing frame is described in
@@ -13,14 +12,9 @@
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/kinematics/pose.hpp"
 #include "gearwright/pair/collision.hpp"
+#include "gearwright/pair/stated_backlash.hpp"
 
 namespace gearwright {
-
-/// mm. If the normal backlash of a pair or of a pinion and rack lies between −kNoBacklash and
-/// kNoBacklash, it is called "no backlash" and printed as 0.0000 mm. Rounding the backlash-free
-/// centre distance to four decimals changes j_n by at most 2 · 0.5e-4 tan α_wn mm. For 20° this is
-/// 3.6e-5 mm, which is less than the limit.
-constexpr double kNoBacklash = 0.5e-4;
 
 struct MountedGears {
   MountedGears() = default;  ///< empty; prevents aggregate initialisation

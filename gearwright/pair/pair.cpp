@@ -92,10 +92,8 @@ std::optional<PairBacklash> backlash_of(const Pair& pair) {
   return pair.visit([](const auto& p) { return backlash_between(p); });
 }
 
-double Pair::stated_backlash() const {
-  return arcs() && !arcs()->backlash_rotation
-             ? 0.0
-             : visit([](const auto& p) { return p.normal_backlash(); });
+StatedBacklash Pair::stated_backlash() const {
+  return visit([](const auto& p) { return p.stated_backlash(); });
 }
 
 }  // namespace gearwright

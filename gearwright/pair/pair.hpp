@@ -55,9 +55,8 @@ class Pair {
   double center_distance() const { return mounted().center_distance; }  ///< a  mm
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
   double contact_ratio() const;                                         ///< over the whole face
-  double contact_ratio_true() const;  ///< contact ratio on the usable flanks
-  /// j_n  mm, the backlash that messages and verdicts state; 0 without contact.
-  double stated_backlash() const;
+  double contact_ratio_true() const;       ///< contact ratio on the usable flanks
+  StatedBacklash stated_backlash() const;  ///< 0 without contact
   const std::vector<Warning>& warnings() const { return mounted().warnings; }
   Pose<Housing, Gear1> pose_1() const { return mounted().pose_1(); }
   Pose<Housing, Gear2> pose_2() const { return mounted().pose_2(); }

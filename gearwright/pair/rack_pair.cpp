@@ -113,7 +113,7 @@ void find_faults(RackPair& p) {
          "longer teeth would help.");
     return;
   }
-  if (p.normal_backlash() <= -kNoBacklash) {
+  if (p.stated_backlash().negative()) {
     warn(p, WarningCode::negative_backlash, 0,
          fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. They are free "
                      "of backlash at a centre distance of {} mm.",
@@ -187,6 +187,10 @@ double RackPair::base_backlash() const {
 }
 
 double RackPair::normal_backlash() const { return base_backlash() / std::cos(alpha_n(pinion)); }
+
+StatedBacklash RackPair::stated_backlash() const {
+  return {normal_backlash(), std::cos(alpha_n(pinion)), center_distance, rack.normal_module};
+}
 
 double RackPair::circumferential_backlash() const {
   return 2 * (center_distance - backlash_free_center_distance) * std::tan(alpha_t(pinion));

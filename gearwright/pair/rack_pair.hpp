@@ -19,6 +19,7 @@
 #include "gearwright/generation/outline.hpp"
 #include "gearwright/kinematics/pose.hpp"
 #include "gearwright/pair/efficiency.hpp"
+#include "gearwright/pair/stated_backlash.hpp"
 
 namespace gearwright {
 
@@ -82,6 +83,7 @@ struct RackPair {
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
   double true_contact_ratio() const;        ///< ε_α on the usable flanks
   double normal_backlash() const;           ///< j_n  mm
+  StatedBacklash stated_backlash() const;
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack
   /// ζ of pinion and rack for a contact at g. ζ of the pinion is empty at the base tangent point

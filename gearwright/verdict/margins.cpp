@@ -77,14 +77,15 @@ std::vector<Finding> margin_findings(const Pair& pair) {
   return findings;
 }
 
-std::vector<Finding> backlash_findings(double j_n, double recommended) {
-  if (std::abs(j_n) >= kNoBacklash) return {};
+std::vector<Finding> backlash_findings(const StatedBacklash& j) {
+  if (!j.none()) return {};
+  const double recommended = recommended_backlash(j);
   return {{WarningCode::no_backlash,
            Level::green,
            0,
            "There is no backlash; " + recommendation(recommended) + ".",
            "",
-           {{"backlash", j_n, true}, {"threshold", recommended, true}}}};
+           {{"backlash", j.normal, true}, {"threshold", recommended, true}}}};
 }
 
 std::vector<Finding> contact_findings(const PatternPlace& place) {

@@ -15,8 +15,8 @@ namespace gearwright::detail {
 /// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// A finding if the normal backlash j_n, mm, is 0. `recommended` is the smallest recommended j_n, mm.
-std::vector<Finding> backlash_findings(double j_n, double recommended);
+/// A finding if there is no backlash.
+std::vector<Finding> backlash_findings(const StatedBacklash& j);
 
 /// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
 std::vector<Finding> contact_findings(const PatternPlace& place);

@@ -268,8 +268,9 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
   if (cure.then == kContactRatio) {
     then = fmt::format(kContactRatio, trial.contact_ratio);
   } else if (cure.then == kBacklash && finding.at.empty()) {
-    then = std::abs(trial.backlash) < kNoBacklash ? "there is no backlash"
-                                                  : fmt::format(kBacklash, trial.backlash);
+    then = std::abs(trial.backlash) < no_backlash(judged.gears[0]->spec.normal_module)
+               ? "there is no backlash"
+               : fmt::format(kBacklash, trial.backlash);
   } else if (cure.then == kBacklash) {
     then = "the backlash is positive at every tolerance end";
   } else {

@@ -24,8 +24,8 @@ Level level_of(Severity severity) {
   return Level::amber;
 }
 
-double recommended_backlash(double center_distance, double normal_module) {
-  return 2.0 / 3.0 * (0.06 + 0.0005 * center_distance + 0.03 * normal_module);
+double recommended_backlash(const StatedBacklash& j) {
+  return 2.0 / 3.0 * (0.06 + 0.0005 * j.center_distance + 0.03 * j.normal_module) / j.cos_angle;
 }
 
 std::string recommendation(double recommended_backlash) {
@@ -51,13 +51,12 @@ std::vector<std::string> reasons(const std::vector<Finding>& findings, Level lev
 
 // If there is no backlash, the words include the smallest backlash recommended for running
 // gears.
-std::string backlash_words(double j, double center_distance, double normal_module) {
-  if (std::abs(j) >= kNoBacklash) return fmt::format("a backlash of {:.4f} mm", j);
-  return fmt::format("no backlash ({})",
-                     recommendation(recommended_backlash(center_distance, normal_module)));
+std::string backlash_words(const StatedBacklash& j) {
+  if (!j.none()) return fmt::format("a backlash of {:.4f} mm", j.normal);
+  return fmt::format("no backlash ({})", recommendation(recommended_backlash(j)));
 }
 
-std::string running(const ArcPair& pair, double backlash) {
+std::string running(const ArcPair& pair) {
   if (pair.contacts.empty())
     return "The gears do not have matching leads. The verb contact computes where they touch.";
   return fmt::format(
@@ -65,7 +64,7 @@ std::string running(const ArcPair& pair, double backlash) {
       pair.overlap_ratio,
       pair.contacts.size() == 1 ? "one point of contact"
                                 : fmt::format("{} points of contact", pair.contacts.size()),
-      backlash_words(backlash, pair.center_distance, pair.gears[0].spec.normal_module));
+      backlash_words(pair.stated_backlash()));
 }
 
 bool uncut_ring(const Gear* gear) { return !gear->tooth; }
@@ -73,33 +72,30 @@ bool uncut_ring(const Gear* gear) { return !gear->tooth; }
 constexpr const char* kNoCutter =
     " The cutter of the internal gear is not given, so its root fillet is not checked.";
 
-std::string running(const InvolutePair& p, double backlash, const std::string& contact) {
+std::string running(const InvolutePair& p, const std::string& contact) {
   const bool no_collision = p.interference.empty() && p.beyond_flank.empty();
-  return fmt::format("{} {}{}.{}", contact,
-                     backlash_words(backlash, p.center_distance, p.gears[0].spec.normal_module),
+  return fmt::format("{} {}{}.{}", contact, backlash_words(p.stated_backlash()),
                      !no_collision        ? ""
                      : p.crossed_inside() ? " and no tip interference"
                                           : " and no interference",
                      uncut_ring(&p.gears[1]) ? kNoCutter : "");
 }
 
-std::string running(const ParallelPair& p, double backlash) {
+std::string running(const ParallelPair& p) {
   if (const auto face = face_width_needed(p)) {
-    return running(p, backlash,
-                   fmt::format("The pair runs only as a helical gear pair, because the "
-                               "transverse contact ratio is {:.3f} and the total contact ratio "
-                               "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
-                               p.mesh.true_ratio, p.contact_ratio_true(), *face));
+    return running(p, fmt::format("The pair runs only as a helical gear pair, because the "
+                                  "transverse contact ratio is {:.3f} and the total contact ratio "
+                                  "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
+                                  p.mesh.true_ratio, p.contact_ratio_true(), *face));
   }
   return running(
-      p, backlash,
-      fmt::format("The pair runs with continuous contact (total contact ratio {:.3f}). There is",
-                  p.contact_ratio_true()));
+      p, fmt::format("The pair runs with continuous contact (total contact ratio {:.3f}). There is",
+                     p.contact_ratio_true()));
 }
 
-std::string running(const CrossedPair& p, double backlash) {
+std::string running(const CrossedPair& p) {
   return running(
-      p, backlash,
+      p,
       p.contact_ratio_true() > 0.0
           ? fmt::format("The pair runs with continuous contact (contact ratio {:.3f}). There is",
                         p.contact_ratio_true())
@@ -127,13 +123,11 @@ std::string gears_alone(const Judged& judged) {
 std::string standing(const Judged& judged) {
   if (judged.rack)
     return fmt::format("The rack and pinion run as specified, with {}.",
-                       backlash_words(judged.rack->normal_backlash(), judged.rack->center_distance,
-                                      judged.rack->rack.normal_module));
+                       backlash_words(judged.rack->stated_backlash()));
   if (!judged.pair) return gears_alone(judged);
   const auto& ends = judged.backlash_ends;
   const std::string nominal =
-      judged.pair->visit(
-          [j = judged.pair->stated_backlash()](const auto& pair) { return running(pair, j); }) +
+      judged.pair->visit([](const auto& pair) { return running(pair); }) +
       (ends ? fmt::format(" Within the tolerances, the backlash is {:.4f} mm to {:.4f} mm.",
                           (*ends)[0], (*ends)[1])
             : "") +
@@ -208,7 +202,7 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
   if (w.code == WarningCode::contact_ratio || w.code == WarningCode::no_contact)
     return {{"contact_ratio", judged.pair->contact_ratio_true(), false}};
   if (w.code == WarningCode::negative_backlash)
-    return {{"backlash", judged.pair->stated_backlash(), true}};
+    return {{"backlash", judged.pair->stated_backlash().normal, true}};
   const InvolutePair* p = judged.pair->involute();
   if (!p) return {};
   for (const Interference& found : p->interference) {
@@ -268,17 +262,12 @@ std::vector<Finding> findings_of(const Judged& judged) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   };
   if (judged.pair) {
-    const double module = judged.pair->gear(1).spec.normal_module;
     add(detail::margin_findings(*judged.pair));
     const ArcPair* arcs = judged.pair->arcs();
     if (!arcs || !arcs->contacts.empty())
-      add(detail::backlash_findings(judged.pair->stated_backlash(),
-                                    recommended_backlash(judged.pair->center_distance(), module)));
+      add(detail::backlash_findings(judged.pair->stated_backlash()));
   }
-  if (judged.rack)
-    add(detail::backlash_findings(
-        judged.rack->normal_backlash(),
-        recommended_backlash(judged.rack->center_distance, judged.rack->rack.normal_module)));
+  if (judged.rack) add(detail::backlash_findings(judged.rack->stated_backlash()));
   if (judged.rating) add(detail::rating_findings(*judged.rating));
   if (const auto place = pattern_place(judged)) add(detail::contact_findings(*place));
   return findings;

@@ -32,12 +32,13 @@ const char* to_string(Level level);
 /// A problem is red, a caution is amber, and a note is green.
 Level level_of(Severity severity);
 
-/// The smallest recommended normal backlash for iron or steel gears in an iron or steel housing, at
-/// speeds below 15 m/s.
+/// The smallest recommended j_n for iron or steel gears in an iron or steel housing, at speeds below
+/// 15 m/s.
 ///
-/// Formula   2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996, annex A
+/// Formula   j_n = j_bn/cos α_wn, j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996,
+///           annex A
 /// Units     mm
-double recommended_backlash(double center_distance, double normal_module);
+double recommended_backlash(const StatedBacklash& j);
 /// Example: "ISO/TR 10064-2 recommends at least 0.100 mm".
 std::string recommendation(double recommended_backlash);
 

@@ -1,0 +1,27 @@
+// The backlash that messages and verdicts state, and the size below which it counts as none.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace gearwright {
+
+/// The greatest magnitude of a normal backlash, mm, that counts as no backlash for this module.
+/// Drawings give centre distances in mm and profile shifts with four decimals. For 20°, rounding
+/// the distance changes j_n by at most 2 · 0.5e-4 tan α_wn = 3.6e-5 mm, and rounding both shifts
+/// changes it by at most 4 · 0.5e-4 m_n tan α_n = 7.3e-5 m_n.
+constexpr double no_backlash(double normal_module) {
+  return std::max(0.5e-4, 1e-4 * normal_module);
+}
+
+/// The backlash that messages and verdicts state.
+struct StatedBacklash {
+  double normal;           ///< j_n       mm
+  double cos_angle;        ///< cos α_wn  j_bn = j_n cos α_wn
+  double center_distance;  ///< a         mm
+  double normal_module;    ///< m_n       mm
+  bool none() const { return std::abs(normal) < no_backlash(normal_module); }
+  bool negative() const { return normal <= -no_backlash(normal_module); }
+};
+
+}  // namespace gearwright
