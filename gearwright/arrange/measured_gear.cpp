@@ -130,7 +130,7 @@ class Measuring {
   }
 
   // The seat of a ball with the given diameter. If no diameter is given, the ball has the
-  // standard size, or the ideal size if a ball of the standard size does not fit.
+  // standard size, or the ideal size if no ball of a standard size fits.
   std::optional<Result<BallSeat>> seat(const std::optional<double>& given, GearMeasures& m) {
     if (given) return ball_in_space(gear_, *given);
     if (!m.sizes) return std::nullopt;
@@ -156,9 +156,16 @@ class Measuring {
              "There is no dimension over balls, because no ball touches the usable flanks.");
       return std::nullopt;
     }
-    if (!*found)
-      return missing(input_.ball_diameter.has_value(), found->error(), WarningCode::no_balls,
-                     "There is no dimension over balls");
+    if (!*found && input_.ball_diameter)
+      return within(gear_field(which_, "measure"), found->error());
+    if (!*found) {
+      warn(
+          WarningCode::no_balls,
+          fmt::format("There is no dimension over balls, because no ball of a standard size can be "
+                      "measured, and a ball of {} mm {}.",
+                      format_number(m.sizes->ideal), found->error().rule));
+      return std::nullopt;
+    }
     const BallSeat& seat = **found;
     m.balls = BallMeasure{seat, over_two_balls(gear_, seat)};
     warn_off_flank(seat, WarningCode::ball_off_flank, "balls");

@@ -59,8 +59,7 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     um("base_pitch_um", "base pitch (±)", "f_pb", "f_pt cos α_t [T10.31]; null for circular arcs",
        &T::base_pitch);
     um("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
-       "for k = ⌊|z|/8⌋ pitches [T10.31]; null for fewer than 16 teeth, or for the edition of "
-       "2013, whose formula could not be confirmed",
+       "for k = ⌊|z|/8⌋ pitches [T10.31], [T10.37]; null for fewer than 16 teeth",
        &T::sector_pitch);
     um("single_flank_composite_um", "single flank composite, total", "F_i′",
        "for the mating gear of the spec, by ISO 1328-1:1995, annex A [T10.32]; null without a "

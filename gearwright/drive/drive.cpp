@@ -147,6 +147,30 @@ std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& me
   return list;
 }
 
+// In a drive with several inputs, the torque of the first input determines all other torques, so that
+// another input may have to brake.
+void report_power_against_inputs(Drive& drive) {
+  const DriveGraph& graph = drive.graph;
+  const auto speeds = speeds_of(drive);
+  if (graph.inputs.size() < 2 || !drive.flow || drive.flow->self_locking() || !speeds) return;
+  const auto power = [&](std::size_t body) {
+    return drive.flow->torque[body] * (*speeds)[body] / drive.flow->power_in;
+  };
+  const double out = power(graph.output);
+  for (const std::size_t input : graph.inputs)
+    if (power(input) < 0.0)
+      drive.findings.push_back(
+          {WarningCode::power_against_input,
+           fmt::format(
+               "The input {} absorbs {:.2f} % of the power that flows in, because its torque "
+               "and its speed have opposite signs.{}",
+               graph.bodies[input].name, -100 * power(input),
+               out > 0.0 ? fmt::format(" The output {} delivers power to the drive.",
+                                       graph.bodies[graph.output].name)
+                         : ""),
+           0});
+}
+
 void find_facts(Drive& drive) {
   const auto say = [&](WarningCode code, std::string message) {
     drive.findings.push_back({code, std::move(message), 0});
@@ -196,6 +220,7 @@ void find_facts(Drive& drive) {
         fmt::format("With this friction, {} cannot drive {}, because the drive is self-locking.",
                     drive.graph.bodies[drive.graph.inputs.front()].name,
                     drive.graph.bodies[drive.graph.output].name));
+  report_power_against_inputs(drive);
   if (drive.backward && drive.backward->self_locking())
     say(WarningCode::self_locking,
         fmt::format(

@@ -166,6 +166,28 @@ TEST(Drive, TheFlowIsTheOneConsistentPattern) {
   EXPECT_GT(locked, 0);
 }
 
+// Without losses, the torques of sun and ring are in the ratio 24 : 60. At speeds of 1500/min and
+// −700/min, the ring therefore takes 7/6 of the power of the sun, and the carrier must deliver the
+// rest.
+TEST(Drive, AnInputThatAbsorbsPowerIsReported) {
+  PlanetarySpec set = simple_set(24, 18, 60, 1.0, 1.0);
+  set.fixed = std::vector<std::string>{};
+  set.inputs = {"sun", "ring"};
+  const auto reported = [&](double ring_rpm) {
+    set.speeds_rpm = {1500, ring_rpm};
+    std::string text;
+    for (const Warning& w : made(set).findings)
+      if (w.code == WarningCode::power_against_input) text += w.message;
+    return text;
+  };
+  EXPECT_EQ(reported(700), "");
+  EXPECT_EQ(
+      reported(-700),
+      "The input ring absorbs 100.00 % of the power that flows in, because its torque and its "
+      "speed have opposite signs. The output carrier delivers power to the drive.");
+  EXPECT_NE(reported(-400).find("The input ring absorbs 66.67 % of the power"), std::string::npos);
+}
+
 TEST(Drive, BadSetsNameWhatIsWrong) {
   PlanetarySpec set = simple_set(20, 25, 70, 0.98, 0.99);
   set.fixed = {{"ring", "sun"}};

@@ -329,6 +329,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "verb drive: the torques in a closed loop of meshes depend on compliance, so they are not "
      "computed",
      "the torques in a closed loop of meshes depend on compliance"},
+    {C::power_against_input, "power_against_input", kNote,
+     "verb drive, several inputs: with the given speeds and torques, power flows out through an "
+     "input or in through the output"},
     {C::no_backlash, "no_backlash", kNote,
      "the teeth have no backlash at this centre distance; textbook gears are computed in this way, "
      "but manufactured gears need backlash",

@@ -122,6 +122,7 @@ enum class WarningCode {
   cannot_drive,
   unequal_spacing,
   redundant_meshes,
+  power_against_input,
   // Information about the backlash of a pair or a mesh.
   no_backlash,
   // A load of the rating that differs from a computed load.

@@ -250,9 +250,16 @@ double nearest_inch(double mm) {
   return std::max(step, std::round(in / step) * step);
 }
 
-double nearest_metric(double mm) {
-  return *std::min_element(kMetric.begin(), kMetric.end(),
-                           [&](double a, double b) { return std::abs(a - mm) < std::abs(b - mm); });
+// The standard size nearest to `mm` that can be measured; if there is none, the nearest size.
+double nearest_metric(const Gear& gear, double mm) {
+  auto sizes = kMetric;
+  std::stable_sort(sizes.begin(), sizes.end(),
+                   [&](double a, double b) { return std::abs(a - mm) < std::abs(b - mm); });
+  const auto found = std::find_if(sizes.begin(), sizes.end(), [&](double size) {
+    const auto seat = ball_in_space(gear, size);
+    return seat && seat->usable();
+  });
+  return found == sizes.end() ? sizes.front() : *found;
 }
 
 }  // namespace
@@ -262,7 +269,7 @@ std::optional<BallSizes> ball_sizes(const Gear& gear) {
   if (!flank || std::abs(gear.spec.teeth) < 2) return std::nullopt;
   const auto ideal = ball_touching_at(gear, usual_contact_diameter(gear, *flank));
   if (!ideal) return std::nullopt;
-  return BallSizes{*ideal, nearest_metric(*ideal), nearest_inch(*ideal)};
+  return BallSizes{*ideal, nearest_metric(gear, *ideal), nearest_inch(*ideal)};
 }
 
 }  // namespace gearwright

@@ -47,6 +47,8 @@ void add_radial(FlankToleranceValues& t, int quality, const ToleranceSubject& ge
   t.tooth_radial_composite = rounded_tolerance(f * (2.96 * m + 0.01 * std::sqrt(d) + 0.8));
 }
 
+constexpr int kSectors = 8;
+
 // The factor K of f_i′. [T10.32]
 double overlap_factor(double contact_ratio) {
   return contact_ratio < 4.0 ? 0.2 * (contact_ratio + 4.0) / contact_ratio : 0.4;
@@ -59,7 +61,6 @@ void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubje
   const double m = mean_of_range(kModules, gear.normal_module);
   const double f = step_factor(quality);
   const double f_pt = 0.3 * (m + 0.4 * root_d) + 4;
-  constexpr int kSectors = 8;
   if (const int k = gear.teeth / kSectors; k >= 2)
     t.sector_pitch = rounded_tolerance(f * (f_pt + 1.6 * std::sqrt((k - 1) * m)));
   if (!gear.contact_ratio || !(*gear.contact_ratio > 0.0)) return;
@@ -70,7 +71,7 @@ void add_single_flank(FlankToleranceValues& t, int quality, const ToleranceSubje
   t.single_flank = rounded_tolerance(f * (F_p + tooth));
 }
 
-// The tolerances by the formulas of 2013. [T10.15]…[T10.17]
+// The tolerances by the formulas of 2013. [T10.15]…[T10.17], [T10.37]
 FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double d = gear.reference_diameter, m = gear.normal_module, b = gear.face_width;
   const double f = step_factor(quality);
@@ -82,17 +83,22 @@ FlankToleranceValues of_2013(int quality, const ToleranceSubject& gear) {
   const double f_Hbeta = f * (0.05 * std::sqrt(d) + 0.35 * std::sqrt(b) + 4);
   const double f_fbeta = f * (0.07 * std::sqrt(d) + 0.45 * std::sqrt(b) + 4);
   // The total tolerances are computed from the unrounded tolerances of form and slope.
-  return {rounded(f_pt),
-          rounded(F_p),
-          rounded(std::hypot(f_Halpha, f_falpha)),
-          rounded(f_falpha),
-          rounded(f_Halpha),
-          rounded(std::hypot(f_Hbeta, f_fbeta)),
-          rounded(f_fbeta),
-          rounded(f_Hbeta),
-          rounded(0.9 * F_p),
-          {},
-          {}};
+  FlankToleranceValues t{rounded(f_pt),
+                         rounded(F_p),
+                         rounded(std::hypot(f_Halpha, f_falpha)),
+                         rounded(f_falpha),
+                         rounded(f_Halpha),
+                         rounded(std::hypot(f_Hbeta, f_fbeta)),
+                         rounded(f_fbeta),
+                         rounded(f_Hbeta),
+                         rounded(0.9 * F_p),
+                         {},
+                         {}};
+  // The second term is proportional to k, so that a sector of z/4 pitches has the tolerance F_pT.
+  if (const int k = gear.teeth / kSectors; k >= 2)
+    t.sector_pitch =
+        rounded(f_pt + 4.0 * k / gear.teeth * f * (0.001 * d + 0.55 * std::sqrt(d) + 0.3 * m + 7));
+  return t;
 }
 
 // The tolerances by the formulas of 1995, which use the geometric means of ranges. [T10.18]

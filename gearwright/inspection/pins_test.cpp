@@ -25,6 +25,20 @@ Gear helical(int teeth, double module, double beta_deg, double x) {
 }
 Gear spur(int teeth, double module, double x) { return helical(teeth, module, 0.0, x); }
 
+// The nearest standard size, 3.5 mm, does not project beyond the tip. The next size that can be
+// measured is 3.75 mm.
+TEST(BallSizes, TheStandardSizeCanBeMeasured) {
+  auto spec = testing::plain_spec({.teeth = 30, .module = 2.0, .face_width = 20.0});
+  spec.tip_diameter = 65.0;
+  const Gear gear = testing::made(spec);
+  const auto sizes = ball_sizes(gear);
+  ASSERT_TRUE(sizes);
+  EXPECT_NEAR(sizes->ideal, 3.41134, 1e-5);
+  EXPECT_EQ(sizes->metric, 3.75);
+  EXPECT_FALSE(ball_in_space(gear, 3.5));
+  EXPECT_TRUE(ball_in_space(gear, 3.75));
+}
+
 // Width between two parallel lines over circles with these centres; the normal of the lines has the
 // angle θ.
 double width_over(const std::vector<Vec2>& centers, double radius, double theta) {

@@ -100,8 +100,21 @@ TEST(FlankTolerances, of_sectors_base_pitch_and_single_flank_are_those_of_printe
   EXPECT_TRUE(at(2.0, 16).sector_pitch);
   const auto later =
       flank_tolerances(FlankTolerances::iso_2013, 6, {756, 21, 550, 36, 0.0, alpha_t, 1.618});
-  EXPECT_FALSE(later.sector_pitch || later.single_flank || later.tooth_single_flank);
+  EXPECT_FALSE(later.single_flank || later.tooth_single_flank);
   EXPECT_TRUE(later.base_pitch);
+}
+
+// By [T10.37], the tolerance of k pitches lies on the straight line through f_ptT for k = 0 and F_pT
+// for k = z/4. With z = 8 k, it is their mean before rounding.
+TEST(FlankTolerances, of_a_sector_lie_between_pitch_and_total) {
+  for (const int z : {16, 24, 80}) {
+    const double m = 4.0, d = m * z;
+    const auto t = flank_tolerances(FlankTolerances::iso_2013, 5, {d, m, 40, z, 0.0});
+    const double f_pt = 0.001 * d + 0.4 * m + 5;
+    const double F_p = 0.002 * d + 0.55 * std::sqrt(d) + 0.7 * m + 12;
+    EXPECT_EQ(*t.sector_pitch, rounded_tolerance((f_pt + F_p) / 2)) << z;
+  }
+  EXPECT_FALSE(flank_tolerances(FlankTolerances::iso_2013, 5, {60, 4, 40, 15, 0.0}).sector_pitch);
 }
 
 // The same reports print f_Σβ and f_Σδ without the bearing span. For F_β = 27 µm they print 27 and
