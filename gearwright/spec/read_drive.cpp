@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
@@ -249,6 +250,28 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
     stages.push_back(read_stage(list[i], path, folder));
   }
   return taken(train_of(stages), tree);
+}
+
+MeshLoadFactors read_mesh_load_factors(const Json& tree) {
+  constexpr const char* kKey = "mesh_load_factor";
+  MeshLoadFactors factors;
+  if (!tree.contains("rating") || !tree["rating"].contains(kKey)) return factors;
+  const Json& value = tree["rating"][kKey];
+  const TableReader t(rating_keys(), tree["rating"], "rating");
+  factors.computed = value == "computed";
+  if (value.is_number()) {
+    factors.given.all = value.get<double>();
+  } else if (value.is_object() && !value.empty()) {
+    for (const auto& [mesh, factor] : value.items())
+      factors.given.each.emplace_back(mesh, t.checked(kKey, factor, mesh));
+  } else if (!factors.computed) {
+    t.fail(kKey,
+           "must be a number, a table of numbers by mesh such as { sun_planet = 1.2 }, or "
+           "\"computed\"");
+  }
+  if (!factors.given.all && !is_drive(tree) && !is_drive_search(tree.value("search", Json())))
+    t.fail(kKey, "must be a number for a pair, which has one mesh");
+  return factors;
 }
 
 Error of_drive_table(Error error, const Json& tree) {
