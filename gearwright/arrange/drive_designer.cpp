@@ -47,6 +47,8 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
     pair.backlash = base.backlash.all;
     stages[k].friction = base.friction;
   }
+  // Without shifts, the centre distances are not yet equal.
+  stages.back().pair.coaxial = is_coaxial(problem, c) && !c.shifts.empty();
   stages.front().speeds_rpm = base.speeds_rpm;
   stages.front().torque_Nm = base.torque_Nm;
   return train_of(stages);
@@ -118,8 +120,24 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
+  const bool coaxial = is_coaxial(problem_, candidate);
+  candidate.shifts.clear();
   const auto own = drive_of(problem_, widest(std::move(candidate)));
-  return own ? shift_trials(own->graph) : std::vector<GearShifts>();
+  if (!own) return {};
+  std::vector<GearShifts> all = shift_trials(own->graph);
+  if (!coaxial) return all;
+  // Every stage gets the centre distance of the first stage. The shift of its wheel follows.
+  for (GearShifts& shifts : all) {
+    DriveGraph graph = own->graph;
+    for (std::size_t g = 0; g < shifts.size(); ++g) graph.gears[g].shift = shifts[g];
+    const auto distance = drive_geometry(graph).distance.front();
+    for (std::size_t m = 1; m < graph.meshes.size(); ++m) {
+      graph.meshes[m].center_distance = distance;
+      graph.gears[graph.meshes[m].gears[1]].shift.reset();
+    }
+    shifts = drive_geometry(graph).shift;
+  }
+  return all;
 }
 
 // The candidate with the greatest face widths, if the search chooses them.

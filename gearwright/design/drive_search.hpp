@@ -161,6 +161,9 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// stage, so that both gears of an intermediate shaft have the same hand and their axial forces have
 /// opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
+/// True if the output of this train gets the axis of its input: `coaxial_teeth` is given, all stages
+/// have one module, and the search chooses the profile shifts.
+bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
 /// The train with these modules of its stages, and with the size that follows from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);

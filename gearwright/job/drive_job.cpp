@@ -87,7 +87,11 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
-  if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
+  if (auto places = drive_places(job.drive)) {
+    const auto notes = shafts_through_gears(job.drive, *places);
+    job.drive.findings.insert(job.drive.findings.end(), notes.begin(), notes.end());
+    job.places = std::move(places).take();
+  }
   if (auto layout = drive_layout(job.drive)) {
     job.layout = std::move(layout).take();
   } else {

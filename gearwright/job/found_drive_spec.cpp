@@ -49,6 +49,7 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
       if (const auto x = c.stage_shifts(k)) stage["profile_shift"] = *x;
       made["stage"].push_back(std::move(stage));
     }
+    if (is_coaxial(problem, c)) made["stage"].back()["angle_deg"] = "coaxial";
     return made;
   }
   const PerMember widths = member_face_widths(c);

@@ -213,6 +213,29 @@ TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
   }
 }
 
+// A search with coaxial_teeth makes trains whose output has the axis of the input.
+TEST(TrainSearchAnswerTest, TheTrainsOfCoaxialTeethAreCoaxial) {
+  for (const auto& [stages, ratio] :
+       {std::pair{"2", "[8.9, 9.1]"}, std::pair{"3", "[-30, -29.9]"}}) {
+    const auto spec = read_spec(std::string("[search]\nkind = \"train\"\nhelix_angle_deg = 12\n"
+                                            "normal_module_mm = 2\ncoaxial_teeth = 1\n"
+                                            "pinion_teeth = [19, 24]\nwheel_teeth = [50, 80]\n"
+                                            "stages = ") +
+                                    stages + "\nratio = " + ratio + "\n",
+                                SpecFormat::toml);
+    ASSERT_TRUE(spec) << spec.error().message();
+    const auto answer = answer_drive_search(*spec, 5, 2);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_EQ(answer->specs.size(), 5u) << stages;
+    for (const Json& found : answer->specs) {
+      const auto job = solve_drive(*read_spec(toml_text(found), SpecFormat::toml));
+      ASSERT_TRUE(job) << job.error().message();
+      ASSERT_TRUE(job->places);
+      EXPECT_LT(job->places->axes[job->drive.graph.output].norm(), 1e-6);
+    }
+  }
+}
+
 // Three stages with the default numbers of teeth have more than a million trains.
 TEST(TrainSearchAnswerTest, TooManyTrainsAreRefused) {
   const auto answer = trains_of("2", "ratio = [-500, -5]\nstages = 3\n", 4);
