@@ -6,7 +6,7 @@
 #
 #   X                      in a lean build                             missing
 #   base/parallel          processes one item after the other          oneTBB
-#   base/packing           own CRC-32, deflate of stb_image_write      zlib
+#   base/packing           own CRC-32, deflate and inflate of stb      zlib
 #   math/minimise          the verb compensate returns an error        NLopt
 #   design/candidate_simd  plain doubles                               Highway
 #   pair/closed_forms_simd plain doubles                               Highway

@@ -69,7 +69,7 @@ CLI::Validator between(const ToleranceRange& range) {
 void spec_argument(CLI::App* sub, Options& o) {
   sub->add_option("SPEC", o.spec,
                   "The spec file in TOML, in JSON if its name ends in .json, or in REXS if its "
-                  "name ends in .rexs or .rexsj; - is standard input")
+                  "name ends in .rexs, .rexsj or .rexsz; - is standard input")
       ->required();
 }
 
@@ -200,10 +200,9 @@ void CommandLine::add_files() {
   files->add_option("--drawing", o.drawing,
                     "Workshop drawing with the gear data, one sheet for each gear: .pdf, .svg or "
                     ".dxf");
-  files->add_option(
-      "--rexs", o.rexs,
-      "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, or "
-      ".rexsj for JSON");
+  files->add_option("--rexs", o.rexs,
+                    "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, "
+                    ".rexsj for JSON, or .rexsz for a ZIP archive");
   files->add_option("--sheet", o.sheet, "Sheet of the workshop drawing: A4 (default) or A3")
       ->check(CLI::IsMember({"A4", "A3"}));
   files

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/arrange/judge.hpp"
@@ -15,6 +14,10 @@ bool has_gears(const Drive& drive) {
   return std::none_of(
       drive.geometry.faults.begin(), drive.geometry.faults.end(),
       [](const GeometryFault& f) { return f.kind == GeometryFault::Kind::not_coaxial; });
+}
+
+bool holds(const Safeties& own, const Safeties& required) {
+  return own.flank >= required.flank && own.root >= required.root;
 }
 
 bool is_safe(const Drive& drive, const Safeties& required) {
@@ -37,13 +40,15 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
       pair.set_teeth({c.stage_module(k),
                       base.normal_pressure_angle,
                       stage_helix_deg(problem, k),
-                      c.face_width ? c.face_width : base.face_width.all,
+                      c.face_widths.empty() ? base.face_width.all : c.face_widths[k],
                       {base.allowance.all, base.allowance.all}});
     pair.set_allowances(base.series);
     pair.efficiency = base.efficiency.all;
     pair.backlash = base.backlash.all;
     stages[k].friction = base.friction;
   }
+  // Without shifts, the centre distances are not yet equal.
+  stages.back().pair.coaxial = is_coaxial(problem, c) && !c.shifts.empty();
   stages.front().speeds_rpm = base.speeds_rpm;
   stages.front().torque_Nm = base.torque_Nm;
   return train_of(stages);
@@ -54,7 +59,7 @@ Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate
 Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
   if (!candidate.stages.empty()) return train(problem, candidate);
   PlanetarySpec set = set_of(problem, candidate);
-  if (candidate.face_width) set.face_width = {candidate.face_width};
+  if (!candidate.face_widths.empty()) set.face_width = member_face_widths(candidate);
   for (std::size_t m = 0, g = 0; m < kSetMembers && g < candidate.shifts.size(); ++m) {
     if (candidate.teeth[m] == 0) continue;
     if (const auto& x = candidate.shifts[g++]) set.profile_shift.each[m] = x;
@@ -81,12 +86,12 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
 }
 
 std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
-  if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
+  candidate = widest(std::move(candidate));
   RatedTrain best{candidate, std::vector<Safeties>(candidate.stages.size(), {0.0, 0.0})};
   bool any = false;
   for (GearShifts& shifts : trials(candidate)) {
     candidate.shifts = std::move(shifts);
-    const auto safeties = stage_safeties(candidate);
+    const auto safeties = mesh_safeties(candidate);
     if (!safeties) continue;
     any = true;
     for (std::size_t k = 0; k < best.stages.size(); ++k) {
@@ -115,55 +120,66 @@ double DriveDesigner::least_sliding(DriveCandidate candidate) const {
 std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   const PerMember& given = problem_.base.profile_shift;
   if (given.all || given.any()) return {candidate.shifts};
-  if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
-  const auto own = drive_of(problem_, candidate);
-  return own ? shift_trials(own->graph) : std::vector<GearShifts>();
+  const bool coaxial = is_coaxial(problem_, candidate);
+  candidate.shifts.clear();
+  const auto own = drive_of(problem_, widest(std::move(candidate)));
+  if (!own) return {};
+  std::vector<GearShifts> all = shift_trials(own->graph);
+  if (!coaxial) return all;
+  // Every stage gets the centre distance of the first stage. The shift of its wheel follows.
+  for (GearShifts& shifts : all) {
+    DriveGraph graph = own->graph;
+    for (std::size_t g = 0; g < shifts.size(); ++g) graph.gears[g].shift = shifts[g];
+    const auto distance = drive_geometry(graph).distance.front();
+    for (std::size_t m = 1; m < graph.meshes.size(); ++m) {
+      graph.meshes[m].center_distance = distance;
+      graph.gears[graph.meshes[m].gears[1]].shift.reset();
+    }
+    shifts = drive_geometry(graph).shift;
+  }
+  return all;
 }
 
-// The safeties of the stages of a train, each the smaller value of its two gears. None if the
-// train cannot be made or rated.
-std::optional<std::vector<Safeties>> DriveDesigner::stage_safeties(
+// The candidate with the greatest face widths, if the search chooses them.
+DriveCandidate DriveDesigner::widest(DriveCandidate candidate) const {
+  if (problem_.face_width) candidate.face_widths = greatest_face_widths(problem_, candidate);
+  return candidate;
+}
+
+// The safeties of the meshes, each the smaller value of its two gears, and infinite for a mesh
+// without load. None if the drive cannot be made or rated.
+std::optional<std::vector<Safeties>> DriveDesigner::mesh_safeties(
     const DriveCandidate& candidate) const {
   auto made = made_from(candidate);
   if (!made || task_.rate(*made)) return std::nullopt;
   std::vector<Safeties> list;
   for (const auto& mesh : made->ratings) {
-    if (!mesh) return std::nullopt;
+    list.push_back({kInfinity, kInfinity});
+    if (!mesh) continue;
     const Rating& r = mesh->rating;
-    list.push_back(
-        {std::min(r.S_H[0].value, r.S_H[1].value), std::min(r.S_F[0].value, r.S_F[1].value)});
+    list.back() = {std::min(r.S_H[0].value, r.S_H[1].value),
+                   std::min(r.S_F[0].value, r.S_F[1].value)};
   }
   return list;
 }
 
-// Raises the modules of the stages until every stage has the required safeties at the greatest
-// face width. The smallest gear limits this width. If a stage with the greatest module is still
-// too weak, the stage with the smallest pinion gets a greater module.
+// Raises the modules of the stages until every stage has the required safeties at its greatest
+// face width.
 DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
-  const Safeties& least = task_.required;
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
-    if (problem_.face_width) candidate.face_width = greatest_face_width(problem_, candidate);
-    const auto safeties = stage_safeties(candidate);
+    const auto safeties = mesh_safeties(widest(candidate));
     if (!safeties) break;
     std::vector<double> modules = candidate.stage_modules;
-    std::set<std::size_t> raised;
+    grows = false;
     for (std::size_t k = 0; k < modules.size(); ++k) {
-      if ((*safeties)[k].flank >= least.flank && (*safeties)[k].root >= least.root) continue;
-      std::size_t stage = k;
-      if (modules[k] == problem_.modules.back())
-        for (std::size_t j = 0; j < modules.size(); ++j)
-          if (modules[j] * candidate.stages[j][0] < modules[stage] * candidate.stages[stage][0])
-            stage = j;
-      raised.insert(stage);
-    }
-    for (const std::size_t k : raised) {
+      if (holds((*safeties)[k], task_.required)) continue;
       const auto greater =
           std::upper_bound(problem_.modules.begin(), problem_.modules.end(), modules[k]);
       if (greater == problem_.modules.end()) return DriveFault::safety;
       modules[k] = *greater;
+      grows = true;
     }
-    grows = !raised.empty();
     candidate = with_modules(problem_, std::move(candidate), modules);
     if (candidate.size > problem_.size_max) return DriveFault::safety;
   }
@@ -182,33 +198,97 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
   return costs(a) < costs(b);
 }
 
-DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
-  if (!problem_.face_width) return with_width(std::move(candidate));
-  // The least sufficient width in whole steps is found by bisection, because the safeties grow
-  // with the width. Limits that are whole numbers of steps may have a rounding error, which
-  // kRounding compensates.
-  constexpr double kRounding = 1e-9;
-  const double step = task_.face_step;
+// The least widths of the meshes, in steps, with which all meshes have the required safeties. No width
+// can be one step less.
+std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
+                                               const std::vector<double>& greatest) const {
+  const std::size_t meshes = greatest.size();
+  const auto are_held = [&](const std::vector<double>& steps) {
+    set_steps(candidate, steps);
+    const auto safeties = mesh_safeties(candidate);
+    std::vector<char> held(meshes, 0);
+    for (std::size_t m = 0; safeties && m < meshes; ++m)
+      held[m] = holds((*safeties)[m], task_.required);
+    return held;
+  };
+  // The safeties of a mesh depend mainly on its own width. One bisection therefore finds all widths,
+  // in as many steps as for a single mesh.
+  std::vector<double> low(meshes, below), least = greatest, middle(meshes);
+  for (bool open = true; open;) {
+    open = false;
+    for (std::size_t m = 0; m < meshes; ++m) {
+      middle[m] = std::ceil((low[m] + least[m]) / 2);
+      open = open || least[m] - low[m] > 1.0;
+    }
+    if (!open) break;
+    const auto held = are_held(middle);
+    for (std::size_t m = 0; m < meshes; ++m)
+      if (least[m] - low[m] > 1.0) (held[m] ? least[m] : low[m]) = middle[m];
+  }
+  // A tooth that is wider than its mate has a greater root safety, so the widths of the meshes of a
+  // planet depend slightly on each other.
+  for (bool grows = true; grows;) {
+    grows = false;
+    const auto held = are_held(least);
+    for (std::size_t m = 0; m < meshes; ++m) {
+      if (held[m] || least[m] == greatest[m]) continue;
+      least[m] += 1.0;
+      grows = true;
+    }
+  }
+  for (std::size_t m = 0; m < meshes; ++m)
+    while (least[m] - 1.0 > below) {
+      least[m] -= 1.0;
+      const auto held = are_held(least);
+      if (std::find(held.begin(), held.end(), 0) == held.end()) continue;
+      least[m] += 1.0;
+      break;
+    }
+  return least;
+}
+
+// Sets the widths of the meshes to whole steps.
+void DriveDesigner::set_steps(DriveCandidate& candidate, const std::vector<double>& steps) const {
   // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
   constexpr double kPlaces = 1e6;
-  const auto whole_steps = [&](double steps) {
-    return std::round(steps * step * kPlaces) / kPlaces;
-  };
-  double low = std::ceil((*problem_.face_width)[0] / step - kRounding) - 1.0;
-  double high = std::floor(greatest_face_width(problem_, candidate) / step + kRounding);
-  if (high <= low) return DriveFault::safety;
-  candidate.face_width = whole_steps(high);
-  DriveOutcome best = with_width(candidate);
+  candidate.face_widths.clear();
+  for (const double n : steps)
+    candidate.face_widths.push_back(std::round(n * task_.face_step * kPlaces) / kPlaces);
+}
+
+// Gives each mesh the least width with which it has the required safeties. If the verdict requires
+// wider faces, the least common lower limit of all widths is found by bisection.
+DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
+  if (!problem_.face_width) return with_widths(std::move(candidate));
+  // Limits that are whole numbers of steps may have a rounding error, which kRounding compensates.
+  constexpr double kRounding = 1e-9;
+  const double below = std::ceil((*problem_.face_width)[0] / task_.face_step - kRounding) - 1.0;
+  std::vector<double> greatest;  // in steps
+  for (const double width : greatest_face_widths(problem_, candidate))
+    greatest.push_back(std::floor(width / task_.face_step + kRounding));
+  if (*std::min_element(greatest.begin(), greatest.end()) <= below) return DriveFault::safety;
+  set_steps(candidate, greatest);
+  DriveOutcome best = with_widths(candidate);
   if (!std::holds_alternative<FoundDrive>(best)) return best;
-  while (high - low > 1.0) {
-    const double middle = std::floor((low + high) / 2);
-    candidate.face_width = whole_steps(middle);
-    DriveOutcome narrower = with_width(candidate);
+  const std::vector<double> least = least_steps(candidate, below, greatest);
+  const auto at_least = [&](double limit) {
+    std::vector<double> steps = least;
+    for (std::size_t m = 0; m < steps.size(); ++m)
+      steps[m] = std::min(greatest[m], std::max(least[m], limit));
+    set_steps(candidate, steps);
+    return with_widths(candidate);
+  };
+  DriveOutcome narrowest = at_least(below);
+  if (std::holds_alternative<FoundDrive>(narrowest)) return narrowest;
+  double wanting = below, enough = *std::max_element(greatest.begin(), greatest.end());
+  while (enough - wanting > 1.0) {
+    const double limit = std::floor((wanting + enough) / 2);
+    DriveOutcome narrower = at_least(limit);
     if (std::holds_alternative<FoundDrive>(narrower)) {
       best = std::move(narrower);
-      high = middle;
+      enough = limit;
     } else {
-      low = middle;
+      wanting = limit;
     }
   }
   return best;
@@ -222,7 +302,7 @@ std::optional<Drive> DriveDesigner::made_from(const DriveCandidate& candidate) c
   return made ? std::optional(std::move(made).take()) : std::nullopt;
 }
 
-DriveOutcome DriveDesigner::with_width(DriveCandidate candidate) const {
+DriveOutcome DriveDesigner::with_widths(DriveCandidate candidate) const {
   auto made = made_from(candidate);
   if (!made || !has_gears(*made)) return DriveFault::no_teeth;
   Drive& drive = *made;

@@ -47,7 +47,7 @@ class Candidates {
       const TrainStrength strength = strength_of(which, module);
       for (const std::size_t i : which) {
         DriveCandidate widest = (*all_)[i];
-        if (problem_.face_width) widest.face_width = greatest_face_width(problem_, widest);
+        if (problem_.face_width) widest.face_widths = greatest_face_widths(problem_, widest);
         if (!strength.is_hopeless(widest, task_.required)) continue;
         made_[i] = State::left_out;
         ++hopeless;
@@ -165,7 +165,7 @@ class Candidates {
       std::vector<double> modules;
       for (std::size_t k = 0; k < train.stages.size(); ++k)
         for (std::size_t j = 0; j < strengths.size() && modules.size() == k; ++j)
-          if (strengths[j].may_hold(widest_stage(train, k, problem_.modules[j]), k, required))
+          if (strengths[j].may_hold(widest(train, problem_.modules[j]), k, required))
             modules.push_back(problem_.modules[j]);
       return modules;
     };
@@ -181,26 +181,20 @@ class Candidates {
       kept.push_back(std::move(chosen));
     }
     const std::size_t hopeless = all_->size() - kept.size();
-    const auto cost = [&](const DriveCandidate& c) {
-      return cost_of(problem_, c, problem_.objectives.front());
-    };
-    std::stable_sort(kept.begin(), kept.end(), [&](const auto& a, const auto& b) {
-      return cost(a) != cost(b) ? cost(a) < cost(b) : a.size < b.size;
-    });
+    sort_by_objective(
+        problem_, kept, [](const auto& c) -> const auto& { return c; });
     chosen_ = std::move(kept);
     all_ = &chosen_;
     made_.assign(chosen_.size(), State::open);
     return hopeless;
   }
 
-  // The train with this module in all stages and with the greatest face width that stage k
-  // permits.
-  DriveCandidate widest_stage(const DriveCandidate& train, std::size_t k, double module) const {
+  // The train with this module in all stages, and with the greatest face widths.
+  DriveCandidate widest(const DriveCandidate& train, double module) const {
     DriveCandidate widest;
-    widest.stages = {train.stages[k]};
-    widest.module = module;
-    if (problem_.face_width) widest.face_width = greatest_face_width(problem_, widest);
     widest.stages = train.stages;
+    widest.module = module;
+    if (problem_.face_width) widest.face_widths = greatest_face_widths(problem_, widest);
     return widest;
   }
 
@@ -253,11 +247,8 @@ class Candidates {
 };
 
 void sort_designs(const DriveSearchProblem& problem, std::vector<FoundDrive>& list) {
-  const auto cost = [&](const FoundDrive& f) {
-    return cost_of(problem, f.candidate, problem.objectives.front());
-  };
-  std::stable_sort(list.begin(), list.end(),
-                   [&](const FoundDrive& a, const FoundDrive& b) { return cost(a) < cost(b); });
+  sort_by_objective(
+      problem, list, [](const FoundDrive& f) -> const auto& { return f.candidate; });
 }
 
 std::vector<std::size_t> front_of(const DriveSearchProblem& problem,

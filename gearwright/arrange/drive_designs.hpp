@@ -64,7 +64,7 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
 /// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;
 
-/// The drive of a candidate, with its shifts and its face width.
+/// The drive of a candidate, with its shifts and its face widths.
 ///
 /// Errors    as graph_of()
 Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
@@ -72,7 +72,7 @@ Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandid
 /// A design, the reason why a candidate is left out, or an error of the rating.
 using DriveOutcome = std::variant<FoundDrive, DriveFault, Error>;
 
-/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face width, rates
+/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face widths, rates
 /// it and judges it.
 class DriveDesigner {
  public:
@@ -92,11 +92,15 @@ class DriveDesigner {
  private:
   std::vector<GearShifts> trials(DriveCandidate candidate) const;
   bool is_better(const DriveOutcome& a, const DriveOutcome& b) const;
-  std::optional<std::vector<Safeties>> stage_safeties(const DriveCandidate& candidate) const;
+  DriveCandidate widest(DriveCandidate candidate) const;
+  std::optional<std::vector<Safeties>> mesh_safeties(const DriveCandidate& candidate) const;
   DriveOutcome with_stage_modules(DriveCandidate candidate) const;
+  std::vector<double> least_steps(DriveCandidate candidate, double below,
+                                  const std::vector<double>& greatest) const;
+  void set_steps(DriveCandidate& candidate, const std::vector<double>& steps) const;
   DriveOutcome sized(DriveCandidate candidate) const;
   std::optional<Drive> made_from(const DriveCandidate& candidate) const;
-  DriveOutcome with_width(DriveCandidate candidate) const;
+  DriveOutcome with_widths(DriveCandidate candidate) const;
 
   const DriveDesignTask& task_;
   const DriveSearchProblem& problem_;

@@ -1,10 +1,11 @@
-// Appends numbers to binary files, with the least significant byte first on every machine.
+// Appends numbers to binary files and reads them, with the least significant byte first on every machine.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace gearwright {
 
@@ -18,6 +19,16 @@ inline void append_u32(std::string& out, std::uint32_t value) {
                          static_cast<char>((value >> 16U) & 0xffU),
                          static_cast<char>(value >> 24U)};
   out.append(bytes, 4);
+}
+
+/// The number that begins at byte `at`.   Domain: within the bytes
+inline std::uint16_t u16_at(std::string_view bytes, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+  return static_cast<std::uint16_t>(byte(0) | byte(1) << 8U);
+}
+
+inline std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+  return u16_at(bytes, at) | static_cast<std::uint32_t>(u16_at(bytes, at + 2)) << 16U;
 }
 
 /// Appends a number in IEEE 754 single precision.

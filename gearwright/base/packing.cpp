@@ -37,4 +37,20 @@ std::string deflated(std::string_view content) {
   return out;
 }
 
+std::string inflated(std::string_view packed, std::size_t most) {
+  GW_EXPECTS(packed.size() <= 0xffffffffU && most <= 0xffffffffU);
+  z_stream stream{};
+  int status = inflateInit2(&stream, kRawDeflate);
+  GW_ENSURES(status == Z_OK);
+  std::string out(most, '\0');
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  status = inflate(&stream, Z_FINISH);
+  out.resize(status == Z_STREAM_END ? stream.total_out : 0);
+  inflateEnd(&stream);
+  return out;
+}
+
 }  // namespace gearwright

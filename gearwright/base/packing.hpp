@@ -18,4 +18,10 @@ std::uint32_t crc32_of(std::string_view bytes);
 /// Domain  fewer than 2³² bytes, or fewer than 2³¹ in a build without zlib (contract)
 std::string deflated(std::string_view content);
 
+/// The content of a raw deflate stream, up to `most` bytes. If the stream is broken or has more
+/// bytes, the result is empty.
+///
+/// Domain  as deflated() (contract)
+std::string inflated(std::string_view stream, std::size_t most);
+
 }  // namespace gearwright

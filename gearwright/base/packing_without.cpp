@@ -1,5 +1,7 @@
 // The version without zlib computes CRC-32 with a table of 256 remainders. It compresses with
-// stb_image_write.h (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB.
+// stb_image_write.h (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB, and
+// unpacks with stb_image.h.
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cstdlib>
@@ -12,6 +14,11 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb/stb_image_write.h>
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
 
 namespace gearwright {
 
@@ -54,6 +61,15 @@ std::string deflated(std::string_view content) {
   const std::string out(reinterpret_cast<const char*>(packed) + kZlibHeader,
                         static_cast<std::size_t>(length) - kZlibHeader - kZlibTrailer);
   std::free(packed);
+  return out;
+}
+
+std::string inflated(std::string_view stream, std::size_t most) {
+  GW_EXPECTS(stream.size() <= INT_MAX && most <= INT_MAX);
+  std::string out(most, '\0');
+  const int length = stbi_zlib_decode_noheader_buffer(
+      out.data(), static_cast<int>(most), stream.data(), static_cast<int>(stream.size()));
+  out.resize(static_cast<std::size_t>(std::max(length, 0)));
   return out;
 }
 

@@ -10,7 +10,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/little_endian.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/cad/zip.hpp"
+#include "gearwright/base/zip.hpp"
 #include "gearwright/figure/markup.hpp"
 
 namespace gearwright {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "gearwright/cad/testing/sample_outlines.hpp"
-#include "gearwright/cad/zip.hpp"
+#include "gearwright/base/zip.hpp"
 
 namespace gearwright {
 namespace {

@@ -152,6 +152,23 @@ const KeyTable& planetary_keys() {
   return table;
 }
 
+namespace {
+
+Key stage_angle() {
+  Key key = formed(
+      "angle_deg", "", "a number, or `\"coaxial\"` in the last stage",
+      "the value of the stage before",
+      "direction from the axis of the first gear of a pair to the axis of the second, "
+      "counter-clockwise; 0 for the first stage. `\"coaxial\"` leads back to the axis of the "
+      "input; if the stage before has no angle, it gets the angle that permits this",
+      KeyRange::between(-360, 360));
+  key.words = {"coaxial"};
+  key.fields = {"angle"};
+  return key;
+}
+
+}  // namespace
+
 const KeyTable& stage_keys() {
   static const KeyTable table{
       "stage",
@@ -171,6 +188,7 @@ const KeyTable& stage_keys() {
                    "helix angle of the first gear"),
        Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
        Key::positive("center_distance_mm", "a", {}, "backlash-free distance", "centre distance"),
+       stage_angle(),
        formed("profile_shift", "x", "a list of two numbers", "computed from the centre distance",
               "profile shifts", gear_keys().find("profile_shift")->range),
        formed("thickness_allowance_mm", "E_sn", "a number, or a list of two numbers", "0",

@@ -61,7 +61,8 @@ Key face_width() {
   Key k = of_set("face_width_mm");
   k.form += ", or a band [least, greatest]";
   k.meaning =
-      "face width; within a band, each rated design has the least width with the required "
+      "face width; within a band, each mesh of a rated design has the least width with the "
+      "required "
       "safeties, in steps of 1 mm, or of 0.05 in if the spec is in inch";
   return k;
 }
@@ -145,9 +146,9 @@ const KeyTable& drive_search_keys() {
        of_set("thickness_series", "\"cd25\" if a module is given"),
        of_set("backlash_mm", "backlash by `thickness_series`"),
        face_width(),
-       Key::positive(
-           "face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
-           "greatest face width within a band, in reference diameters of the smallest gear"),
+       Key::positive("face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
+                     "greatest face width within a band, in reference diameters of the smaller "
+                     "gear of a mesh"),
        Key::positive(
            "safety_flank_min", "S_Hmin", &Problem::safety_flank, "value of `[rating]`, otherwise 1",
            "least permitted safety against pitting, for every mesh; designs are rated if this key, "

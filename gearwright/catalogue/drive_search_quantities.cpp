@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "gearwright/catalogue/drive_quantities.hpp"
@@ -107,8 +108,23 @@ void add_found(Quantities<F>& q) {
              return Value(list);
            })
       .list({0});
-  q.number("face_width_mm", "face width", "b", "null if the search does not size the faces",
-           [](const F& f) { return f.candidate.face_width; });
+  q.number("face_width_mm", "greatest face width", "b",
+           "null if the search does not size the faces", [](const F& f) {
+             const auto& widths = f.candidate.face_widths;
+             return widths.empty() ? Value()
+                                   : Value(*std::max_element(widths.begin(), widths.end()));
+           });
+  q.add(Type::map, "face_widths_mm", "face widths", "b",
+        "per gear; null if the search does not size the faces",
+        [](const F& f) {
+          ValueMap map;
+          if (f.candidate.face_widths.empty()) return Value();
+          for (std::size_t g = 0; g < f.drive.graph.gears.size(); ++g)
+            map.emplace_back(f.drive.graph.gears[g].name,
+                             f.drive.geometry.gears[g]->spec.face_width);
+          return Value(std::move(map));
+        })
+      .doors(kJson);
   q.number(
       "sliding_max", "greatest specific sliding", "|ζ|",
       "greatest magnitude at the ends of the paths of all meshes; null without geometry, or if a "

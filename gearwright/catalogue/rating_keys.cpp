@@ -31,6 +31,18 @@ Key factor(std::string_view key, std::string_view symbol,
                      meaning);
 }
 
+// K_γ. The reader of drives reads the table and the word (spec/read_drive.hpp).
+Key mesh_load_factor() {
+  Key key = factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
+                   "greatest load of a mesh divided by the mean load, if several meshes share the "
+                   "power, for example with planets. In the table, a mesh that is not named has 1; "
+                   "`\"computed\"` takes K_γ of each mesh from the drive under `[load]`");
+  key.kind = KeyKind::any;
+  key.words = {"computed"};
+  key.form = "a number; for a drive also a table of numbers by mesh, or `\"computed\"`";
+  return key;
+}
+
 // A key for two numbers, one for each gear. A single number applies to both gears.
 Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
@@ -137,9 +149,7 @@ const KeyTable& rating_keys() {
        factor(
            "application_factor", "K_A", &RatingInput::application_factor, "1",
            "application factor K_A for additional loads from the driving and the driven machine"),
-       factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-              "greatest load of a mesh divided by the mean load, if several meshes share the "
-              "power, for example with planets"),
+       mesh_load_factor(),
        Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors are 1",
                      "required life in hours at this load")
            .with_needs({"speed_rpm"})

@@ -59,18 +59,26 @@ struct CentralTeeth {
   long long rider, central;  // numbers of teeth; `central` is < 0 for a ring
 };
 
-// The meshes of the planets with the central gears of a set.
+// The gear of the planet that meshes with a central gear.
+M rider_of(const TeethOfSet& z, M central) {
+  const bool second = central == M::sun2 || central == M::ring2;
+  return second && z[at(M::planet2)] > 0 ? M::planet2 : M::planet;
+}
+
+// The meshes of the planets with the central gears of a set, in the order of its graph.
 struct SetMeshes {
   std::array<CentralTeeth, 4> list{};
+  std::array<M, 4> members{};  // the central gears
   std::size_t count = 0;
 
   explicit SetMeshes(const TeethOfSet& z) {
-    const int one = z[at(M::planet)];
-    const int two = z[at(M::planet2)] > 0 ? z[at(M::planet2)] : one;
-    if (z[at(M::sun)] > 0) list[count++] = {one, z[at(M::sun)]};
-    if (z[at(M::sun2)] > 0) list[count++] = {two, z[at(M::sun2)]};
-    if (z[at(M::ring)] > 0) list[count++] = {one, -z[at(M::ring)]};
-    if (z[at(M::ring2)] > 0) list[count++] = {two, -z[at(M::ring2)]};
+    for (const M central : {M::sun, M::sun2, M::ring, M::ring2}) {
+      const int teeth = z[at(central)];
+      if (teeth == 0) continue;
+      const bool ring = central == M::ring || central == M::ring2;
+      members[count] = central;
+      list[count++] = {z[at(rider_of(z, central))], ring ? -teeth : teeth};
+    }
   }
 };
 
@@ -363,56 +371,35 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
   return set;
 }
 
-double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate) {
+std::vector<double> greatest_face_widths(const DriveSearchProblem& problem,
+                                         const DriveCandidate& candidate) {
   GW_EXPECTS(problem.face_width);
-  double least = kInfinity;  // m_n z of the smallest gear
-  for (const int z : candidate.teeth)
-    if (z > 0) least = std::min(least, candidate.module * z);
-  for (std::size_t k = 0; k < candidate.stages.size(); ++k)
-    for (const int z : candidate.stages[k]) least = std::min(least, candidate.stage_module(k) * z);
-  return std::min((*problem.face_width)[1],
-                  problem.face_diameters * (least / cosine_of_helix(problem)));
-}
-
-double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
-               DriveObjective objective) {
-  switch (objective) {
-    case DriveObjective::efficiency: return -candidate.efficiency;
-    case DriveObjective::ratio: return std::abs(candidate.ratio - problem.target());
-    case DriveObjective::size: return candidate.size;
-    case DriveObjective::efficiency_backward: return -candidate.efficiency_backward;
-    case DriveObjective::clearance: return -candidate.clearance;
-    case DriveObjective::planets: return -candidate.planets;
-    case DriveObjective::noise: return candidate.noise.value_or(kInfinity);
-  }
-  return 0.0;
-}
-
-std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
-                                      const std::vector<DriveCandidate>& candidates) {
-  if (problem.objectives.size() < 2) return {};
-  std::vector<std::vector<double>> costs;
-  for (const DriveCandidate& c : candidates) {
-    costs.emplace_back();
-    for (const DriveObjective o : problem.objectives)
-      costs.back().push_back(cost_of(problem, c, o));
-  }
-  std::vector<std::size_t> order(candidates.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
-  // The candidates are sorted by their costs, so a candidate can be dominated only by an earlier
-  // one.
-  std::vector<std::size_t> front;
-  const auto beats = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    return a != b && std::equal(a.begin(), a.end(), b.begin(), std::less_equal<>());
+  const auto greatest = [&](double module, long long z1, long long z2) {
+    const double diameter =
+        module * static_cast<double>(std::min(z1, z2)) / cosine_of_helix(problem);
+    return std::min((*problem.face_width)[1], problem.face_diameters * diameter);
   };
-  for (const std::size_t i : order)
-    if (std::none_of(front.begin(), front.end(),
-                     [&](std::size_t f) { return beats(costs[f], costs[i]); }))
-      front.push_back(i);
-  std::sort(front.begin(), front.end());
-  return front;
+  std::vector<double> widths;
+  for (std::size_t k = 0; k < candidate.stages.size(); ++k)
+    widths.push_back(
+        greatest(candidate.stage_module(k), candidate.stages[k][0], candidate.stages[k][1]));
+  const SetMeshes meshes(candidate.teeth);
+  for (std::size_t m = 0; m < meshes.count; ++m)
+    widths.push_back(
+        greatest(candidate.module, meshes.list[m].rider, std::abs(meshes.list[m].central)));
+  return widths;
+}
+
+PerMember member_face_widths(const DriveCandidate& candidate) {
+  PerMember widths;
+  const SetMeshes meshes(candidate.teeth);
+  for (std::size_t m = 0; m < meshes.count && m < candidate.face_widths.size(); ++m) {
+    const double width = candidate.face_widths[m];
+    widths.each[at(meshes.members[m])] = width;
+    auto& rider = widths.each[at(rider_of(candidate.teeth, meshes.members[m]))];
+    rider = std::max(rider.value_or(0.0), width);
+  }
+  return widths;
 }
 
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads) {
@@ -429,12 +416,8 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
   }
   if (problem.asks(DriveObjective::noise)) estimate_noise(problem, result.found, threads);
   give_modules(problem, result);
-  const DriveObjective first = problem.objectives.front();
-  std::stable_sort(result.found.begin(), result.found.end(),
-                   [&](const DriveCandidate& a, const DriveCandidate& b) {
-                     const double x = cost_of(problem, a, first), y = cost_of(problem, b, first);
-                     return x != y ? x < y : a.size < b.size;
-                   });
+  sort_by_objective(
+      problem, result.found, [](const auto& c) -> const auto& { return c; });
   return result;
 }
 

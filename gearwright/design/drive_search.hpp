@@ -74,8 +74,8 @@ struct DriveSearchProblem {
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
                                                     ///<    the search chooses, both ends included
-  double face_diameters = 1.2;                      ///< greatest b/d of the smallest gear, if the
-                                                    ///< search chooses the face width
+  double face_diameters = 1.2;  ///< greatest b/d of the smaller gear of a mesh, if the search
+                                ///< chooses the face widths
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
   /// Helix angle, losses, allowances, backlash, spacing, and the fixed and driving members. Numbers
   /// of teeth in `base` are ignored.
@@ -109,7 +109,9 @@ struct DriveCandidate {
             ///< for a train, sum of centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
-  std::optional<double> face_width{};   ///< b  mm, if the search sizes the face width
+  /// b of each mesh  mm, in the order of the graph; empty if the search does not size the faces. A
+  /// gear with several meshes has the greatest of their face widths.
+  std::vector<double> face_widths{};
   GearShifts shifts{};                  ///< x  if the search chooses the profile shifts
   std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, all have `module`
   /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
@@ -130,8 +132,7 @@ struct DriveCandidate {
 struct DriveSearchResult {
   std::int64_t tested = 0;
   std::array<std::int64_t, kDriveLimitNames.size()> rejected{};
-  std::vector<DriveCandidate> found;  ///< sorted by the first objective, the best first, and then
-                                      ///< by size
+  std::vector<DriveCandidate> found;  ///< in the order of sort_by_objective()
   bool is_complete = true;  ///< false if a search for trains was stopped at one of its limits
 };
 
@@ -160,16 +161,47 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// stage, so that both gears of an intermediate shaft have the same hand and their axial forces have
 /// opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
+/// True if the output of this train gets the axis of its input: `coaxial_teeth` is given, all stages
+/// have one module, and the search chooses the profile shifts.
+bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
 /// The train with these modules of its stages, and with the size that follows from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);
-/// The greatest face width that the search may choose, mm. It is limited by the band of face widths
-/// and by the greatest b/d.
-double greatest_face_width(const DriveSearchProblem& problem, const DriveCandidate& candidate);
+/// The greatest face width of each mesh that the search may choose, mm. It is limited by the band of
+/// face widths and by the greatest b/d.
+std::vector<double> greatest_face_widths(const DriveSearchProblem& problem,
+                                         const DriveCandidate& candidate);
+/// b of the gears of a set, by member. Empty for a train, or if the search does not size the faces.
+PerMember member_face_widths(const DriveCandidate& candidate);
 
 /// The number by which candidates are ranked for an objective; a smaller number is better.
 double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidate,
                DriveObjective objective);
+
+/// Greatest difference between efficiencies that count as equal in the ranking. The estimate of the
+/// losses of a mesh is far less accurate.
+inline constexpr double kSameEfficiency = 1e-4;
+
+/// Sorts a list by the first objective of the search, the best first, and then by size. If this
+/// objective is an efficiency, candidates that are at most kSameEfficiency worse than the best of
+/// them are sorted by size, and likewise the candidates after them.
+template <class T, class CandidateOf>
+void sort_by_objective(const DriveSearchProblem& problem, std::vector<T>& list,
+                       const CandidateOf& candidate_of) {
+  const DriveObjective first = problem.objectives.front();
+  const auto cost = [&](const T& t) { return cost_of(problem, candidate_of(t), first); };
+  const auto size = [&](const T& t) { return candidate_of(t).size; };
+  std::stable_sort(list.begin(), list.end(), [&](const T& a, const T& b) {
+    return cost(a) != cost(b) ? cost(a) < cost(b) : size(a) < size(b);
+  });
+  if (first != DriveObjective::efficiency && first != DriveObjective::efficiency_backward) return;
+  for (auto begin = list.begin(); begin != list.end();) {
+    const double worst = cost(*begin) + kSameEfficiency;
+    const auto end = std::find_if(begin, list.end(), [&](const T& t) { return cost(t) > worst; });
+    std::stable_sort(begin, end, [&](const T& a, const T& b) { return size(a) < size(b); });
+    begin = end;
+  }
+}
 
 /// Indices of the candidates that no other candidate dominates in all objectives.
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,

@@ -195,6 +195,28 @@ TEST(DriveSearchTest, FrontIsWhatNothingBeats) {
   }
 }
 
+// Efficiencies that differ by less than 0.01 % do not decide the order. Of all drives whose efficiency
+// is at most 1e-4 below the best one, the smallest comes first, and no drive is more than 1e-4
+// better than an earlier one.
+TEST(DriveSearchTest, NearlyEqualEfficienciesAreSortedBySize) {
+  DriveSearchProblem problem = problem_of(DriveKind::train, {12.0, 12.05});
+  problem.pinion = {17, 20};
+  problem.wheel = {50, 80};
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found);
+  const auto& all = found->found;
+  ASSERT_GT(all.size(), 20u);
+  double best = 0.0, smallest = kInfinity, so_far = 1.0;
+  for (const DriveCandidate& c : all) best = std::max(best, c.efficiency);
+  for (const DriveCandidate& c : all)
+    if (c.efficiency >= best - 1e-4) smallest = std::min(smallest, c.size);
+  EXPECT_EQ(all.front().size, smallest);
+  for (const DriveCandidate& c : all) {
+    EXPECT_LE(c.efficiency, so_far + 1e-4);
+    so_far = std::min(so_far, c.efficiency);
+  }
+}
+
 TEST(DriveSearchTest, EndsAreThreeBodies) {
   DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 5.0});
   problem.base.output = "ring";

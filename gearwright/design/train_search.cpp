@@ -105,6 +105,11 @@ double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage) {
   return stage % 2 == 1 ? -beta : beta;
 }
 
+bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train) {
+  return problem.coaxial_teeth && train.stages.size() > 1 && train.has_one_module() &&
+         !problem.modules.empty() && !problem.base.profile_shift.all;
+}
+
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules) {
   GW_EXPECTS(modules.size() == train.stages.size());

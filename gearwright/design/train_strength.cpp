@@ -17,9 +17,11 @@ struct StageShape {
 
 std::vector<StageShape> shapes_of(const DriveCandidate& candidate) {
   std::vector<StageShape> shapes;
-  const double log_width = std::log(candidate.face_width.value_or(1.0));
   double log_torque = 0.0;
-  for (const auto& [z1, z2] : candidate.stages) {
+  for (std::size_t k = 0; k < candidate.stages.size(); ++k) {
+    const auto& [z1, z2] = candidate.stages[k];
+    const double log_width =
+        candidate.face_widths.empty() ? 0.0 : std::log(candidate.face_widths[k]);
     const double log_z = std::log(z1), u = static_cast<double>(z2) / z1;
     const double log_u = std::log(u);
     const double log_w = log_torque - log_width - log_z;

@@ -20,7 +20,7 @@
 
 namespace gearwright {
 
-/// A rated train. If the search chooses face widths, `candidate` has the face width of the rating.
+/// A rated train. If the search chooses face widths, `candidate` has the face widths of the rating.
 struct RatedTrain {
   DriveCandidate candidate;
   std::vector<Safeties> stages;
@@ -46,7 +46,7 @@ class TrainStrength {
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
   /// True if, by the estimate, a stage of the train cannot have the required safeties.
   ///
-  /// `candidate`  with the greatest face width, if the search chooses it
+  /// `candidate`  with the greatest face widths, if the search chooses them
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless
   ///              (2) a train that is not hopeless is not hopeless for lower safeties either
   bool is_hopeless(const DriveCandidate& candidate, const Safeties& required) const;

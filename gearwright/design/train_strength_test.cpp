@@ -17,11 +17,12 @@ RatedTrain law_train(std::mt19937& random, double scatter_range) {
   std::uniform_real_distribution<double> scatter(-scatter_range, scatter_range);
   RatedTrain train;
   train.candidate.stages = {{pinion(random), wheel(random)}, {pinion(random), wheel(random)}};
-  train.candidate.face_width = width(random);
+  train.candidate.face_widths = {1.0 * width(random), 1.0 * width(random)};
   double torque = 1.0;
-  for (const auto& [z1, z2] : train.candidate.stages) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& [z1, z2] = train.candidate.stages[k];
     const double u = static_cast<double>(z2) / z1;
-    const double w = torque / (*train.candidate.face_width * z1);
+    const double w = torque / (train.candidate.face_widths[k] * z1);
     const double kappa = w * (u + 1) / (u * z1);
     train.stages.push_back(
         {std::sqrt(0.0001 / (kappa * std::pow(z1, 0.6))) * std::exp(scatter(random)),

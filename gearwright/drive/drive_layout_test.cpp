@@ -227,31 +227,75 @@ TEST(DriveLayout, GearsThatCutEachOtherStandBesideEachOther) {
   EXPECT_EQ(two.geometry.gears[0]->spec.face_width, 20 + 20 + 2 * 2.0);
 }
 
-TEST(DriveLayout, ATrainStandsInLine) {
+StageSpec layout_stage(int z1, int z2, double module = 2.0) {
   StageSpec stage;
-  stage.pair.teeth = {19, 57};
-  for (const std::size_t i : {0, 1}) {
-    CylindricalSpec gear;
-    gear.teeth = stage.pair.teeth[i];
-    gear.normal_module = 2.0;
-    gear.face_width = 20.0;
-    stage.pair.specs[i] = gear;
-  }
-  const auto input = train_of({stage, stage});
-  ASSERT_TRUE(input);
-  const auto drive = make_drive(*input);
-  ASSERT_TRUE(drive);
-  const DriveLayout layout = laid(*drive);
+  stage.pair.teeth = {z1, z2};
+  stage.pair.set_teeth({.normal_module = module, .face_width = 20.0});
+  return stage;
+}
+
+Drive laid_train(const std::vector<StageSpec>& stages) {
+  return testing::taken(make_drive(testing::taken(train_of(stages))));
+}
+
+TEST(DriveLayout, ATrainStandsInLine) {
+  const Drive drive = laid_train({layout_stage(19, 57), layout_stage(19, 57)});
+  const DriveLayout layout = laid(drive);
   EXPECT_EQ(layout.sections.size(), 2u);
   EXPECT_NEAR((layout.places.axes[2] - layout.places.axes[0]).norm(), 152.0, 1e-9);
-  EXPECT_LT(worst_mesh(*drive, turned(*drive, layout, 0.3)), 1e-6);
-  // With the second stage turned back, the third shaft lies on the first, so input and output are
-  // coaxial.
-  DriveInput reverted = *input;
-  reverted.graph.meshes[1].direction = Angle::degrees(180);
-  const auto folded = make_drive(reverted);
-  ASSERT_TRUE(folded);
-  EXPECT_NEAR((laid(*folded).places.axes[2]).norm(), 0.0, 1e-9);
+  EXPECT_LT(worst_mesh(drive, turned(drive, layout, 0.3)), 1e-6);
+}
+
+// The last shaft of a coaxial train lies on the first one. With three stages, the centre distances are
+// the sides of the triangle of the axes, on the left side of the first of them.
+TEST(DriveLayout, ACoaxialTrainClosesByItself) {
+  std::vector<StageSpec> two{layout_stage(19, 57), layout_stage(16, 60)};
+  two.front().pair.direction = Angle::degrees(30);
+  two.back().pair.coaxial = true;
+  const Drive folded = laid_train(two);
+  const DriveLayout layout = laid(folded);
+  EXPECT_NEAR((layout.places.axes[1] - 76 * Vec2(std::sqrt(0.75), 0.5)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(layout.places.axes[2].norm(), 0.0, 1e-9);
+  EXPECT_EQ(layout.sections.size(), 2u);
+  EXPECT_LT(worst_mesh(folded, turned(folded, layout, 0.3)), 1e-6);
+
+  std::vector<StageSpec> three{layout_stage(20, 60), layout_stage(20, 50),
+                               layout_stage(18, 63, 2.5)};
+  three.back().pair.coaxial = true;
+  const Drive triangle = laid_train(three);
+  const auto places = laid(triangle).places;
+  EXPECT_NEAR(places.axes[1].x(), 80.0, 1e-9);
+  EXPECT_NEAR((places.axes[2] - places.axes[1]).norm(), 70.0, 1e-9);
+  EXPECT_NEAR(places.axes[2].norm(), 101.25, 1e-9);
+  EXPECT_GT(places.axes[2].y(), 0.0);
+  EXPECT_NEAR(places.axes[3].norm(), 0.0, 1e-9);
+  EXPECT_LT(worst_mesh(triangle, turned(triangle, laid(triangle), 0.3)), 1e-6);
+
+  for (const auto& [z, words] : {std::pair{61, "81.0000"}, std::pair{300, "320.0000"}}) {
+    std::vector<StageSpec> open{layout_stage(20, 60), layout_stage(20, z)};
+    if (z == 300) open.insert(open.begin() + 1, layout_stage(20, 60));
+    open.back().pair.coaxial = true;
+    const auto made = train_of(open);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().field, "drive.angle");
+    EXPECT_NE(made.error().rule.find(words), std::string::npos) << made.error().rule;
+  }
+}
+
+// The wheel of the first stage covers the axis of the third shaft if its tip radius is greater than the
+// centre distance of the second stage.
+TEST(DriveLayout, AShaftWithinAGearIsANote) {
+  for (const int teeth : {40, 110}) {
+    const Drive drive = laid_train({layout_stage(18, teeth), layout_stage(18, 40)});
+    const auto notes = shafts_through_gears(drive, laid(drive).places);
+    ASSERT_EQ(notes.size(), teeth > 56 ? 1u : 0u);
+    if (notes.empty()) continue;
+    EXPECT_EQ(notes.front().code, WarningCode::shaft_through_gear);
+    EXPECT_NE(notes.front().message.find("58.0000 mm from the axis of the gear s1_gear2"),
+              std::string::npos)
+        << notes.front().message;
+    EXPECT_NE(notes.front().message.find("112.0000"), std::string::npos);
+  }
 }
 
 TEST(DriveLayout, LooksAlikeAfterTheLeastTurn) {

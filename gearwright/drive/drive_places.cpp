@@ -282,6 +282,36 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear) {
   return nullptr;
 }
 
+std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces& places) {
+  const DriveGraph& graph = drive.graph;
+  std::vector<Warning> notes;
+  if (!places.true_scale) return notes;
+  const auto turns_in_housing = [&](std::size_t body) {
+    return !graph.bodies[body].carrier && !graph.moves(body);
+  };
+  for (std::size_t g = 0; g < graph.gears.size(); ++g) {
+    const DriveGear& gear = graph.gears[g];
+    if (gear.is_ring() || gear.rack || !turns_in_housing(gear.body)) continue;
+    std::vector<Vec2> named;  // the axes of the notes; coaxial bodies have one shaft
+    for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
+      const Vec2 axis = places.axes[b];
+      const double apart = (axis - places.axes[gear.body]).norm();
+      const double same_axis = kCloses * places.radii[g];
+      if (!turns_in_housing(b) || apart >= places.radii[g] || apart <= same_axis) continue;
+      if (std::any_of(named.begin(), named.end(),
+                      [&](const Vec2& other) { return (axis - other).norm() <= same_axis; }))
+        continue;
+      named.push_back(axis);
+      notes.push_back({WarningCode::shaft_through_gear,
+                       fmt::format("The axis of {} is {:.4f} mm from the axis of the gear {}, "
+                                   "whose tip radius is {:.4f} mm, so this shaft must end before "
+                                   "the gear.",
+                                   graph.bodies[b].name, apart, gear.name, places.radii[g])});
+    }
+  }
+  return notes;
+}
+
 Result<DrivePlaces> drive_places(const Drive& drive) { return Placing(drive).places(); }
 
 }  // namespace gearwright

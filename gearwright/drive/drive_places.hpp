@@ -48,4 +48,9 @@ const RackPair* rack_pair_of(const Drive& drive, std::size_t gear);
 ///           position
 Result<DrivePlaces> drive_places(const Drive& drive);
 
+/// A note for each shaft whose axis is within the tip circle of an external gear on another axis. A
+/// shaft that is supported on both sides of the housing would pass through the gear. Planets and
+/// racks are not checked.
+std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces& places);
+
 }  // namespace gearwright

@@ -71,6 +71,7 @@ RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& loa
   RatingInput input = load.common;
   const int n = drive.graph.copies(m);
   input.torque = std::abs(one.factor() * drive.flow->load[mesh]) * load.torque / n;
+  if (!load.mesh_load_factors.empty()) input.mesh_load_factor = load.mesh_load_factors[mesh];
   if (n == 1) input.mesh_load_factor = 1.0;
   if (load.speed) {
     const auto own = drive.speed_ratio(one.body);
@@ -123,6 +124,8 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
     if (!one) return of_mesh(one.error());
     if (!two) return of_mesh(two.error());
     made.rating = joined(std::move(one).take(), *two);
+    if (load.factor_origin && drive.graph.copies(drive.graph.meshes[m]) > 1)
+      made.rating.K_gamma.branch = load.factor_origin;
     made.engagements = {use[0].engagements, use[1].engagements};
     ratings[m] = std::move(made);
   }

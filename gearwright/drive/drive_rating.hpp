@@ -24,6 +24,8 @@ struct DriveLoad {
   std::optional<double> speed;  ///< n  1/min, of the first input; if absent, meshes are rated
                                 ///<    without speed
   RatingInput common;           ///< all other inputs; K_γ is used only for meshes with N > 1
+  std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, that of `common`
+  const char* factor_origin = nullptr;      ///< origin of `mesh_load_factors`, if not the user
 };
 
 /// A function that returns the material of a gear, by its index in the graph.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/drive/drive_geometry.hpp"
 #include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
@@ -164,6 +165,7 @@ DriveGraph pair_graph(const PairStage& stage) {
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.meshes.front().backlash = stage.backlash;
+  graph.meshes.front().direction = stage.direction;
   graph.inputs = {0};
   graph.output = 1;
   return graph;
@@ -207,6 +209,75 @@ void append(DriveGraph& train, const DriveGraph& stage, const std::string& prefi
     train.torque_Nm = stage.torque_Nm;
   }
   train.output = body[stage.output];
+}
+
+// A stage of two gears in the polygon of the axes of a train.
+struct Side {
+  std::size_t stage;  // counted from 1
+  std::size_t mesh;
+  double length;  // a  mm
+};
+
+// The directions of the last stage, and of the stage before if it has none, for which the output has
+// the axis of the input.
+std::optional<Error> close_train(DriveInput& train) {
+  constexpr double kCloses = 1e-6;  // mm; far below the play of any bearing
+  const auto fails = [](const std::string& rule) {
+    return Error{"drive.angle", "\"coaxial\"", rule};
+  };
+  if (auto error = check_graph(train.graph)) return error;
+  const DriveGeometry geometry = drive_geometry(train.graph);
+  std::vector<Side> sides;
+  std::size_t mesh = 0;
+  for (std::size_t k = 0; k < train.stages.size(); ++k) {
+    const DriveGraph& own = train.stages[k];
+    if (!own.frame(own.meshes.front())) {
+      if (!geometry.distance[mesh])
+        return fails(
+            fmt::format("needs the centre distance of stage {}, which is not known; give "
+                        "`normal_module` for all stages",
+                        k + 1));
+      sides.push_back({k + 1, mesh, *geometry.distance[mesh]});
+    }
+    mesh += own.meshes.size();
+  }
+  const Side last = sides.back();
+  if (sides.size() < 2)
+    return fails("needs two stages of two gears; a single one cannot lead back to its input");
+  // Follows the axes to the input of the stage before the last one, and to its output.
+  auto& meshes = train.graph.meshes;
+  const Side before = sides[sides.size() - 2];
+  double angle = 0.0;
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  for (const Side& side : sides) {
+    if (side.mesh == last.mesh) break;
+    angle = meshes[side.mesh].direction.value_or(Angle::radians(angle)).rad();
+    from = to;
+    to += side.length * Vec2(std::cos(angle), std::sin(angle));
+  }
+  const double first = from.norm();
+  if (sides.size() > 2 && !meshes[before.mesh].direction && first > kCloses) {
+    const double a = before.length, b = last.length;
+    if (a + b < first || std::abs(a - b) > first)
+      return fails(
+          fmt::format("is impossible, because {:.4f} mm between the input and stage {} and "
+                      "the centre distances {:.4f} mm and {:.4f} mm form no triangle; give "
+                      "another `center_distance`",
+                      first, before.stage, a, b));
+    // The interior angle at `from`, by the law of cosines.
+    const double at_from = std::acos((first * first + a * a - b * b) / (2 * first * a));
+    angle = std::atan2(-from.y(), -from.x()) - at_from;
+    meshes[before.mesh].direction = Angle::radians(angle);
+    to = from + a * Vec2(std::cos(angle), std::sin(angle));
+  }
+  if (std::abs(to.norm() - last.length) > kCloses)
+    return fails(
+        fmt::format("is impossible, because the last stage begins {:.4f} mm from the axis of the "
+                    "input, but its centre distance is {:.4f} mm; give `center_distance` = "
+                    "{:.4f} mm for it, and leave out one of its profile shifts",
+                    to.norm(), last.length, to.norm()));
+  meshes[last.mesh].direction = Angle::radians(std::atan2(-to.y(), -to.x()));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -341,6 +412,8 @@ Result<DriveInput> train_of(const std::vector<StageSpec>& stages) {
     joined = made.graph.output;
     made.stages.push_back(std::move(own));
   }
+  if (!stages.empty() && !stages.back().planetary && stages.back().pair.coaxial)
+    if (auto error = close_train(made)) return *error;
   return made;
 }
 

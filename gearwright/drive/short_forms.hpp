@@ -96,6 +96,12 @@ struct PairStage {
   std::array<std::optional<Bore>, 2> bores{};
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;
+  /// Direction from the axis of the first gear to the axis of the second gear; by default that of the
+  /// stage before.
+  std::optional<Angle> direction{};
+  /// True if the axis of the second gear is the axis of the input of the train, which determines the
+  /// direction.
+  bool coaxial = false;
 
   /// Gives both gears teeth. The hand of the second gear fits the first.
   void set_teeth(const PairTeeth& given);
@@ -132,8 +138,12 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 /// on. A body that is the output of one stage and the input of the next stage has the name that
 /// the first of these stages gives it.
 ///
+/// Formula   if the last stage is coaxial, its direction leads back to the axis of the input. If the
+///           stage before has no direction, it is the one on the left side for which the centre
+///           distances form a triangle
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
-///           `drive.torque` if they are given for a later stage
+///           `drive.torque` if they are given for a later stage; `drive.angle` if the centre
+///           distances do not permit a coaxial output
 Result<DriveInput> train_of(const std::vector<StageSpec>& stages);
 
 }  // namespace gearwright

@@ -48,6 +48,8 @@ class Scheme {
         " The picture is a half section. Planetary sets are drawn above their axis, with one "
         "planet each. Radii are to scale, but lengths along the axes are not.";
     f_.bare = true;
+    unfold();
+    if (!is_plane_) f_.caption += " Axes that lie in other directions are unfolded into its plane.";
     measure();
     draw_gears();
     draw_carriers();
@@ -73,7 +75,41 @@ class Scheme {
   }
 
   double slot_x(int slot) const { return kSlot * slot; }
-  double axis_y(std::size_t body) const { return scale_ * places_.axes[body].x(); }
+  double axis_y(std::size_t body) const { return scale_ * heights_[body]; }
+
+  // The heights of the axes. If they do not lie in one plane, they are unfolded into the plane of the
+  // picture, so that each mesh keeps its centre distance.
+  void unfold() {
+    for (const Vec2& axis : places_.axes) heights_.push_back(axis.x());
+    const auto across = [&](const DriveMesh& m) -> Vec2 {
+      return places_.axes[graph_.gear(m, 1).body] - places_.axes[graph_.gear(m, 0).body];
+    };
+    is_plane_ = std::all_of(graph_.meshes.begin(), graph_.meshes.end(), [&](const DriveMesh& m) {
+      return graph_.frame(m) || std::abs(across(m).y()) < 1e-6 * across(m).norm();
+    });
+    std::vector<char> placed(heights_.size(), is_plane_);
+    placed[graph_.inputs.front()] = 1;
+    const auto place = [&](std::size_t from, std::size_t to, double apart) {
+      if (!placed[from] || placed[to]) return false;
+      heights_[to] = heights_[from] + apart;
+      placed[to] = 1;
+      return true;
+    };
+    for (bool found = true; found;) {
+      found = false;
+      for (const DriveMesh& m : graph_.meshes) {
+        const std::size_t a = graph_.gear(m, 0).body, b = graph_.gear(m, 1).body;
+        if (const auto carrier = graph_.frame(m)) {
+          for (const std::size_t body : {a, b})
+            if (!rides(body))
+              found = place(body, *carrier, 0.0) || place(*carrier, body, 0.0) || found;
+          continue;
+        }
+        const double apart = std::copysign(across(m).norm(), across(m).x());
+        found = place(a, b, apart) || place(b, a, -apart) || found;
+      }
+    }
+  }
 
   void measure() {
     double most = 0.0;
@@ -348,6 +384,8 @@ class Scheme {
   const DrivePlaces& places_;
   Figure f_;
   double scale_ = 1.0;
+  std::vector<double> heights_;           // of the axis of each body  mm
+  bool is_plane_ = true;                  // true if all axes in the housing lie in one plane
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;

@@ -343,6 +343,9 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::default_rack, "default_rack", kNote,
      "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
      "of this pressure angle"},
+    {C::shaft_through_gear, "shaft_through_gear", kNote,
+     "verb drive: the axis of a shaft is within the tip circle of a gear on another shaft, so the "
+     "shaft must end before this gear"},
 }};
 
 constexpr bool each_has_its_row() {

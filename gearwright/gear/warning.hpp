@@ -129,6 +129,8 @@ enum class WarningCode {
   mesh_load_factor,
   // A rack that is not given.
   default_rack,
+  // A shaft of a drive that would pass through a gear.
+  shaft_through_gear,
   count  ///< the number of codes, not a code
 };
 

@@ -8,7 +8,6 @@
 #include "gearwright/arrange/two_halves.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/printable.hpp"
-#include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/contact/rack_contact.hpp"
 #include "gearwright/spec/json.hpp"
@@ -88,7 +87,11 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.drive.contacts = mesh_contacts(job.drive, errors);
     job.drive.error = transmission_error(job.drive, spec.drive->harmonics, errors);
   }
-  if (auto places = drive_places(job.drive)) job.places = std::move(places).take();
+  if (auto places = drive_places(job.drive)) {
+    const auto notes = shafts_through_gears(job.drive, *places);
+    job.drive.findings.insert(job.drive.findings.end(), notes.begin(), notes.end());
+    job.places = std::move(places).take();
+  }
   if (auto layout = drive_layout(job.drive)) {
     job.layout = std::move(layout).take();
   } else {
@@ -102,10 +105,47 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
   return job;
 }
 
+namespace {
+
+// Sets K_γ of each mesh, if [rating] gives it by mesh or as "computed".
+std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, const Drive& drive,
+                                            DriveLoad& load) {
+  const DriveGraph& graph = drive.graph;
+  if (factors.computed && !drive.loaded)
+    return Error{"rating.mesh_load_factor", "\"computed\"",
+                 "needs [load], under which the loads of the planets are computed; add this table "
+                 "to a spec of a drive, or give a number"};
+  if (!factors.computed && factors.given.each.empty()) return std::nullopt;
+  load.mesh_load_factors.assign(graph.meshes.size(), 1.0);
+  if (factors.computed) {
+    load.factor_origin = "computed for the planets under [load]";
+    for (const PlanetShares& shares : drive.loaded->sets)
+      for (const auto& [m, factor] : shares.mesh_load_factors) load.mesh_load_factors[m] = factor;
+  }
+  std::vector<std::string> shared;  // the names of the meshes of several planets
+  for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
+    if (graph.copies(graph.meshes[m]) == 1) continue;
+    shared.push_back(graph.meshes[m].name);
+    if (const auto own = factors.given.of(shared.back())) load.mesh_load_factors[m] = *own;
+  }
+  for (const auto& [name, factor] : factors.given.each)
+    if (std::find(shared.begin(), shared.end(), name) == shared.end())
+      return Error{
+          fmt::format("rating.mesh_load_factor.{}", printable(name, 40)), format_number(factor),
+          shared.empty() ? "is not used, because the drive has no meshes of several planets"
+                         : fmt::format("is not the name of a mesh of several planets; they are {}",
+                                       enumerated(shared))};
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   DriveLoad load;
   load.common = spec.rating.input;
   load.common.speed.reset();
+  if (auto error = find_mesh_load_factors(read_mesh_load_factors(spec.tree->tables), drive, load))
+    return *error;
   const auto& own = drive.graph.torque_Nm;
   const auto& rated = spec.rating.torque;
   if (!own && !rated)
@@ -165,27 +205,35 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // Without a rating, a planet with twice an equal share is a finding. This includes one of two
   // planets that carries the whole load, whose K_γ has a rounding error.
   constexpr double kUnequal = 2.0 - 1e-9;
-  const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
-  if (!computed || *computed <= (rated ? (1 + kSameFactor) * *rated : kUnequal))
-    return std::nullopt;
-  const std::string factor = fixed_decimals(*computed, 3);
-  std::string mesh;
-  bool floats = false;
+  const bool rated = !drive.ratings.empty();
+  const PlanetShares* worst = nullptr;
+  std::size_t mesh = 0;
+  double excess = rated ? 1 + kSameFactor : kUnequal;  // K_γ divided by K_γ of the rating
+  double factor = 1.0, used = 1.0;
   for (const PlanetShares& shares : drive.loaded->sets)
-    if (const auto [m, greatest] = shares.mesh_load_factor(); greatest == *computed) {
-      mesh = drive.graph.meshes[m].name;
-      floats = shares.floating.has_value();
+    for (const auto& [m, computed] : shares.mesh_load_factors) {
+      const double own = rated && drive.ratings[m] ? drive.ratings[m]->input.mesh_load_factor : 1.0;
+      if (computed <= excess * own) continue;
+      worst = &shares;
+      mesh = m;
+      excess = computed / own;
+      factor = computed;
+      used = own;
     }
+  if (!worst) return std::nullopt;
+  const std::string shown = fixed_decimals(factor, 3), &name = drive.graph.meshes[mesh].name;
   if (!rated)
-    return Warning{WarningCode::mesh_load_factor,
-                   fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
-                               "them carries {} times an equal share. Reduce the errors of the "
-                               "pins{}.",
-                               mesh, factor, factor, floats ? "" : ", or let one member float")};
+    return Warning{
+        WarningCode::mesh_load_factor,
+        fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
+                    "them carries {} times an equal share. Reduce the errors of the "
+                    "pins{}.",
+                    name, shown, shown, worst->floating ? "" : ", or let one member float")};
   return Warning{WarningCode::mesh_load_factor,
-                 fmt::format("The planets under this load have K_γ = {}, but the safeties are "
-                             "computed with K_γ = {}; give mesh_load_factor = {} in [rating].",
-                             factor, fixed_decimals(*rated, 3), factor)};
+                 fmt::format("In the mesh {}, the planets under this load have K_γ = {}, but the "
+                             "safeties are computed with K_γ = {}; give mesh_load_factor = {} or "
+                             "\"computed\" in [rating].",
+                             name, shown, fixed_decimals(used, 3), shown)};
 }
 
 }  // namespace
@@ -197,12 +245,15 @@ Result<DriveJob> solve_whole_drive(const JobSpec& spec, Progress* progress, Rate
   const bool loaded = spec.given.contains("load");
   if (!solved || !(rated || loaded)) return solved;
   DriveJob job = std::move(solved).take();
-  if (rated)
+  const bool needs_load = loaded && read_mesh_load_factors(spec.tree->tables).computed;
+  if (rated && !needs_load)
     if (auto error = drive_rater(spec)(job.drive)) return *error;
-  if (loaded) {
+  if (loaded)
     if (auto error = load_drive(job, progress)) return *error;
+  if (rated && needs_load)
+    if (auto error = drive_rater(spec)(job.drive)) return *error;
+  if (loaded)
     if (auto finding = greater_mesh_load_factor(job.drive)) job.drive.findings.push_back(*finding);
-  }
   job.verdict = judge(job);
   return job;
 }

@@ -34,7 +34,6 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
   const bool train = !c.stages.empty();
   Json shared = shared_keys(search, train);
   if (!problem.modules.empty()) shared["normal_module_mm"] = c.module;
-  if (c.face_width) shared["face_width_mm"] = *c.face_width;
   if (!problem.base.series.empty()) shared["thickness_series"] = problem.base.series;
   if (train) {
     for (std::size_t k = 0; k < c.stages.size(); ++k) {
@@ -43,18 +42,23 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
       if (!problem.modules.empty()) stage["normal_module_mm"] = c.stage_module(k);
+      if (!c.face_widths.empty()) stage["face_width_mm"] = c.face_widths[k];
       if (const double beta = stage_helix_deg(problem, k);
           beta != problem.base.helix_deg.all.value_or(0.0))
         stage["helix_angle_deg"] = beta;
       if (const auto x = c.stage_shifts(k)) stage["profile_shift"] = *x;
       made["stage"].push_back(std::move(stage));
     }
+    if (is_coaxial(problem, c)) made["stage"].back()["angle_deg"] = "coaxial";
     return made;
   }
+  const PerMember widths = member_face_widths(c);
+  if (widths.any()) shared["face_width_mm"] = Json::object();
   for (std::size_t m = 0, g = 0; m < kSetMembers; ++m) {
     if (c.teeth[m] == 0) continue;
     const char* member = to_string(static_cast<SetMember>(m));
     shared[member] = c.teeth[m];
+    if (widths.each[m]) shared["face_width_mm"][member] = *widths.each[m];
     if (g < c.shifts.size() && c.shifts[g]) shared["profile_shift"][member] = *c.shifts[g];
     ++g;
   }

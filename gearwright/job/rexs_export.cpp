@@ -107,8 +107,7 @@ class Writer {
   JobFile file(const std::filesystem::path& path) const {
     const auto back = spec_of_rexs(model_);
     const std::string other = back ? "" : "; Gearwright cannot read it: " + back.error().rule;
-    return {path, "REXS", std::nullopt, "version 1.7" + note_ + other,
-            path.extension() == ".rexsj" ? rexs_json(model_) : rexs_text(model_)};
+    return {path, "REXS", std::nullopt, "version 1.7" + note_ + other, rexs_bytes(model_, path)};
   }
 
  private:
@@ -171,7 +170,6 @@ std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
 }  // namespace
 
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path) {
-  if (const auto reason = other_rexs_format(path)) return Error{"rexs", path.string(), *reason};
   if (job.rack)
     return Error{"gear2.form", "rack",
                  "is not supported in a REXS file, whose cylindrical stages have two gears; "
@@ -210,7 +208,6 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
 }
 
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path) {
-  if (const auto reason = other_rexs_format(path)) return Error{"rexs", path.string(), *reason};
   const DriveGraph& graph = job.drive.graph;
   const DriveGeometry& geometry = job.drive.geometry;
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {

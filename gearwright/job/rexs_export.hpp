@@ -14,8 +14,8 @@ namespace gearwright {
 /// Makes the REXS file of a pair.
 ///
 /// Laws      (1) reading the file gives a pair with the same numbers within 1e-9
-/// Errors    `rexs` for a path of another format; `gearN` for a single gear, a rack, crossed axes,
-///           gears that are not cut by straight racks or pinion cutters, and double-helical gears
+/// Errors    `gearN` for a single gear, a rack, crossed axes, gears that are not cut by straight
+///           racks or pinion cutters, and double-helical gears
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
 /// Makes the REXS file of a drive.

@@ -62,7 +62,7 @@ TEST(TrainSearchAnswerTest, AListOfModulesFindsATrainAsSmallAsEachModule) {
   EXPECT_LE(designs[0]["size_mm"], smallest * (1 + kRounding));
 }
 
-// Law (4). Each candidate gets shifts and a face width that its search would not choose.
+// Law (4). Each candidate gets shifts and face widths that its search would not choose.
 TEST(TrainSearchAnswerTest, TheSpecOfACandidateDescribesTheDriveThatIsRated) {
   const std::string common =
       "normal_module_mm = [2, 3]\nhelix_angle_deg = 12\nface_width_mm = [10, 40]\n"
@@ -81,7 +81,7 @@ TEST(TrainSearchAnswerTest, TheSpecOfACandidateDescribesTheDriveThatIsRated) {
     const auto found = search_drives(problem);
     ASSERT_TRUE(found && found->found.size() > 2) << kind;
     for (DriveCandidate c : {found->found.front(), found->found[1], found->found.back()}) {
-      c.face_width = 20.25;
+      c.face_widths = {20.25, 18.5, 31.0};
       c.shifts = {0.125, 0.0625, -0.1, 0.3};
       if (!c.stages.empty()) c.shifts.resize(2 * c.stages.size(), 0.21);
       const auto own = drive_of(problem, c);
@@ -157,9 +157,9 @@ struct StageSearch {
   DriveDesignTask task{{}, 0.5, {1.1, 1.2}};
 };
 
-// Law (3). The second stage has the greatest module and is too weak, because the small pinion of the
-// first stage, which is also too weak, limits the face width. One greater module is enough for both.
-TEST(TrainSearchAnswerTest, AStageThatIsWeakForTwoReasonsHasItsLeastModule) {
+// Law (3). The second stage has the greatest module. Its own pinion limits its face width, so its
+// safeties do not depend on the module of the first stage, which is the least one that holds.
+TEST(TrainSearchAnswerTest, AStageHasItsLeastModuleBesideAStageWithTheGreatestOne) {
   struct Case {
     double power_kW, face_diameters;
     std::array<int, 2> pinions;
@@ -210,6 +210,29 @@ TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
       return front;
     };
     EXPECT_EQ(stages_of(*few), stages_of(*all)) << per_stage;
+  }
+}
+
+// A search with coaxial_teeth makes trains whose output has the axis of the input.
+TEST(TrainSearchAnswerTest, TheTrainsOfCoaxialTeethAreCoaxial) {
+  for (const auto& [stages, ratio] :
+       {std::pair{"2", "[8.9, 9.1]"}, std::pair{"3", "[-30, -29.9]"}}) {
+    const auto spec = read_spec(std::string("[search]\nkind = \"train\"\nhelix_angle_deg = 12\n"
+                                            "normal_module_mm = 2\ncoaxial_teeth = 1\n"
+                                            "pinion_teeth = [19, 24]\nwheel_teeth = [50, 80]\n"
+                                            "stages = ") +
+                                    stages + "\nratio = " + ratio + "\n",
+                                SpecFormat::toml);
+    ASSERT_TRUE(spec) << spec.error().message();
+    const auto answer = answer_drive_search(*spec, 5, 2);
+    ASSERT_TRUE(answer) << answer.error().message();
+    ASSERT_EQ(answer->specs.size(), 5u) << stages;
+    for (const Json& found : answer->specs) {
+      const auto job = solve_drive(*read_spec(toml_text(found), SpecFormat::toml));
+      ASSERT_TRUE(job) << job.error().message();
+      ASSERT_TRUE(job->places);
+      EXPECT_LT(job->places->axes[job->drive.graph.output].norm(), 1e-6);
+    }
   }
 }
 

@@ -156,6 +156,7 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   if (mesh.efficiency) j["efficiency"] = *mesh.efficiency;
   if (mesh.friction) j["friction_coefficient"] = *mesh.friction;
   if (mesh.backlash) j["backlash_mm"] = *mesh.backlash;
+  if (mesh.direction) j["angle_deg"] = mesh.direction->deg();
   return j;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/drive_keys.hpp"
+#include "gearwright/catalogue/rating_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_gear.hpp"
@@ -170,7 +171,7 @@ void read_teeth(TableReader& t, PairStage& pair) {
     pair.set_teeth({*module, Angle::degrees(alpha.value_or(20.0)), beta, face, allowance});
 }
 
-StageSpec read_stage(const Json& node, const std::string& path,
+StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
                      const std::filesystem::path& folder) {
   refuse_halves(node, path,
                 "must be in the tables of the gears, for example gears = [{ teeth = 19, "
@@ -178,6 +179,7 @@ StageSpec read_stage(const Json& node, const std::string& path,
   TableReader t(stage_keys(), node, path);
   StageSpec stage;
   if (t.has("planetary")) {
+    t.refuse("angle_deg", "is not used for a planetary set, whose input and output are coaxial");
     stage.planetary = read_set(set_of_stage(t, node), path + ".planetary");
     for (const Key& key : stage_keys().keys) t.any(std::string(key.key));
     t.finish();
@@ -194,6 +196,14 @@ StageSpec read_stage(const Json& node, const std::string& path,
     read_teeth(t, stage.pair);
   }
   stage.pair.center_distance = t.number("center_distance_mm");
+  if (const Json* angle = t.any("angle_deg")) {
+    stage.pair.coaxial = *angle == "coaxial";
+    if (stage.pair.coaxial && !is_last)
+      t.fail("angle_deg", "must be a number; only the last stage can be \"coaxial\"");
+    if (!stage.pair.coaxial && !angle->is_number())
+      t.fail("angle_deg", "must be a number, or \"coaxial\" in the last stage");
+    if (!stage.pair.coaxial) stage.pair.direction = Angle::degrees(t.checked("angle_deg", *angle));
+  }
   std::string series;
   read_play(t, series, stage.pair.backlash);
   if (const Json* value = t.any("backlash_mm"); value && value->is_object())
@@ -246,9 +256,31 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string path = fmt::format("stage[{}]", i + 1);
     if (!list[i].is_object()) throw SpecError{{path, shown(list[i]), "must be a table, [[stage]]"}};
-    stages.push_back(read_stage(list[i], path, folder));
+    stages.push_back(read_stage(list[i], path, i + 1 == list.size(), folder));
   }
   return taken(train_of(stages), tree);
+}
+
+MeshLoadFactors read_mesh_load_factors(const Json& tree) {
+  constexpr const char* kKey = "mesh_load_factor";
+  MeshLoadFactors factors;
+  if (!tree.contains("rating") || !tree["rating"].contains(kKey)) return factors;
+  const Json& value = tree["rating"][kKey];
+  const TableReader t(rating_keys(), tree["rating"], "rating");
+  factors.computed = value == "computed";
+  if (value.is_number()) {
+    factors.given.all = value.get<double>();
+  } else if (value.is_object() && !value.empty()) {
+    for (const auto& [mesh, factor] : value.items())
+      factors.given.each.emplace_back(mesh, t.checked(kKey, factor, mesh));
+  } else if (!factors.computed) {
+    t.fail(kKey,
+           "must be a number, a table of numbers by mesh such as { sun_planet = 1.2 }, or "
+           "\"computed\"");
+  }
+  if (!factors.given.all && !is_drive(tree) && !is_drive_search(tree.value("search", Json())))
+    t.fail(kKey, "must be a number for a pair, which has one mesh");
+  return factors;
 }
 
 Error of_drive_table(Error error, const Json& tree) {

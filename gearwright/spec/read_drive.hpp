@@ -32,6 +32,13 @@ std::map<std::string, MaterialInput> drive_materials(const Json& tree);
 /// neither a life nor a power can be computed.
 void lend_speed(Json& tree);
 
+/// K_γ of the meshes of a drive, as [rating] gives it.
+struct MeshLoadFactors {
+  PerMesh given;
+  bool computed = false;  ///< true if K_γ of the drive under [load] applies
+};
+MeshLoadFactors read_mesh_load_factors(const Json& tree);
+
 /// Reads a planetary set from a table with the keys of [planetary].
 PlanetarySpec read_set(const Json& node, const std::string& path);
 

@@ -9,12 +9,17 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "gearwright/base/printable.hpp"
+#include "gearwright/base/zip.hpp"
+#include "gearwright/spec/spec_text.hpp"
+
 namespace gearwright {
 
 namespace {
 
 using Tree = boost::property_tree::ptree;
 
+constexpr std::string_view kZipped = "PK";  // first bytes of a ZIP archive
 constexpr int kDeepest = 32;  // greatest depth of nested elements; REXS has at most ten levels
 
 // The parser is recursive, with one call for each level, so the depth is checked before it runs.
@@ -108,6 +113,85 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+// The only REXS file in an archive. Other files in the archive, such as load spectra, are not read.
+Result<std::string> file_in_archive(std::string_view archive) {
+  auto names = zipped_names(archive);
+  if (!names) return names.error();
+  std::vector<std::string> own;
+  for (const std::string& name : *names)
+    if (name.ends_with(".rexs") || name.ends_with(".rexsj")) own.push_back(name);
+  if (own.size() == 1) return unzipped(archive, own.front(), kMaxSpec);
+  if (own.empty())
+    return no_rexs("the archive contains no file whose name ends in .rexs or .rexsj");
+  for (std::string& name : own) name = printable(name, 60);
+  return no_rexs(
+      fmt::format("the archive contains {} REXS files, {}; unpack it and give one of them",
+                  own.size(), enumerated(own)));
+}
+
+std::string rexs_text(const RexsModel& model) {
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model applicationId=\"{}\" version=\"{}\">\n"
+      "  <relations>\n",
+      escaped(model.application), model.version);
+  int number = 0;
+  for (const RexsRelation& r : model.relations) {
+    out += fmt::format("    <relation id=\"{}\" type=\"{}\">\n", ++number, r.type);
+    for (const auto& [role, id] : r.refs) {
+      const RexsComponent* const c = model.find(id);
+      out += fmt::format("      <ref hint=\"{}\" id=\"{}\" role=\"{}\"/>\n", c ? c->type : "", id,
+                         role);
+    }
+    out += "    </relation>\n";
+  }
+  out += "  </relations>\n  <components>\n";
+  for (const RexsComponent& c : model.components) {
+    out += fmt::format("    <component id=\"{}\" name=\"{}\" type=\"{}\">\n", c.id, escaped(c.name),
+                       c.type);
+    for (const auto& [id, value] : c.attributes)
+      out += fmt::format("      <attribute id=\"{}\" unit=\"{}\">{}</attribute>\n", id,
+                         c.units.at(id), escaped(value));
+    out += "    </component>\n";
+  }
+  return out + "  </components>\n</model>\n";
+}
+
+std::string rexs_json(const RexsModel& model) {
+  const auto id_of = [](const std::string& id) { return std::stoi(id); };
+  Json tree;
+  tree["version"] = model.version;
+  tree["applicationId"] = model.application;
+  tree["relations"] = Json::array();
+  tree["components"] = Json::array();
+  for (const RexsRelation& r : model.relations) {
+    Json refs = Json::array();
+    for (const auto& [role, id] : r.refs) {
+      const RexsComponent* const c = model.find(id);
+      refs.push_back({{"id", id_of(id)}, {"role", role}, {"hint", c ? c->type : ""}});
+    }
+    tree["relations"].push_back(
+        {{"id", tree["relations"].size() + 1}, {"type", r.type}, {"refs", std::move(refs)}});
+  }
+  for (const RexsComponent& c : model.components) {
+    Json attributes = Json::array();
+    for (const auto& [id, value] : c.attributes) {
+      Json a{{"id", id}, {"unit", c.units.at(id)}};
+      if (value == "true")
+        a["boolean"] = true;
+      else if (id == "number_of_teeth")
+        a["integer"] = std::stoi(value);
+      else
+        a["floating_point"] = *c.number(id);
+      attributes.push_back(std::move(a));
+    }
+    tree["components"].push_back({{"id", id_of(c.id)},
+                                  {"type", c.type},
+                                  {"name", c.name},
+                                  {"attributes", std::move(attributes)}});
+  }
+  return json_text(Json{{"model", std::move(tree)}}, 2) + "\n";
+}
+
 }  // namespace
 
 std::optional<double> RexsComponent::number(std::string_view attribute) const {
@@ -173,7 +257,14 @@ std::vector<const RexsComponent*> RexsModel::of_type(std::string_view type) cons
   return list;
 }
 
-Result<RexsModel> read_rexs(std::string_view text) {
+Result<RexsModel> read_rexs(std::string_view file) {
+  std::string_view text = file;
+  std::string content;
+  if (file.starts_with(kZipped)) {
+    auto only = file_in_archive(file);
+    if (!only) return only.error();
+    text = content = std::move(only).take();
+  }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && text[first] == '{';
   if (json ? json_depth(text) > kDeepest : too_deep(text))
@@ -210,76 +301,16 @@ Result<RexsModel> read_rexs(std::string_view text) {
 }
 
 bool is_rexs(const std::filesystem::path& path) {
-  return path.extension() == ".rexs" || path.extension() == ".rexsj";
+  return path.extension() == ".rexs" || path.extension() == ".rexsj" ||
+         path.extension() == ".rexsz";
 }
 
-std::optional<std::string> other_rexs_format(const std::filesystem::path& path) {
-  if (path.extension() != ".rexsz") return std::nullopt;
-  return "compressed REXS is not supported; use REXS as XML or as JSON, with the ending .rexs or "
-         ".rexsj";
-}
-
-std::string rexs_text(const RexsModel& model) {
-  std::string out = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model applicationId=\"{}\" version=\"{}\">\n"
-      "  <relations>\n",
-      escaped(model.application), model.version);
-  int number = 0;
-  for (const RexsRelation& r : model.relations) {
-    out += fmt::format("    <relation id=\"{}\" type=\"{}\">\n", ++number, r.type);
-    for (const auto& [role, id] : r.refs) {
-      const RexsComponent* const c = model.find(id);
-      out += fmt::format("      <ref hint=\"{}\" id=\"{}\" role=\"{}\"/>\n", c ? c->type : "", id,
-                         role);
-    }
-    out += "    </relation>\n";
-  }
-  out += "  </relations>\n  <components>\n";
-  for (const RexsComponent& c : model.components) {
-    out += fmt::format("    <component id=\"{}\" name=\"{}\" type=\"{}\">\n", c.id, escaped(c.name),
-                       c.type);
-    for (const auto& [id, value] : c.attributes)
-      out += fmt::format("      <attribute id=\"{}\" unit=\"{}\">{}</attribute>\n", id,
-                         c.units.at(id), escaped(value));
-    out += "    </component>\n";
-  }
-  return out + "  </components>\n</model>\n";
-}
-
-std::string rexs_json(const RexsModel& model) {
-  const auto id_of = [](const std::string& id) { return std::stoi(id); };
-  Json tree;
-  tree["version"] = model.version;
-  tree["applicationId"] = model.application;
-  tree["relations"] = Json::array();
-  tree["components"] = Json::array();
-  for (const RexsRelation& r : model.relations) {
-    Json refs = Json::array();
-    for (const auto& [role, id] : r.refs) {
-      const RexsComponent* const c = model.find(id);
-      refs.push_back({{"id", id_of(id)}, {"role", role}, {"hint", c ? c->type : ""}});
-    }
-    tree["relations"].push_back(
-        {{"id", tree["relations"].size() + 1}, {"type", r.type}, {"refs", std::move(refs)}});
-  }
-  for (const RexsComponent& c : model.components) {
-    Json attributes = Json::array();
-    for (const auto& [id, value] : c.attributes) {
-      Json a{{"id", id}, {"unit", c.units.at(id)}};
-      if (value == "true")
-        a["boolean"] = true;
-      else if (id == "number_of_teeth")
-        a["integer"] = std::stoi(value);
-      else
-        a["floating_point"] = *c.number(id);
-      attributes.push_back(std::move(a));
-    }
-    tree["components"].push_back({{"id", id_of(c.id)},
-                                  {"type", c.type},
-                                  {"name", c.name},
-                                  {"attributes", std::move(attributes)}});
-  }
-  return json_text(Json{{"model", std::move(tree)}}, 2) + "\n";
+std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path) {
+  if (path.extension() == ".rexsj") return rexs_json(model);
+  if (path.extension() != ".rexsz") return rexs_text(model);
+  ZipWriter archive;
+  archive.add(path.stem().string() + ".rexs", rexs_text(model));
+  return std::move(archive).finish();
 }
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // A REXS file, the exchange format of gear units: components with attributes, and relations between
 // components. Internal to spec/ and job/.
 //
-// Format: the public schemas of REXS 1.0 to 2.0 (rexs.info), as XML or as JSON. XML is read by
-// Boost.PropertyTree.
+// Format: the public schemas of REXS 1.0 to 2.0 (rexs.info), as XML, as JSON, or as a ZIP archive with
+// a file in one of these formats. XML is read by Boost.PropertyTree.
 #pragma once
 
 #include <filesystem>
@@ -61,23 +61,21 @@ struct RexsModel {
 
 /// The model of a file, without its tables and its lists of several values.
 ///
-/// Text that begins with a brace is JSON, and any other text is XML.
+/// Text that begins with a brace is JSON, and any other text is XML. A ZIP archive contains one such
+/// file.
 ///
 /// Errors    text that is neither XML nor JSON, with the place of the error; a root element other
-///           than `model`; a version other than 1.x and 2.0; deep nesting
-Result<RexsModel> read_rexs(std::string_view text);
+///           than `model`; a version other than 1.x and 2.0; deep nesting; an archive that is
+///           damaged, encrypted or too large, or that does not contain exactly one REXS file
+Result<RexsModel> read_rexs(std::string_view file);
 
-/// True if the name ends in .rexs (XML) or .rexsj (JSON).
+/// True if the name ends in .rexs (XML), .rexsj (JSON) or .rexsz (a ZIP archive).
 bool is_rexs(const std::filesystem::path& path);
-/// The reason why a file with this name is a REXS file that is not supported, or nothing if it is
-/// not. The format .rexsz (compressed) is not supported.
-std::optional<std::string> other_rexs_format(const std::filesystem::path& path);
 
-/// The model as the text of a file, as XML or as JSON. Reading the text gives the same doubles.
+/// The model as the bytes of a file with this name. Reading the file gives the same doubles.
 ///
 /// Domain    ids that are whole numbers, and attributes that are numbers or flags (contract)
-std::string rexs_text(const RexsModel& model);
-std::string rexs_json(const RexsModel& model);
+std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path);
 
 // Converts a REXS model to a spec: one cylindrical stage to a pair, a chain of stages to [[stage]]
 // tables, and a planetary stage to [planetary]. Internal to spec/ and job/.
@@ -94,6 +92,6 @@ Result<RexsSpec> spec_of_rexs(const RexsModel& model);
 
 /// The spec as TOML. Comments at its beginning name the version of the file and the parts that were
 /// not read.
-Result<std::string> spec_text_of_rexs(std::string_view text);
+Result<std::string> spec_text_of_rexs(std::string_view file);
 
 }  // namespace gearwright

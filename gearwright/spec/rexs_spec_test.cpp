@@ -199,8 +199,8 @@ TEST(Rexs, AModelReadsBack) {
   model.components.back().set("number_of_teeth", 17, "none");
   model.components.back().flag("transmits_torque");
   model.relations.push_back({"stage", {{"gear_1", "1"}}});
-  for (const std::string& text : {rexs_text(model), rexs_json(model)}) {
-    const auto again = read_rexs(text);
+  for (const char* name : {"a.rexs", "a.rexsj", "a.rexsz"}) {
+    const auto again = read_rexs(rexs_bytes(model, name));
     ASSERT_TRUE(again) << again.error().rule;
     EXPECT_EQ(again->version, "1.7");
     EXPECT_EQ(again->application, "a & b");

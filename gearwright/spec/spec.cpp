@@ -307,6 +307,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
     lacks.of([&] { spec.scatter = read_scatter(*scatter); });
   for (const Key& key : spec_keys().keys)
     if (key.place) lacks.of([&] { t.read(key, static_cast<SpecTables&>(spec)); });
+  read_mesh_load_factors(tree);  // read here only to report errors; a rating reads them again
   refuse_planets(tree);
   share_with_rating(tree, spec);
   check_speeds(spec);

@@ -302,8 +302,6 @@ std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key
 }
 
 Result<SpecText> read_spec_text(const std::filesystem::path& path) {
-  if (const auto reason = other_rexs_format(path))
-    return syntax_error(fmt::format("{}: {}", path.string(), *reason));
   const bool pipe = path == "-";
   const std::string name = pipe ? "standard input" : path.string();
   std::error_code error;

@@ -22,13 +22,12 @@ struct SpecText {
 };
 
 /// Reads a file; "-" is standard input. The format is JSON if the name ends in .json. Text from a
-/// pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A file with
-/// the ending .rexs or .rexsj is converted to TOML.
+/// pipe or a device is JSON if it begins with a brace, which cannot begin a TOML text. A
+/// REXS file (spec/rexs_file.hpp) is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
-/// Errors    a REXS file that cannot be converted to a spec (spec_of_rexs) or is neither XML nor JSON;
-///           more than
-///           kMaxSpec bytes, which are not read
+/// Errors    a REXS file that cannot be read or converted to a spec (spec_of_rexs); more than kMaxSpec
+///           bytes, which are not read
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// A position counted from 1, with columns in characters.

@@ -234,6 +234,10 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
       return static_cast<int>(std::find(key.words.begin(), key.words.end(), *read) -
                               key.words.begin());
     }
+    case KeyKind::any: {  // a number, unless the caller reads another form of the value
+      const Json* const given = find(name);
+      return given && given->is_number() ? value(number(name)) : std::nullopt;
+    }
     default: break;
   }
   GW_EXPECTS(false);  // not reached, because a table has no value

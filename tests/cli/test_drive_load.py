@@ -143,7 +143,39 @@ material = "16MnCr5"
         for words in ("K_γ = 1.500", "K_γ = 1.000", "mesh_load_factor = 1.5"):
             self.assertIn(words, found[0]["message"])
         self.assertEqual(factor("[0, 0, 0]")[1], [])
-        self.assertEqual(factor("[30, 0, 0]", "mesh_load_factor = 1.501\n")[1], [])
+        for own in ("1.501", "{ sun_planet = 1.501, planet_ring = 1.501 }", '"computed"'):
+            self.assertEqual(factor("[30, 0, 0]", f"mesh_load_factor = {own}\n")[1], [], own)
+        (one,) = factor("[30, 0, 0]", "mesh_load_factor = { planet_ring = 1.6 }\n")[1]
+        self.assertIn("In the mesh sun_planet", one["message"])
+
+    def test_each_mesh_has_its_own_factor(self):
+        """The rating of a mesh with its own K_γ is that of the set in which all meshes have this K_γ. The computed
+        factors are those of the planets under load, which differ between the meshes of a 3K set."""
+        three = STEPPED.replace("ring2 = 63", "ring = 70\nring2 = 63").replace("planets", 'output = "ring2"\nplanets')
+        rating = '[rating]\nspeed_rpm = 1000\nquality = 6\nface_load_factor = 1.2\nmaterial = "16MnCr5"\nmesh_load_factor = '
+        def rated(factor, load=""):
+            run = Run("rate", three + load + rating + factor + "\n", "--json")
+            self.assertEqual(run.status, 0, run.err)
+            return run.json["drive"]
+        by_mesh = rated("{ sun_planet = 1.1, planet_ring2 = 1.3 }")["meshes"]
+        for name, factor in (("sun_planet", "1.1"), ("planet_ring", "1"), ("planet_ring2", "1.3")):
+            self.assertEqual(by_mesh[name]["rating"], rated(factor)["meshes"][name]["rating"], name)
+        drive = rated('"computed"', DRAFT + "pin_error_um = [10, 0, 0]\n")
+        factors = [mesh["rating"]["K_gamma"] for mesh in drive["meshes"].values()]
+        self.assertEqual(factors, drive["load"]["sets"][0]["mesh_load_factors"])
+        self.assertGreater(max(factors) - min(factors), 0.01)
+        take = Run("drive", three + DRAFT + rating + '"computed"\n', "--take", "1")
+        self.assertIn("mesh_load_factor = 1.", take.out)
+        for factor, words in (("{ sun_ring = 1.1 }", "they are sun_planet, planet_ring and planet_ring2"),
+                              ('"computed"', "needs [load]"), ('"auto"', 'or "computed"'),
+                              ("{ sun_planet = 0.5 }", "between 1 and 100")):
+            run = Run("rate", three + rating + factor + "\n")
+            self.assertEqual(run.status, 1, factor)
+            self.assertIn(words, " ".join(run.err.split()), factor)
+        pair = Run("rate", "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[rating]\ntorque_Nm = 10\n"
+                   "speed_rpm = 100\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"
+                   "mesh_load_factor = { sun_planet = 1.1 }\n")
+        self.assertIn("must be a number for a pair", pair.err)
 
 
 class Messages(unittest.TestCase):

@@ -5,6 +5,7 @@ import math
 import tempfile
 import tomllib
 import unittest
+import zipfile
 from pathlib import Path
 
 from cli import SOURCE, raw
@@ -141,15 +142,58 @@ class Rexs(unittest.TestCase):
             run = raw("pair", str(made[1]), "--json")
             self.assertEqual(run.stdout, raw("pair", str(made[0]), "--json").stdout)
 
-    def test_compressed_files_are_rejected_by_name(self):
+    def test_a_compressed_file_contains_the_file_in_xml(self):
+        """The archive is read by zipfile, and an archive of zipfile gives the spec of its only REXS file."""
         with tempfile.TemporaryDirectory() as folder:
+            made = self.exported(EXAMPLES / "helical_pair.toml", folder)
             path = Path(folder) / "model.rexsz"
-            export = raw("export", str(EXAMPLES / "helical_pair.toml"), "--rexs", str(path))
-            self.assertFalse(path.exists())
-            path.write_text("{}")
-            for run in (export, raw("import", str(path)), raw("drive", str(path))):
-                self.assertEqual((run.returncode, run.stdout), (1, ""))
-                self.assertIn("compressed REXS is not supported", run.stderr)
+            run = raw("export", str(EXAMPLES / "helical_pair.toml"), "--rexs", str(path))
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with zipfile.ZipFile(path) as archive:
+                self.assertIsNone(archive.testzip())
+                self.assertEqual(archive.namelist(), ["model.rexs"])
+                self.assertEqual(archive.read("model.rexs"), made.read_bytes())
+            spec = raw("import", str(made)).stdout
+            self.assertEqual(raw("import", str(path)).stdout, spec)
+            for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+                with zipfile.ZipFile(path, "w", method) as archive:
+                    archive.writestr("spectra/load.csv", "1;2\n")
+                    archive.writestr("unit/other.rexs", made.read_text())
+                    archive.comment = b"made by another program"
+                self.assertEqual(raw("import", str(path)).stdout, spec)
+
+    def test_a_broken_archive_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = self.exported(EXAMPLES / "helical_pair.toml", folder)
+            path = Path(folder) / "model.rexsz"
+
+            def refused(content, words):
+                path.write_bytes(content)
+                run = raw("import", str(path))
+                self.assertEqual((run.returncode, run.stdout), (1, ""), words)
+                self.assertIn(words, " ".join(run.stderr.split()))
+
+            def archive(files, method=zipfile.ZIP_DEFLATED):
+                with zipfile.ZipFile(path, "w", method) as out:
+                    for name, text in files.items():
+                        out.writestr(name, text)
+                return path.read_bytes()
+
+            text = made.read_text()
+            whole = archive({"a.rexs": text})
+            refused(whole[:-30], "the archive ends too early or is damaged")
+            refused(b"PK\x03\x04", "the archive ends too early or is damaged")
+            for at in (0, 60, len(whole) // 2):  # the local header and the compressed bytes
+                refused(whole[:at] + bytes([whole[at] ^ 0x55]) + whole[at + 1:],
+                        "is not XML" if at == 0 else "a.rexs in the archive is damaged; copy the archive again")
+            directory = whole.index(b"PK\x01\x02")
+            secret = whole[:directory + 8] + b"\x01" + whole[directory + 9:]
+            refused(secret, "is encrypted; compress it without a password")
+            refused(archive({"a.rexs": text}, zipfile.ZIP_BZIP2), "by another method than deflate")
+            refused(archive({"a.rexs": "x" * (5 << 20)}), "has more than 4194304 bytes")
+            refused(archive({"a.txt": text}), "no file whose name ends in .rexs or .rexsj")
+            refused(archive({"a.rexs": text, "b.rexsj": "{}"}), "2 REXS files, a.rexs and b.rexsj")
+            refused(b"{}", "not REXS")
 
     def test_import_prints_the_spec_that_every_verb_reads(self):
         with tempfile.TemporaryDirectory() as folder:
