@@ -93,9 +93,9 @@ std::optional<PairBacklash> backlash_of(const Pair& pair) {
 }
 
 double Pair::stated_backlash() const {
-  return arcs() && !arcs()->backlash_rotation
-             ? 0.0
-             : visit([](const auto& p) { return p.normal_backlash(); });
+  const ArcPair* const pair = arcs();
+  if (pair && !pair->backlash_rotation) return 0.0;
+  return visit([](const auto& p) { return p.normal_backlash(); });
 }
 
 }  // namespace gearwright
