@@ -2,8 +2,6 @@
 // fit, compensate, scatter and verify.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "apps/python/arrays.hpp"
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
@@ -98,7 +96,7 @@ py::object column(const ContactValue& c, const QuantityInfo& info) {
 std::string repr_of(const ContactValue& c) {
   return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
                      quantity(c.record(), "positions").list()->size(),
-                     quantity(c.record(), "peak_to_peak_arcsec").number().value_or(kNothing));
+                     quantity(c.record(), "peak_to_peak_arcsec").number().value_or(kNoNumber));
 }
 
 std::string repr_of(const RatingValue& r) {
@@ -186,15 +184,18 @@ std::vector<std::string> member_columns(const ScatterAnswer& a) {
   return names;
 }
 
-// Calls cell(sample, column, x) for every column of every sample. A missing value is NaN.
+// Calls cell(sample, column, x) for every column of every sample, with an optional number x.
 template <class Cell>
 void each_member(const ScatterAnswer& a, const Cell& cell) {
   for (std::size_t i = 0; i < a.scatter.samples.size(); ++i) {
     const ScatterSample& sample = a.scatter.samples[i];
     std::size_t column = 0;
-    for (const double x : sample.x) cell(i, column++, x);
-    for (const ScatterEntry& entry : scatter_entries())
-      cell(i, column++, entry.shown(sample.member[entry.quantity]));
+    for (const double x : sample.x) cell(i, column++, std::optional(x));
+    for (const ScatterEntry& entry : scatter_entries()) {
+      auto x = sample.member[entry.quantity];
+      if (x) x = entry.shown(*x);
+      cell(i, column++, x);
+    }
   }
 }
 
@@ -203,8 +204,8 @@ py::array members_of(const ScatterAnswer& a) {
   StructuredArray rows;
   for (const std::string& name : member_columns(a)) rows.add(name, "f8");
   rows.allocate(a.scatter.samples.size());
-  each_member(a, [&](std::size_t i, std::size_t column, double x) {
-    const Value value = std::isnan(x) ? Value() : Value(x);
+  each_member(a, [&](std::size_t i, std::size_t column, std::optional<double> x) {
+    const Value value(x);
     rows.set(i, column, {&value});
   });
   return rows.take();
@@ -220,8 +221,8 @@ void write_members(const ScatterAnswer& a, const std::string& spec, const py::ob
   write_file_by(path, [&](const std::filesystem::path& part) {
     ParquetWriter table(part, heads,
                         {{"program", fmt::format("gearwright {}", kVersion)}, {"spec", spec}});
-    each_member(a, [&](std::size_t, std::size_t column, double x) {
-      if (!std::isnan(x)) table.set(column, x);
+    each_member(a, [&](std::size_t, std::size_t column, std::optional<double> x) {
+      if (x) table.set(column, *x);
       if (column + 1 == heads.size()) table.end_row();
     });
     table.close();

@@ -89,7 +89,7 @@ void StructuredArray::set(std::size_t row, std::size_t column,
       const long long whole = n ? *n : static_cast<long long>(number.value_or(0.0));
       std::memcpy(at, &whole, sizeof whole);
     } else {
-      const double x = number.value_or(kNothing);
+      const double x = number.value_or(kNoNumber);
       std::memcpy(at, &x, sizeof x);
     }
     at += field.bytes;

@@ -8,19 +8,16 @@
 
 #include <pybind11/numpy.h>
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/python/values.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/catalogue/columns.hpp"
 
 namespace gearwright::python {
-
-/// Stands for a missing number.
-inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 

@@ -65,7 +65,7 @@ py::array_t<double> column_of(const Columns<N>& columns, std::size_t rows, const
 py::array_t<double> involutes(const Columns<1>& alpha, std::size_t rows) {
   return column_of(alpha, rows, [](const auto& in, double* out, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i)
-      out[i] = std::abs(in[0][i]) < std::numbers::pi / 2 ? involute(in[0][i]) : kNothing;
+      out[i] = std::abs(in[0][i]) < std::numbers::pi / 2 ? involute(in[0][i]) : kNoNumber;
   });
 }
 
@@ -126,7 +126,7 @@ py::tuple candidates(const Columns<CandidateBatch::kIn>& columns, std::size_t ro
     const auto& tan_w = batch.out[CandidateBatch::tan_working];
     for (std::size_t i = 0; i < n; ++i) {
       if (residual[i] <= kSieveDoubt * tan_w[i] * tan_w[i]) continue;
-      for (auto& column : batch.out) column[i] = kNothing;
+      for (auto& column : batch.out) column[i] = kNoNumber;
     }
     for (const auto& [place, out] : wanted) std::copy_n(batch.out[place].begin(), n, out + from);
   });
@@ -148,7 +148,7 @@ py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha
   py::array_t<double> least = results(rows), greatest = results(rows);
   double *const low = least.mutable_data(), *const high = greatest.mutable_data();
   std::map<std::pair<double, double>, std::pair<double, double>> known;
-  std::pair<double, double> last_key{kNothing, kNothing}, last;
+  std::pair<double, double> last_key{kNoNumber, kNoNumber}, last;
   in_parts(columns, rows, [&](const auto& in, std::size_t from, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
       const double z = in[0][i], beta = in[1][i];
@@ -161,9 +161,9 @@ py::tuple shift_limits(const Columns<2>& columns, std::size_t rows, double alpha
           const TrialGear gear =
               trial_gear(problem, static_cast<int>(z), Angle::radians(beta), 0, 0);
           const bool none = gear.x_min > gear.x_max;
-          at->second = none ? std::pair(kNothing, kNothing) : std::pair(gear.x_min, gear.x_max);
+          at->second = none ? std::pair(kNoNumber, kNoNumber) : std::pair(gear.x_min, gear.x_max);
         }
-        last = valid ? at->second : std::pair(kNothing, kNothing);
+        last = valid ? at->second : std::pair(kNoNumber, kNoNumber);
         last_key = key;
       }
       low[from + i] = last.first;

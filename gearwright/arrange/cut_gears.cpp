@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/arrange/complete_pair.hpp"
 #include "gearwright/base/subject.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/pinion_cut.hpp"

@@ -36,7 +36,7 @@ std::optional<std::array<double, 2>> nominal_per_newton(const RatedPair& pair) {
 
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer) {
   if (answer.contact->regime == LoadRegime::point) return {};
-  const auto rated = rated_pair(*arranged.pair, {});
+  const auto rated = rated_pair(*arranged.pair);
   if (!rated) return {};
   const auto& [one, two] = answer.compliance->bodies;
   const double elasticity = relative_elasticity(one.youngs_modulus, two.youngs_modulus);

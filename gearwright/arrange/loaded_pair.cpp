@@ -31,12 +31,11 @@ Result<ElasticBody> body_of(const Arranged& arranged, int which, std::vector<War
     return refused(gear_field(which, "material.poisson_ratio"), body.poisson_ratio,
                    {0.0, kMostPoisson}, "must lie between {} and {} for teeth under load");
   }
-  if (const auto& bore = gear.bore) {
-    body.bore_diameter = bore->diameter;
-    return body;
-  }
-  body.bore_diameter = gear.internal() ? rim(gear).diameter : kShaft * gear.root_diameter;
-  warnings.push_back(held_without_bore(std::to_string(which), gear.internal(), body.bore_diameter));
+  const auto bore = body_bore(gear);
+  body.bore_diameter = bore ? bore->diameter : kShaft * gear.root_diameter;
+  if (gear.bore) return body;
+  const auto code = bore ? WarningCode::held_at_rim_as_drawn : WarningCode::held_at_half_the_root;
+  warnings.push_back(held_without_bore(std::to_string(which), code, body.bore_diameter));
   warnings.back().gear = which;
   return body;
 }
@@ -384,15 +383,13 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   return contact;
 }
 
-Warning held_without_bore(const std::string& gear, bool internal, double diameter) {
-  if (internal)
-    return {WarningCode::held_at_rim_as_drawn,
-            fmt::format("Gear {} has no `bore`, which would give the outside diameter of its rim. "
-                        "The gear is held at the rim diameter of its CAD files, {} mm.",
-                        gear, format_number(diameter))};
-  return {WarningCode::held_at_half_the_root,
-          fmt::format("Gear {} has no bore, so its body is held at half the root diameter, {} mm.",
-                      gear, format_number(diameter))};
+Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {
+  const char* const message =
+      code == WarningCode::held_at_rim_as_drawn
+          ? "Gear {} has no `bore`, which would give the outside diameter of its rim. The gear is "
+            "held at the rim diameter of its CAD files, {} mm."
+          : "Gear {} has no bore, so its body is held at half the root diameter, {} mm.";
+  return {code, fmt::format(fmt::runtime(message), gear, format_number(diameter))};
 }
 
 }  // namespace gearwright

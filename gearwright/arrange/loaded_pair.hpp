@@ -89,8 +89,9 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings);
 
-/// The note that a gear without a bore is held at a default diameter, mm.
-Warning held_without_bore(const std::string& gear, bool internal, double diameter);
+/// The note that a gear without a bore is held at a default diameter, mm. `code` is
+/// held_at_half_the_root or held_at_rim_as_drawn.
+Warning held_without_bore(const std::string& gear, WarningCode code, double diameter);
 
 /// The warning that an edge of a tooth carries load under these torques, N mm.
 Warning edge_carries_at(const std::vector<double>& torques);

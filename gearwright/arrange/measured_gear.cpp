@@ -201,7 +201,7 @@ class Measuring {
 
   Fault chord(GearMeasures& m) {
     const bool asked = input_.chord_diameter.has_value();
-    if (!gear_.involute())
+    if (!m.reference)
       return missing(
           asked,
           Error{

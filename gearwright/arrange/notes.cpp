@@ -128,10 +128,6 @@ void add_new(std::vector<Warning> found, std::vector<Warning>& warnings, std::st
   }
 }
 
-Bore rim(const Gear& ring) {
-  return ring.bore.value_or(Bore{ring.root_diameter + 5 * ring.spec.normal_module});
-}
-
 namespace {
 
 // A warning if the rim between the roots and the bore is thinner than Y_B of a rating allows.
@@ -139,9 +135,9 @@ std::optional<Warning> thin_rim(const Gear& gear, int which) {
   const double root = gear.root_diameter / 2;
   const double module = gear.spec.normal_module;
   const double height = std::abs(gear.tip_diameter / 2 - root);
-  const double least = least_rim(gear.internal(), module, height);
+  const LeastRim least = least_rim(gear.side(), module, height);
   const double rim = gear.side() * (root - bore_reach(*gear.bore));
-  if (rim > least) return std::nullopt;
+  if (rim > least.thickness) return std::nullopt;
   return Warning{
       WarningCode::thin_rim,
       fmt::format(
@@ -151,17 +147,22 @@ std::optional<Warning> thin_rim(const Gear& gear, int which) {
           gear.internal()           ? "outside diameter"
           : gear.bore->has_keyway() ? "keyway"
                                     : "bore",
-          rim, least, gear.internal() ? "1.75 modules" : "half the tooth height"),
+          rim, least.thickness, least.words),
       which};
 }
 
 }  // namespace
 
+std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bore,
+                                std::optional<double> groove) {
+  return hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove});
+}
+
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which) {
   const std::optional<Bore>& bore = gear.bore;
   if (!bore || !gear.exists()) return std::nullopt;
   if (groove) *groove /= 2;
-  const auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2, groove});
+  const auto error = body_error(gear, bore, groove);
   if (!error) return thin_rim(gear, which);
   const bool keyway = subject_of(error->field).member == GearMember::keyway;
   return Warning{

@@ -46,8 +46,10 @@ Warning not_read(const std::string& what);
 
 // Describes the body of a gear. An external gear has a bore, and an internal gear has a rim.
 
-/// The rim of an internal gear: as given, or by default 2.5 modules thick outside the root circle.
-Bore rim(const Gear& ring);
+/// The error of a bore or rim that does not fit the roots of the gear, or the groove with this
+/// radius, mm, see hole_error().
+std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bore,
+                                std::optional<double> groove = {});
 
 /// A warning if no material remains between the bore and the roots, or between the roots and the
 /// rim of an internal gear, or if this rim is too thin for the rim thickness factor of a rating. The

@@ -129,9 +129,11 @@ Result<std::optional<Ends>> distance_deviations(const Arranged& nominal) {
 }
 
 // The tip diameter at one end of its tolerance. At end 0 the tooth is shorter, and at end 1 it
-// is longer. The longer tooth of an internal gear has the smaller tip diameter.
+// is longer. The longer tooth has the greater σ d_a.
 double tip_at_end(const Gear& gear, const Ends& deviations, std::size_t end) {
-  return gear.tip_diameter + deviations[gear.internal() ? 1 - end : end];
+  const double side = gear.side();
+  const auto [shorter, longer] = std::minmax({side * deviations[0], side * deviations[1]});
+  return gear.tip_diameter + side * (end == 0 ? shorter : longer);
 }
 
 std::optional<Error> check_tips(const GivenPair& given) {
@@ -260,7 +262,7 @@ std::optional<Error> apply_tip_fits(Arranged& nominal) {
     ToleranceInput& tolerance = nominal.completed.gear(which).tolerance;
     if (!tolerance.tip_fit) continue;
     const Gear& gear = nominal.gear(which);
-    const auto deviations = tip_deviations(*tolerance.tip_fit, gear.tip_diameter, gear.internal());
+    const auto deviations = tip_deviations(*tolerance.tip_fit, gear.tip_diameter, gear.side());
     if (!deviations) return of_gear(which, deviations.error());
     tolerance.tip_deviations = *deviations;
   }
@@ -319,17 +321,11 @@ std::vector<TolerancedNumber> tolerances_of(const Arranged& nominal) {
 }
 
 std::vector<ToleranceCorner> corners_of(const std::vector<TolerancedNumber>& tolerances) {
-  std::vector<ToleranceCorner> corners{{}};
-  for (std::size_t i = 0; i < tolerances.size(); ++i) {
-    std::vector<ToleranceCorner> longer;
-    for (const ToleranceCorner& corner : corners) {
-      for (const std::size_t end : {0u, 1u}) {
-        longer.push_back(corner);
-        longer.back().emplace_back(end);
-      }
-    }
-    corners = std::move(longer);
-  }
+  const std::size_t n = tolerances.size();
+  std::vector<ToleranceCorner> corners(std::size_t{1} << n);
+  for (std::size_t number = 0; number < corners.size(); ++number)
+    for (std::size_t i = 0; i < n; ++i)
+      corners[number].emplace_back((number >> (n - 1 - i)) & 1);  // the last end varies fastest
   return corners;
 }
 

@@ -54,15 +54,14 @@ Result<Halves> halves_of(const Gear& half, const DoubleHelical& given) {
   made.axial_shift_per_index_error = 1 / (2 * std::tan(beta));
   made.groove_diameter = groove_diameter(half, given);
   if (made.groove_diameter) {
-    const bool ring = half.internal();
     const double root = half.root_diameter;
     if (!(half.side() * *made.groove_diameter < half.side() * root)) {
-      return refused(
-          "double_helical.groove_diameter", *made.groove_diameter, {root},
-          ring ? "must be greater than the root diameter {} mm, because the groove of an "
-                 "internal gear is deeper than its teeth"
-               : "must be less than the root diameter {} mm, because the groove is deeper "
-                 "than the teeth");
+      return refused("double_helical.groove_diameter", *made.groove_diameter, {root},
+                     half.internal()
+                         ? "must be greater than the root diameter {} mm, because the groove of "
+                           "an internal gear is deeper than its teeth"
+                         : "must be less than the root diameter {} mm, because the groove is "
+                           "deeper than the teeth");
     }
   }
   if (!given.hob_diameter) return made;

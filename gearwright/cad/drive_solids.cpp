@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
@@ -223,7 +222,7 @@ class Workpieces {
 Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
                                  const std::optional<Halves>& halves, int which,
                                  const std::array<FlankModifications, 2>& modifications) {
-  ToothedBody body = gear_body(gear, name, gear.internal() ? rim(gear) : gear.bore).value();
+  ToothedBody body = gear_body(gear, name, body_bore(gear)).value();
   if (halves) {
     const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
     if (stagger != 0.0 && gap == 0.0) {

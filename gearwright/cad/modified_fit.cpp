@@ -51,6 +51,7 @@ class SideFitter {
       lengths_.emplace_back();
       bases_.emplace_back(1, 2);
       if (side.role(arc) == ModifiedSide::Role::land) continue;
+      faces_.push_back(arc);
       const Arc& a = side.outline().arcs[arc];
       SectionSpline cut = fit_section(a, kTargetU_mm);
       if (cut.by_length) lengths_.back().emplace(*a.curve, a.begin, a.end);
@@ -58,9 +59,10 @@ class SideFitter {
     }
   }
 
+  const std::vector<BSplineBasis>& bases() const { return bases_; }  // by arc
   const BSplineBasis& basis(std::size_t arc) const { return bases_[arc]; }
-  bool is_face(std::size_t arc) const { return side_.role(arc) != ModifiedSide::Role::land; }
-  std::size_t arcs() const { return bases_.size(); }
+  const std::vector<std::size_t>& faces() const { return faces_; }  // the arcs that are not lands
+  bool is_land(std::size_t arc) const { return side_.role(arc) == ModifiedSide::Role::land; }
   const ModifiedSide& side() const { return side_; }
 
   Vec3 point(std::size_t arc, double x, const ModifiedSide::Row& row) const {
@@ -86,6 +88,7 @@ class SideFitter {
   const ModifiedSide& side_;
   std::vector<std::optional<ArcLength>> lengths_;
   std::vector<BSplineBasis> bases_;
+  std::vector<std::size_t> faces_{};
 };
 
 struct Layer {
@@ -102,11 +105,11 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
       found = rows.insert(rows.end(), {v, fitter.side().row(layer.low, layer.high, v)});
     return found->second;
   };
-  for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
-    if (!fitter.is_face(arc)) continue;
+  for (const std::size_t arc : fitter.faces()) {
     for (const double x : {0.0, 0.3, 0.7, 1.0}) {
-      const bool on_root_land = x == 0.0 && arc > 0 && !fitter.is_face(arc - 1);
-      const bool on_tip_land = x == 1.0 && arc + 1 < fitter.arcs() && !fitter.is_face(arc + 1);
+      const bool on_root_land = x == 0.0 && arc > 0 && fitter.is_land(arc - 1);
+      const bool on_tip_land =
+          x == 1.0 && arc + 1 < fitter.bases().size() && fitter.is_land(arc + 1);
       const double target = on_root_land || on_tip_land ? kHelixTarget_mm : kTargetV_mm;
       const std::vector<double> worst =
           errors(basis, [&](double v) { return fitter.point(arc, x, row_at(v)); });
@@ -222,14 +225,14 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
   ModifiedFit fit;
   fit.levels = std::move(levels);
   for (SideFitter& fitter : fitters)
-    for (std::size_t arc = 0; arc < fitter.arcs(); ++arc)
-      for (std::size_t l = 0; l + 1 < fit.levels.size() && fitter.is_face(arc); ++l)
+    for (const std::size_t arc : fitter.faces())
+      for (std::size_t l = 0; l + 1 < fit.levels.size(); ++l)
         for (int i = 0; i < kRowsU; ++i)
           fitter.refine(arc, fitter.side().row(fit.levels[l], fit.levels[l + 1],
                                                static_cast<double>(i) / (kRowsU - 1)));
   for (const std::size_t side : {0U, 1U})
-    for (std::size_t arc = 0; arc < fitters[side].arcs(); ++arc)
-      fit.along_u[side].push_back(knots_of(fitters[side].basis(arc)));
+    for (const BSplineBasis& basis : fitters[side].bases())
+      fit.along_u[side].push_back(knots_of(basis));
 
   std::array<std::vector<std::vector<Vec3>>, 2> above;  // samples on the upper edges of the faces
                                                         // in the layer below, by arc
@@ -244,13 +247,12 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
       std::vector<ModifiedSide::Row> rows;
       for (const double v : along_v.greville())
         rows.push_back(fitter.side().row(layer.low, layer.high, v));
-      std::vector<ModifiedFace> faces(fitter.arcs());
-      std::vector<std::vector<Vec3>> upper(fitter.arcs());
+      std::vector<ModifiedFace> faces(fitter.bases().size());
+      std::vector<std::vector<Vec3>> upper(fitter.bases().size());
       std::vector<Vec3> end;
-      for (std::size_t arc = 0; arc < fitter.arcs(); ++arc) {
-        if (!fitter.is_face(arc)) continue;
+      for (const std::size_t arc : fitter.faces()) {
         const std::vector<Vec3> begin = std::move(end);
-        const bool joined = arc > 0 && fitter.is_face(arc - 1);
+        const bool joined = arc > 0 && !fitter.is_land(arc - 1);
         faces[arc] = fit_face(fitter, arc, rows, along_v, joined ? &begin : nullptr,
                               l > 0 ? &above[side][arc] : nullptr, end, upper[arc]);
         const double off = deviation(faces[arc], fitter, arc, layer, along_v);

@@ -233,9 +233,7 @@ void add_flank_limits(Quantities<G>& q) {
   of_involute_gear
       .number("undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
               "the least x_E without undercut, signed; null for a gear that is not cut by a rack",
-              [](const G& g) {
-                return g.internal() ? Value() : Value(involute_of(g)->undercut_free_profile_shift);
-              })
+              &G::undercut_free_shift)
       .expected();
   q.flag("pointed", "pointed",
          "true if the flanks meet before the tip (for an internal gear, outside the tip diameter)",

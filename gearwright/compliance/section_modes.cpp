@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <array>
-#include <cmath>
 #include <iterator>
 
 #include "gearwright/base/parallel.hpp"

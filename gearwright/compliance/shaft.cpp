@@ -1,9 +1,7 @@
 #include "gearwright/compliance/shaft.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 
 #include "gearwright/base/contract.hpp"

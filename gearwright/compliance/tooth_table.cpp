@@ -1,7 +1,6 @@
 #include "gearwright/compliance/tooth_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "gearwright/base/numbers.hpp"
@@ -125,7 +124,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   } else {
     for (const Angle r : rotations) touches.push_back(transmission.at(pair.to_world(r.rad())));
   }
-  Angle least = Angle::radians(std::numeric_limits<double>::infinity());
+  Angle least = Angle::radians(kInfinity);
   Angle greatest = -least;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const ContactPoint p = describe(transmission, touches[i], rotations[i], request.marking);
@@ -171,10 +170,8 @@ std::vector<double> transmission_error(const ContactPair& pair, int positions) {
 }
 
 double peak_to_peak(const std::vector<double>& te) {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (const double v : te) {
-    if (std::isnan(v)) continue;
+  double least = kInfinity, greatest = -kInfinity;
+  for (const double v : te) {  // NaN as the second argument changes neither
     least = std::min(least, v);
     greatest = std::max(greatest, v);
   }

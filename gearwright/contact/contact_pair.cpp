@@ -140,6 +140,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
                               const std::array<double, 2>& twist, double center, double side,
                               bool right) {
   const Gear& g = *gear.gear;
+  const bool ring = g.internal();
   const double half = g.spec.face_width / 2;
   const RemovalField* removal = gear.removal[right ? 0 : 1];
   const double turned = sign_if(place_.gear2_drives);
@@ -159,11 +160,11 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
     const Arc& arc = arcs[i];
     const Profile profile(arc, side, twist[0]);
     if (arc.name == ArcName::root_fillet)
-      root_end_[which] = std::exp(g.internal() ? profile.u_lo() : profile.u_hi());
+      root_end_[which] = std::exp(ring ? profile.u_lo() : profile.u_hi());
     FlankPatch p{profile, center, twist[0] + twist[1], -half, half};
     const End root = i == 0 ? End::form : End::seam;
     const End tip = i + 1 == arcs.size() ? End::tip : End::seam;
-    const bool root_first = profile.grows() != g.internal();
+    const bool root_first = profile.grows() != ring;
     p.s_lo_end = root_first ? root : tip;
     p.s_hi_end = root_first ? tip : root;
     p.s_lo = profile.s_lo();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
@@ -99,9 +98,9 @@ class Branches {
     };
     const auto begin = at_both(lo);
     const auto end = at_both(hi);
-    double at_lo = ahead_in(begin);
-    double at_hi = ahead_in(end);
-    if (std::isnan(at_lo + at_hi)) return std::nullopt;
+    const auto ahead_at_lo = ahead_in(begin), ahead_at_hi = ahead_in(end);
+    if (!ahead_at_lo || !ahead_at_hi) return std::nullopt;
+    double at_lo = *ahead_at_lo, at_hi = *ahead_at_hi;
     // TE jumps if a branch begins or ends while its T exceeds T of the other branch. The least TE
     // is then the value on the low side of the jump.
     if (at_lo <= kSame) return Handover{lo, {begin[0], PairTouch()}};
@@ -110,10 +109,10 @@ class Branches {
     for (int k = 0; k < kMaxSteps; ++k) {
       const double t = lo + (hi - lo) * at_lo / (at_lo - at_hi);
       both = at_both(t);
-      const double ahead = ahead_in(both);
-      if (std::isnan(ahead)) return std::nullopt;
-      if (std::abs(ahead) < kFlat || k + 1 == kMaxSteps) return Handover{t, both};
-      narrow(ahead > 0.0, t, ahead, lo, at_lo, hi, at_hi, stays);
+      const auto ahead = ahead_in(both);
+      if (!ahead) return std::nullopt;
+      if (std::abs(*ahead) < kFlat || k + 1 == kMaxSteps) return Handover{t, both};
+      narrow(*ahead > 0.0, t, *ahead, lo, at_lo, hi, at_hi, stays);
     }
     return std::nullopt;
   }
@@ -208,9 +207,10 @@ class Branches {
   }
 
  private:
-  // T of the first touch minus T of the second; NaN if one of them has no contact.
-  static double ahead_in(const std::array<PairTouch, 2>& both) {
-    return both[0].found() && both[1].found() ? both[0].te() - both[1].te() : kNoNumber;
+  // T of the first touch minus T of the second; none if one of them has no contact.
+  static std::optional<double> ahead_in(const std::array<PairTouch, 2>& both) {
+    if (!both[0].found() || !both[1].found()) return std::nullopt;
+    return both[0].te() - both[1].te();
   }
   // Slope of T, rad per step.
   double slope(const PairTouch& touch) const {
@@ -237,8 +237,7 @@ class Branches {
 CurveExtremes continuous_extremes(Transmission& transmission,
                                   const std::vector<PairTouch>& touches) {
   const Branches curve(transmission, touches);
-  CurveExtremes e{
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, {}};
+  CurveExtremes e{kInfinity, -kInfinity, {}, {}};
   const auto take_top = [&](const PairTouch& t) {
     if (t.te() > e.greatest) e.greatest = (e.top = t).te();
   };

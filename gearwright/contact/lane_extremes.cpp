@@ -2,7 +2,6 @@
 // known at every position. A cubic through two positions therefore predicts where T is extreme,
 // or where one tooth pair hands over to the next. LaneSearch then computes the touches at all
 // predicted points of a pitch together.
-#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -26,7 +26,8 @@ struct LaneTrack::Path {
   explicit Path(const ContactPair& pair) {
     const auto &ones = pair.patches(1), &twos = pair.patches(2);
     const FlankPatch& one = ones.front();
-    const double r1 = one.profile.involute()->base_radius();
+    const Involute& involute = *one.profile.involute();
+    const double r1 = involute.base_radius();
     const double r2 = twos.front().profile.involute()->base_radius();
     const double sign = pair.mirror();
     const double a = pair.place().center_distance + pair.place().errors.center_distance;
@@ -60,7 +61,7 @@ struct LaneTrack::Path {
     if (!(s_lo < s_hi && z_lo < z_hi)) return;
     s_w = action / (r2 + sign * r1);
     const double azimuth = std::atan(one.profile.side() * s_w) +
-                           one.profile.side() * (one.profile.involute()->base_half_angle() - s_w);
+                           one.profile.side() * (involute.base_half_angle() - s_w);
     phi_w = (pair.mesh_azimuth() - azimuth - one.center) / pair.rotation_sign();
     phi_s = pair.rotation_sign() * one.profile.side();
     phi_z = -one.twist / pair.rotation_sign();

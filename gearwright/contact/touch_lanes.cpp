@@ -29,6 +29,7 @@ constexpr double kLongestStep = 0.6;
 
 // The angle of a flank, apart from arg(1 + i c ξ), as a polynomial.
 struct FlankAngle {
+  double base_radius;  // mm
   double at_0, by_xi, by_xi2, by_z, by_z2;
 };
 
@@ -38,9 +39,9 @@ std::optional<FlankAngle> angle_of(const FlankPatch& f, double xi_mid) {
   const Involute* curve = f.profile.involute();
   if (!curve) return std::nullopt;
   const double c = f.profile.side();
-  FlankAngle a{c * (curve->base_half_angle() - xi_mid) + f.center, -c, 0.0, f.twist, 0.0};
-  if (!f.removal || f.removal->none()) return a;
   const double r_b = curve->base_radius();
+  FlankAngle a{r_b, c * (curve->base_half_angle() - xi_mid) + f.center, -c, 0.0, f.twist, 0.0};
+  if (!f.removal || f.removal->none()) return a;
   if (f.removal->has_topography() || f.removal->wavy() || f.removal->base_radius() != r_b)
     return std::nullopt;
   const double u = 0.5 * std::log(r_b * r_b * (1.0 + xi_mid * xi_mid));
@@ -88,8 +89,7 @@ std::optional<LaneSearch> LaneSearch::of(const Transmission& transmission) {
       const double xi_mid = 0.5 * (two.s_lo + two.s_hi);
       const auto& b = angles[i];
       if (!a || !b) return std::nullopt;
-      const double r1 = one.profile.involute()->base_radius();
-      const double r2 = two.profile.involute()->base_radius();
+      const double r1 = a->base_radius, r2 = b->base_radius;
       const double n_lo = std::exp(2 * two.u_lo), n_hi = std::exp(2 * two.u_hi);
       search.fields_.push_back({r1,
                                 one.profile.side(),

@@ -131,8 +131,9 @@ std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   // For external gears at extended centres, the distance from the borders has only one maximum,
   // which the search above finds.
   const SearchProblem& problem = graph.problem();
-  const bool one_hump = problem.mounting == Mounting::extended && !problem.internal() &&
-                        !problem.crossed() && fillets == Fillets::left_out;
+  const bool one_hump = problem.mounting == Mounting::extended &&
+                        problem.kind() == PairKind::parallel_external &&
+                        fillets == Fillets::left_out;
   if (one_hump) return std::nullopt;
   const auto first_beyond = [&](double distance) {
     return nearest_zero(where_not_negative([&](double sum) { return off_walls(sum) - distance; },

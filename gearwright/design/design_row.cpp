@@ -135,10 +135,7 @@ DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts) {
     const TrialGear& g = graph.gears()[i];
     if (g.teeth < 0) continue;
     const double start = m * leaf::flank_start(g.r, g.sin_transverse, g.flank_depth, cut[i]);
-    // Factor that converts a length in the transverse section to a length along the line of
-    // action. On crossed axes, the line of action is inclined by the base helix angle.
-    const double weight = problem.crossed() ? 1.0 / g.cos_base_helix : 1.0;
-    row.form_clearance[i] = weight * (ends[i] - start);
+    row.form_clearance[i] = graph.weight(i) * (ends[i] - start);
     row.interference = row.interference || ends[i] < start - slack;
   }
   row.mass = mass_of(graph, row);

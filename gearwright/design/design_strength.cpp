@@ -92,7 +92,10 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.tool.dedendum = rack.dedendum;
     g.tool.fillet =
         std::min(rack.root_fillet_radius, full_radius(rack, problem.normal_pressure_angle));
-    if (g.internal()) g.tool.cutter_teeth = cut->cutter_teeth;
+    if (g.internal()) {
+      g.tool.cutter_teeth = cut->cutter_teeth;
+      g.bore = default_rim(g.root_diameter, m);
+    }
   }
   r.alpha_wt = std::acos(std::min(1.0, std::abs(sum) / r.center_distance));
   r.u = static_cast<double>(t.z2) / t.z1;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "gearwright/pair/leaf_formulas.hpp"
 
 namespace gearwright {
 
@@ -47,9 +46,7 @@ double first_face_width(const ShiftGraph& graph) {
   const SearchProblem& problem = graph.problem();
   const Trial& trial = graph.trial();
   double width = 0.0;
-  const double per_width =
-      problem.crossed() ? 0.0
-                        : leaf::overlap_of(1.0, graph.gears()[0].tan_base_helix, graph.pitch());
+  const double per_width = graph.overlap_of(1.0);
   if (problem.limits.overlap_ratio && per_width > 0.0)
     width = *problem.limits.overlap_ratio * trial.module / per_width * (1.0 - kRounding);
   const auto first = next_face_width(problem, trial, 0.0, width);

@@ -221,10 +221,9 @@ std::vector<Knob> knobs(const SearchProblem& p) {
   for (const int i : {0, 1}) {
     const double ratio = p.ratio[i];
     double far = ratio + (i == 0 ? -0.5 : 0.5) * std::abs(ratio);
-    if (!p.internal()) far = std::max(far, 1.0);
     // An internal gear has more teeth than its pinion, so ratios above −1 are impossible.
     constexpr double kBeyondOne = 1e-3;
-    if (p.internal() && i == 1) far = std::min(far, -1.0 - kBeyondOne);
+    far = p.internal() ? std::min(far, -1.0 - kBeyondOne) : std::max(far, 1.0);
     add_end("ratio", p.ratio, i, far, std::abs(ratio), Knob::Kind::ratio,
             [](SearchProblem& q, int end, double v) { q.ratio[end] = v; });
     const std::array<double, 2> teeth{1.0 * p.pinion_teeth[0], 1.0 * p.pinion_teeth[1]};

@@ -38,13 +38,7 @@ std::shared_ptr<const TrialGears> Search::gears(int which, int rack, Angle helix
   // sufficient.
   constexpr std::size_t kTables = 16;
   if (tables_.size() >= kTables) tables_.clear();
-  const bool ring = problem_.internal();
-  const int least = which == 0 ? problem_.pinion_teeth[0]
-                    : ring     ? -space_.max_wheel()
-                               : space_.min_wheel();
-  const int most = which == 0 ? problem_.pinion_teeth[1]
-                   : ring     ? -space_.min_wheel()
-                              : space_.max_wheel();
+  const auto [least, most] = which == 0 ? problem_.pinion_teeth : space_.wheels();
   auto table = std::make_shared<const TrialGears>(problem_, least, most, helix, rack, which);
   tables_.emplace(key, table);
   return table;
@@ -75,8 +69,8 @@ class Sieve {
     constants_.internal = problem.internal();
     shortened_ = problem.shorten_tips;
     ceiling_ = problem.limits.max_shift.value_or(kNoLimit);
-    constants_.tight = problem.mounting == Mounting::tight && !problem.crossed();
-    constants_.path = !constants_.tight && !constants_.internal && !problem.crossed();
+    constants_.tight = problem.tight();
+    constants_.path = !constants_.tight && problem.kind() == PairKind::parallel_external;
     trials_.reserve(kBatch);
     batch_.resize(kBatch);
   }

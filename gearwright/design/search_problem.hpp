@@ -194,6 +194,12 @@ struct SearchProblem {
 
   bool internal() const { return ratio[0] < 0.0; }
   bool crossed() const { return shaft_angle.has_value(); }
+  PairKind kind() const {
+    if (shaft_angle) return PairKind::crossed;
+    return ratio[0] < 0.0 ? PairKind::parallel_internal : PairKind::parallel_external;
+  }
+  /// True if the designs are mounted at tight centres. On crossed axes, `mounting` has no effect.
+  bool tight() const { return mounting == Mounting::tight && !crossed(); }
   /// True if the face width is chosen for each design.
   bool sizes_faces() const {
     const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };

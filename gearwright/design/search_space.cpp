@@ -37,9 +37,9 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
     pinions_.push_back({z1, first, last});
     before_pinion_.push_back(per_module_);
     per_module_ += last - first + 1;
-    const int near = std::min(std::abs(first), std::abs(last));
-    min_wheel_ = max_wheel_ == 0 ? near : std::min(min_wheel_, near);
-    max_wheel_ = std::max({max_wheel_, std::abs(first), std::abs(last)});
+    const bool only = pinions_.size() == 1;
+    wheels_ = {only ? first : std::min(wheels_[0], first),
+               only ? last : std::max(wheels_[1], last)};
   }
   constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1 by more than the rounding error of the
                                       // approximate size
@@ -99,11 +99,8 @@ void SearchSpace::next(Cursor& c) const {
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
   const Angle beta = problem_->helix[c.helix];
-  // β2 = Σ − β1 on crossed axes, β2 = β1 for an internal gear, β2 = −β1 for an external pair on
-  // parallel axes.
-  const Angle mate = problem_->crossed()    ? *problem_->shaft_angle - beta
-                     : problem_->internal() ? beta
-                                            : Angle() - beta;
+  // β2 = Σ − σ β1, where Σ = 0 on parallel axes and σ is the sign of z2.
+  const Angle mate = problem_->shaft_angle.value_or(Angle()) - side_of(c.z2) * beta;
   return {c.index, problem_->modules[c.module], c.z1, c.z2, {beta, mate}, static_cast<int>(c.rack)};
 }
 

@@ -41,8 +41,8 @@ class SearchSpace {
     }
   }
 
-  int min_wheel() const { return min_wheel_; }  ///< least |z2|
-  int max_wheel() const { return max_wheel_; }  ///< greatest |z2|; 0 if there is no pair
+  /// The least and the greatest z2 of all pairs, with signs; {0, 0} if there is no pair.
+  std::array<int, 2> wheels() const { return wheels_; }
 
  private:
   struct Cursor {
@@ -64,7 +64,7 @@ class SearchSpace {
                                              ///< whose z1 is smaller
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
-  int min_wheel_ = 0, max_wheel_ = 0;
+  std::array<int, 2> wheels_{};
 };
 
 /// The first and the last z2 for a given z1; first > last if there is none.

@@ -129,7 +129,6 @@ std::array<double, 2> ShiftGraph::usable_shifts(std::size_t i, double k) const {
 void ShiftGraph::bound_usable_path(const SumPlace& at, double sum, double& lo, double& hi) const {
   for (std::size_t i : {0, 1}) {
     const TrialGear& g = gears_[i];
-    if (g.teeth < 0) continue;
     auto [least, most] = at.k == 0.0 ? usable_whole_tips_[i] : usable_shifts(i, at.k);
     if (!internal_) {
       const double path = at.N - min_path_;

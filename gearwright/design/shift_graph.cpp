@@ -46,7 +46,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
       gears_{gear_1, gear_2},
       internal_(trial.z2 < 0),
       crossed_(problem.crossed()),
-      tight_(!problem.crossed() && problem.mounting == Mounting::tight),
+      tight_(problem.tight()),
       R_(gear_1.r + gear_2.r),
       B_(gear_1.r_b + gear_2.r_b),
       tan_alpha_(std::tan(problem.normal_pressure_angle.rad())),
@@ -199,9 +199,8 @@ double ShiftGraph::path_length(const SumPlace& at, double sum, double x1) const 
   // roots.
   const double u_1 = gears_[0].r + gears_[0].addendum + at.k + x1;
   const double u_2 = gears_[1].r + gears_[1].addendum + at.k + (sum - x1);
-  const double sign = internal_ ? -1.0 : 1.0;
   return weight_[0] * curvature(u_1, gears_[0].r_b) +
-         sign * weight_[1] * curvature(u_2, gears_[1].r_b) - at.N;
+         side_of(trial_.z2) * weight_[1] * curvature(u_2, gears_[1].r_b) - at.N;
 }
 
 namespace {
@@ -212,13 +211,12 @@ struct PathSlope {
   double first, second;
 };
 PathSlope path_slope(double u_1, double b_1, double w_1, double u_2, double b_2, double w_2,
-                     bool internal) {
+                     double side) {
   const double q_1 = curvature(u_1, b_1);
   const double q_2 = curvature(u_2, b_2);
   const double bend_1 = w_1 * b_1 * b_1 / (q_1 * q_1 * q_1);
   const double bend_2 = w_2 * b_2 * b_2 / (q_2 * q_2 * q_2);
-  return {w_1 * std::abs(u_1) / q_1 - w_2 * std::abs(u_2) / q_2,
-          -bend_1 + (internal ? bend_2 : -bend_2)};
+  return {w_1 * std::abs(u_1) / q_1 - w_2 * std::abs(u_2) / q_2, -bend_1 - side * bend_2};
 }
 
 }  // namespace
@@ -232,7 +230,7 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   if (crossed_ && within.lo < within.hi) {
     const auto slope = [&](double x) {
       const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x,
-                                     gears_[1].r_b, weight_[1], internal_);
+                                     gears_[1].r_b, weight_[1], side_of(trial_.z2));
       return Slope<double>{s.first, s.second};
     };
     x1 = newton_in_bracket<double>(slope, within.lo, within.hi,
@@ -254,7 +252,7 @@ std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, co
   const double A_2 = gears_[1].r + gears_[1].addendum + at.k;
   const auto excess = [&](double x) {
     const PathSlope s = path_slope(A_1 + x, gears_[0].r_b, weight_[0], A_2 + sum - x, gears_[1].r_b,
-                                   weight_[1], internal_);
+                                   weight_[1], side_of(trial_.z2));
     return Slope<double>{path_length(at, sum, x) - min_path_, s.first};
   };
   // For an external pair, E is concave, so Newton steps from a bound towards the root never pass

@@ -102,6 +102,9 @@ class ShiftGraph {
   const SearchProblem& problem() const { return *problem_; }
   double min_path() const { return min_path_; }  ///< K
   double pitch() const { return pitch_; }        ///< p_bt; p_bn on crossed axes
+  /// Length along the line of action divided by its length in the transverse section of a gear.
+  double weight(std::size_t gear) const { return weight_[gear]; }
+  double overlap_of(double face) const;  ///< ε_β of a face width in modules; 0 on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
   /// The range of Σ that the first `limits` limits leave, as far as they depend on Σ alone.

@@ -33,13 +33,15 @@ enum class Verdict { inside, outside, ask };
 Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i) {
   bool ask = false;
   bool out = false;
-  const auto at_least = [&](CandidateBatch::Out column, double limit, double scale = 1.0) {
-    const double margin = b.out[column][i] - limit;
-    if (margin < -kSieveDoubt * scale) {
+  const auto compare = [&](double margin, double doubt) {
+    if (margin < -doubt) {
       out = true;
-    } else if (!(margin > kSieveDoubt * scale)) {
+    } else if (!(margin > doubt)) {
       ask = true;
     }
+  };
+  const auto at_least = [&](CandidateBatch::Out column, double limit) {
+    compare(b.out[column][i] - limit, kSieveDoubt);
   };
   // The error of tan α_wt is the residual of inv α_wt divided by tan² α_wt, because the
   // derivative of inv α is tan² α.
@@ -57,15 +59,9 @@ Verdict judge(const SearchLimits& limits, const CandidateBatch& b, std::size_t i
     at_least(CandidateBatch::interference_1, limits.form_clearance);
     at_least(CandidateBatch::interference_2, limits.form_clearance);
   }
-  if (limits.sliding) {
-    const double doubt = kSieveDoubt * (1.0 + *limits.sliding);
-    const double margin = *limits.sliding - b.out[CandidateBatch::sliding][i];
-    if (margin < -doubt) {
-      out = true;
-    } else if (!(margin > doubt)) {
-      ask = true;
-    }
-  }
+  if (limits.sliding)
+    compare(*limits.sliding - b.out[CandidateBatch::sliding][i],
+            kSieveDoubt * (1.0 + *limits.sliding));
   // A candidate that one limit rejects is outside, even if another limit is undecided.
   return out ? Verdict::outside : ask ? Verdict::ask : Verdict::inside;
 }

@@ -105,13 +105,15 @@ std::optional<Limit> ShiftGraph::what_kills() const {
   return std::nullopt;
 }
 
+double ShiftGraph::overlap_of(double face) const {
+  return crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
+}
+
 bool ShiftGraph::overlap_ratio_is_enough() const {
   const auto [least, most] = face_widths(*problem_, trial_);
   if (!(least <= most)) return false;
   if (!problem_->limits.overlap_ratio) return true;
-  const double face = most / trial_.module;
-  const double overlap = crossed_ ? 0.0 : leaf::overlap_of(face, gears_[0].tan_base_helix, pitch_);
-  return overlap >= *problem_->limits.overlap_ratio - kTouching;
+  return overlap_of(most / trial_.module) >= *problem_->limits.overlap_ratio - kTouching;
 }
 
 // For an external pair, the clearance is at most the clearance of the racks, because a − R − Σ ≤ 0.

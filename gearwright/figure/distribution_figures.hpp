@@ -68,8 +68,8 @@ Figure ranking_figure(const RankingScene& scene);
 /// The share of the samples in which each point of a flank is in contact.
 struct DensityScene {
   std::string id;
-  std::size_t which = 0;  ///< 0 for gear 1, 1 for gear 2
-  bool internal = false;
+  std::size_t which = 0;                 ///< 0 for gear 1, 1 for gear 2
+  double side = 1.0;                     ///< σ of the gear
   std::vector<double> diameter, height;  ///< mm, of each row and of each column, ascending
   std::vector<double> share;             ///< 0 to 1, [row · columns + column]
   double marking = 0.0;                  ///< thickness of the marking compound, mm

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/markup.hpp"
 

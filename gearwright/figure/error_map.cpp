@@ -7,7 +7,6 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/contact_figures.hpp"
-#include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/ticks.hpp"
 
 namespace gearwright {
@@ -29,12 +28,10 @@ FlankRaster raster_of(const ErrorMap& map) {
 std::vector<double> map_levels(const ErrorMap& map) {
   double lo = kInfinity;
   double hi = -kInfinity;
-  for (const auto& row : map.value) {
-    for (const double v : row) {
-      if (std::isnan(v)) continue;
-      lo = std::min(lo, v * kArcsecPerRad);
-      hi = std::max(hi, v * kArcsecPerRad);
-    }
+  for (const double v : raster_of(map).gap) {
+    if (v == kInfinity) continue;
+    lo = std::min(lo, v);
+    hi = std::max(hi, v);
   }
   // A field that consists of rounding errors is not drawn.
   if (!(hi - lo > 1e-6)) return {};

@@ -18,8 +18,6 @@ namespace gearwright {
 constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 units
 constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
                                             ///< than this
-constexpr double kRim = 2.5;                ///< m_n; rim drawn outside the roots of an internal
-                                            ///< gear
 
 /// Returns points of an arc, root to tip, both ends included, such that the chords stay within
 /// `tolerance`.

@@ -253,10 +253,10 @@ Figure whole_figure(const MeshScene& s, const Bounds& window, const Bounds& fram
   for (const std::size_t i : {0u, 1u}) {
     const Gear& gear = *s.gears[i];
     const double r = 0.66 * gear.root_diameter / 2;
-    // The arrow is omitted on a gear that is too small, and on an internal gear, where it would
+    // The arrow is omitted on a gear that is too small, and on an internal gear 2, where it would
     // cover the pinion.
     constexpr double kReadable = 0.05;  // relative to the width of the picture
-    if (r > kReadable * window.size().x() && !gear.internal())
+    if (r > kReadable * window.size().x() && (i == 0 || external))
       add_turn(f, axis_of(s, i), r, i == 0, static_cast<int>(i));
     f.cross(axis_of(s, i), external ? std::to_string(i + 1) : "");
   }

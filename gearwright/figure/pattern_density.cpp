@@ -24,7 +24,7 @@ Figure density_figure(const DensityScene& scene) {
   FlankRaster raster{scene.diameter, scene.height, {}};
   for (const double share : scene.share) raster.gap.push_back(100 * share);
   Figure f = flank_frame(scene.id, fmt::format("Contact pattern of gear {}", scene.which + 1),
-                         raster, scene.internal ? -1.0 : 1.0, scene.which);
+                         raster, scene.side, scene.which);
   const double most = *std::max_element(raster.gap.begin(), raster.gap.end());
   const std::string proportions = std::move(f.caption);
   f.description =

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/markup.hpp"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "gearwright/figure/contact_figures.hpp"
-#include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
 

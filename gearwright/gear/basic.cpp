@@ -18,16 +18,15 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   const double m = spec.normal_module;
   const double x_E = g.generating_profile_shift;
   const bool ring = spec.teeth < 0;
+  const double side = side_of(spec.teeth);
   const double d = g.reference_diameter;
   StraightRack rack = spec.straight_rack();
-  rack.dedendum = ring ? x_E + (root_diameter - d) / (2 * m) : x_E + (d - root_diameter) / (2 * m);
+  rack.dedendum = x_E + side * (d - root_diameter) / (2 * m);
   if (!(rack.dedendum > 0.0)) {
-    const double most = ring ? d - 2 * m * x_E : d + 2 * m * x_E;
-    return refused("root_diameter", root_diameter, {most},
-                   ring ? "at this root diameter the rack has no teeth; the root diameter must be "
-                          "greater than {} mm"
-                        : "at this root diameter the rack has no teeth; the root diameter must be "
-                          "less than {} mm");
+    return refused("root_diameter", root_diameter, {d + side * 2 * m * x_E},
+                   fmt::format("at this root diameter the rack has no teeth; the root diameter "
+                               "must be {} than {{}} mm",
+                               ring ? "greater" : "less"));
   }
   if (!root_form_diameter) return rack;
   const double d_Ff = *root_form_diameter;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/gear/gear.hpp"
 
 namespace gearwright {
 
@@ -64,6 +65,11 @@ std::optional<Error> bore_error(const Bore& bore, double room) {
 }
 
 }  // namespace
+
+std::optional<Bore> body_bore(const Gear& gear) {
+  if (gear.bore || !gear.internal()) return gear.bore;
+  return Bore{default_rim(gear.root_diameter, gear.spec.normal_module)};
+}
 
 double bore_reach(const Bore& bore) {
   const double r = bore.diameter / 2.0;

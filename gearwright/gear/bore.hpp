@@ -24,6 +24,18 @@ struct Bore {
 /// the keyway, or the bore radius if there is no keyway.
 double bore_reach(const Bore& bore);
 
+struct Gear;
+
+/// The bore of the body, or the rim of an internal gear. A rim that is not given is kRim modules
+/// thick outside the root circle. None for an external gear without a bore.
+std::optional<Bore> body_bore(const Gear& gear);
+inline constexpr double kRim = 2.5;
+
+/// The outside diameter, mm, of a rim that is not given.
+inline double default_rim(double root_diameter, double normal_module) {
+  return root_diameter + 2 * kRim * normal_module;
+}
+
 /// Least thickness of material between a bore or a rim and the roots or the groove, mm. It is a
 /// fifth of the default chord tolerance of a mesh.
 inline constexpr double kLeastWall = 1e-3;

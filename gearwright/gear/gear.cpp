@@ -102,6 +102,9 @@ std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
                           x_E * spec.normal_module};
   const FlankRuler ruler = flank_ruler(edge, motion);
   flanks.undercut_l = ruler.undercut_l();
+  flanks.undercut_free_profile_shift = leaf::undercut_limit<double>(  // [T3.14]
+      edge.flank_begin_depth / spec.normal_module, spec.teeth,
+      std::sin(gear.reference().transverse_pressure_angle), std::cos(spec.helix_angle.rad()));
   gear.undercut = !spec.root_fillet && x_E < flanks.undercut_free_profile_shift;
   const double land = left_by_land(edge, motion);
   const bool corner = spec.tip_fillet && spec.tip_fillet->by == TipFilletSpec::By::corner;
@@ -132,12 +135,14 @@ const StraightRack* Gear::straight_cutter() const {
 }
 
 std::optional<double> Gear::undercut_free_shift() const {
-  return involute() ? involute()->undercut_free_profile_shift : std::nullopt;
+  const InvoluteTeeth* const teeth = involute();
+  return teeth ? teeth->undercut_free_profile_shift : std::nullopt;
 }
 
 const ReferenceGeometry<double>& Gear::reference() const {
-  GW_EXPECTS(involute() != nullptr);
-  return involute()->reference;
+  const InvoluteTeeth* const teeth = involute();
+  GW_EXPECTS(teeth != nullptr);
+  return teeth->reference;
 }
 
 Error Gear::why_not() const {
@@ -185,11 +190,6 @@ Result<Gear> make_involute_gear(const CylindricalSpec& spec, const StraightRack&
   auto rack_edge = make_edge(rack, spec.normal_module, spec.normal_pressure_angle);
   if (!rack_edge) return rack_edge.error();
   const CutterEdge& edge = rack_edge->edge;
-  const double sin_alpha_t = std::sin(gear.reference().transverse_pressure_angle);
-  std::get<InvoluteTeeth>(gear.flanks).undercut_free_profile_shift =  // [T3.14]
-      leaf::undercut_limit<double>(edge.flank_begin_depth / spec.normal_module,
-                                   std::abs(spec.teeth), sin_alpha_t,
-                                   std::cos(spec.helix_angle.rad()));
   if (rack_edge->became_full_radius) {
     detail::warn(
         gear, WarningCode::full_radius_root,

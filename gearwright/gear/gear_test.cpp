@@ -147,6 +147,18 @@ TEST(MakeGear, ring) {
   EXPECT_FALSE(ring.root_form_radius());
   EXPECT_EQ(ring.tip_form_radius(), ring.tip_diameter / 2);
   EXPECT_FALSE(ring.undercut);
+  EXPECT_FALSE(ring.undercut_free_shift());
+}
+
+// Only an internal gear has a body bore by default: the outside of a rim of 2.5 modules.
+TEST(MakeGear, body_bore) {
+  Gear external = made(spec(60)), ring = made(spec(-60));
+  EXPECT_FALSE(body_bore(external));
+  EXPECT_EQ(body_bore(ring)->diameter, ring.root_diameter + 2 * 2.5 * 2.0);
+  for (Gear* const gear : {&external, &ring}) {
+    gear->bore = Bore{150.0};
+    EXPECT_EQ(body_bore(*gear)->diameter, 150.0);
+  }
 }
 
 TEST(MakeGear, errors_name_their_key) {

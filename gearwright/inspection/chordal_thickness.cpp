@@ -17,8 +17,9 @@ Error off_flank(double diameter, const std::string& why) {
 }
 
 struct FlankRange {
-  double lo, hi;     // mm, diameters
-  std::string ends;  // description of the two ends, for messages
+  double lo, hi;           // mm, diameters
+  const char* past_point;  // side of the pointed diameter on which there is no tooth
+  std::string ends;        // description of the two ends, for messages
 };
 
 // The range of diameters in which both flanks of the tooth are involutes.
@@ -26,7 +27,7 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
   const double d_b = gear.reference().base_diameter;
   const double d_Fa = 2 * gear.tip_form_radius();
   if (gear.internal()) {
-    return FlankRange{std::max(d_Fa, d_b), gear.root_diameter,
+    return FlankRange{std::max(d_Fa, d_b), gear.root_diameter, "inside",
                       fmt::format("at least the base diameter {} mm, and between d_Fa = {} mm and "
                                   "the root diameter {} mm of the internal gear",
                                   format_number(d_b, diameter), format_number(d_Fa, diameter),
@@ -38,7 +39,7 @@ Result<FlankRange> flank_range(const Gear& gear, double diameter) {
         diameter,
         "there is no usable flank to measure at any diameter, as the warnings of the gear explain");
   }
-  return FlankRange{std::max(2 * *form, d_b), d_Fa,
+  return FlankRange{std::max(2 * *form, d_b), d_Fa, "beyond",
                     fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
                                 "{} mm to d_Fa = {} mm",
                                 format_number(d_b, diameter), format_number(2 * *form, diameter),
@@ -70,7 +71,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
     return off_flank(diameter, fmt::format("the two flanks meet at a diameter of {} mm, so there "
                                            "is no tooth {} this diameter; the diameter must be {}",
                                            format_number(gear.pointed_diameter.value_or(diameter)),
-                                           gear.internal() ? "inside" : "beyond", range->ends));
+                                           range->past_point, range->ends));
   }
   if (arc.half_angle < std::numbers::pi) {
     const auto chord = shortest_chord(arc);

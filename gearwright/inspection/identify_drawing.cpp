@@ -9,9 +9,7 @@
 // Spans and balls determine only x_E. The tip diameter depends on x. The root diameter depends on
 // x_E, because a tooth is thinned by feeding the cutter deeper.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "gearwright/generation/outline.hpp"

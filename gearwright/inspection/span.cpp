@@ -74,8 +74,11 @@ std::string range_text(const Gear& gear, const UsableFlank& flank) {
 double span_length(const Gear& gear, int k) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double cos_b = std::cos(g.base_helix_angle);
-  if (gear.internal()) return cos_b * (k * g.base_pitch_transverse - g.base_tooth_thickness);
-  return cos_b * ((k - 1) * g.base_pitch_transverse + g.base_tooth_thickness);
+  // k teeth are k − 1 pitches and a tooth; k tooth spaces of an internal gear are k pitches less a
+  // tooth.
+  const double side = gear.side();
+  const double pitches = k - (1 + side) / 2;
+  return cos_b * (pitches * g.base_pitch_transverse + side * g.base_tooth_thickness);
 }
 
 double thickness_per_span(const Gear& gear) {

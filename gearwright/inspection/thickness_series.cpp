@@ -167,21 +167,25 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
 }
 
 Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
-                                             bool internal) {
+                                             double side) {
+  // Two tolerance zones, and words for the message.
+  using Words = std::array<std::string_view, 4>;
+  const auto [one_sided, symmetric, gear, tip] =
+      side > 0.0 ? Words{"h", "js", "external", "shaft"} : Words{"H", "JS", "internal", "hole"};
   const std::string_view zone =
       fit.substr(0, std::min(fit.find_first_of("0123456789"), fit.size()));
-  const bool known = internal ? zone == "H" || zone == "JS" : zone == "h" || zone == "js";
+  const bool known = zone == one_sided || zone == symmetric;
   const std::string_view grade = fit.substr(zone.size());
   if (!known || grade_of(grade) == 0)
     return Error{"tolerance.tip_fit", std::string(fit),
-                 internal ? "must be H1 to H12 or JS1 to JS12 of ISO 286, for example H9, because "
-                            "the tip of an internal gear is a hole"
-                          : "must be h1 to h12 or js1 to js12 of ISO 286, for example h9, because "
-                            "the tip of an external gear is a shaft"};
+                 fmt::format("must be {0}1 to {0}12 or {1}1 to {1}12 of ISO 286, for example {0}9, "
+                             "because the tip of an {2} gear is a {3}",
+                             one_sided, symmetric, gear, tip)};
   const auto hole =
       hole_deviations((zone.size() == 1 ? "H" : "JS") + std::string(grade), tip_diameter);
   if (!hole) return Error{"tip_diameter", hole.error().value, hole.error().rule};
-  return internal ? *hole : std::array{-(*hole)[1], -(*hole)[0] + 0.0};
+  const auto [lower, upper] = std::minmax({-side * (*hole)[0], -side * (*hole)[1]});
+  return std::array{lower + 0.0, upper + 0.0};  // −0 becomes 0
 }
 
 double keyway_depth_deviation(double width) {

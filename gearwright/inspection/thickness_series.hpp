@@ -33,14 +33,14 @@ Result<double> js_deviation(std::string_view tolerance, double center_distance);
 ///           120 mm for N9 and P9
 Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size);
 
-/// Deviations of the tip diameter, lower and upper, mm. The tip of an external gear is a shaft,
-/// whose deviations have the opposite sign of the deviations of a hole. The tip of an internal gear
-/// is a hole.
+/// Deviations of the tip diameter, lower and upper, mm. `side` is σ of the gear. The tip of an
+/// external gear is a shaft, whose deviations have the opposite sign of the deviations of a hole.
+/// The tip of an internal gear is a hole.
 ///
 /// Errors    `tolerance.tip_fit` if it is not h1 to h12 or js1 to js12, or for an internal gear not
 ///           H1 to H12 or JS1 to JS12; `tip_diameter` above 3150 mm
 Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
-                                             bool internal);
+                                             double side);
 
 /// Upper deviation of the depth of a keyway in a hub, mm. `width` is the width of the keyway, mm.
 /// The lower deviation is 0.

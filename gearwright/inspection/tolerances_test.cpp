@@ -183,17 +183,22 @@ TEST(Tolerances, HolesAndKeyways) {
     EXPECT_FALSE(hole_deviations(fit, 20)) << fit;
   EXPECT_FALSE(hole_deviations("P9", 130));
   EXPECT_FALSE(hole_deviations("H7", 4000));
-  const auto tip = [](const char* fit, double size, bool internal = false) {
-    const auto mm = testing::taken(tip_deviations(fit, size, internal));
+  constexpr double kExternal = 1.0, kInternal = -1.0;
+  const auto tip = [](const char* fit, double size, double side) {
+    const auto mm = testing::taken(tip_deviations(fit, size, side));
     return std::array{std::round(1e4 * mm[0]) / 10, std::round(1e4 * mm[1]) / 10};
   };
-  EXPECT_EQ(tip("h9", 50.5), (std::array{-74.0, 0.0}));
-  EXPECT_EQ(tip("js9", 6), (std::array{-15.0, 15.0}));
-  EXPECT_EQ(tip("H9", 50.5, true), (std::array{0.0, 74.0}));
+  EXPECT_EQ(tip("h9", 50.5, kExternal), (std::array{-74.0, 0.0}));
+  EXPECT_EQ(tip("js9", 6, kExternal), (std::array{-15.0, 15.0}));
+  EXPECT_EQ(tip("H9", 50.5, kInternal), (std::array{0.0, 74.0}));
+  EXPECT_EQ(tip("JS9", 6, kInternal), (std::array{-15.0, 15.0}));
+  EXPECT_FALSE(std::signbit(tip("h9", 50.5, kExternal)[1]));
   for (const char* fit : {"", "h", "h13", "H9", "JS9", "k6", "9"})
-    EXPECT_FALSE(tip_deviations(fit, 50, false)) << fit;
-  EXPECT_FALSE(tip_deviations("h9", 50, true));
-  EXPECT_EQ(tip_deviations("h9", 4000, false).error().field, "tip_diameter");
+    EXPECT_FALSE(tip_deviations(fit, 50, kExternal)) << fit;
+  for (const char* fit : {"", "H", "H13", "h9", "js9", "K6", "9"})
+    EXPECT_FALSE(tip_deviations(fit, 50, kInternal)) << fit;
+  for (const auto& [fit, side] : {std::pair{"h9", kExternal}, {"H9", kInternal}})
+    EXPECT_EQ(tip_deviations(fit, 4000, side).error().field, "tip_diameter");
   EXPECT_EQ(keyway_depth_deviation(6), 0.1);
   EXPECT_EQ(keyway_depth_deviation(8), 0.2);
   EXPECT_EQ(keyway_depth_deviation(36), 0.3);

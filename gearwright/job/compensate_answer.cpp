@@ -367,7 +367,7 @@ CompensationAim LoadedAim::aim(const std::vector<WorkshopCorrection>& correction
     return [load, pressure](std::vector<double> change) {
       for (double& um : change) um *= kMmPerUm;
       const NearbyLoad::Span span = load->span(change, false);
-      return std::isnan(span.value) ? kInfinity : pressure ? span.max_pressure : span.value;
+      return !span.value ? kInfinity : pressure ? span.max_pressure : *span.value;
     };
   };
   return aim;

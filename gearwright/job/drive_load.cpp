@@ -76,13 +76,13 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {
-    const bool ring = w.code == WarningCode::held_at_rim_as_drawn;
-    if (!ring && w.code != WarningCode::held_at_half_the_root) continue;
+    if (w.code != WarningCode::held_at_rim_as_drawn && w.code != WarningCode::held_at_half_the_root)
+      continue;
     const auto side = static_cast<std::size_t>(w.gear - 1);
     const std::size_t gear = drive.graph.meshes[mesh].gears[side];
     if (has_earlier_mesh(drive, gear, mesh)) continue;
-    drive.findings.push_back(
-        held_without_bore(drive.graph.gears[gear].name, ring, request.bodies[side].bore_diameter));
+    drive.findings.push_back(held_without_bore(drive.graph.gears[gear].name, w.code,
+                                               request.bodies[side].bore_diameter));
   }
 }
 

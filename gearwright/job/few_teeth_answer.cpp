@@ -6,6 +6,7 @@
 
 #include "gearwright/arrange/cut_gears.hpp"
 #include "gearwright/arrange/given_pair.hpp"
+#include "gearwright/arrange/notes.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/design/few_teeth_design.hpp"
@@ -96,9 +97,7 @@ double drawn(double v) { return std::stod(fmt::format("{:.9f}", v)); }
 double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(x) : x; }
 
 // The tip diameter, rounded so that the tooth is never longer than computed.
-double tip_as_drawn(double d, bool ring) {
-  return ring ? std::ceil(d * 1e4) / 1e4 : std::floor(d * 1e4) / 1e4;
-}
+double tip_as_drawn(double d, double side) { return side * std::floor(side * d * 1e4) / 1e4; }
 
 // The pinion, with its module or its diametral pitch as in the given table.
 Json pinion_json(const CylindricalSpec& c, const Json& given) {
@@ -113,7 +112,7 @@ Json pinion_json(const CylindricalSpec& c, const Json& given) {
   g["normal_pressure_angle_deg"] = drawn(c.normal_pressure_angle.deg());
   g["helix_angle_deg"] = drawn(c.helix_angle.deg());
   g["profile_shift"] = drawn(c.profile_shift);
-  if (c.tip_diameter) g["tip_diameter_mm"] = tip_as_drawn(*c.tip_diameter, false);
+  if (c.tip_diameter) g["tip_diameter_mm"] = tip_as_drawn(*c.tip_diameter, side_of(c.teeth));
   g["root_fillet"] = {{"kind", "circular"}, {"offset_mm", drawn(c.root_fillet->offset)}};
   if (c.tip_fillet)
     g["tip_fillet"] = {{"kind", "circular"}, {"radius_mm", drawn(c.tip_fillet->value)}};
@@ -130,7 +129,7 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   Json wheel{{"teeth", d.pair.gears[1].spec.teeth},
              {"profile_shift", shift_as_drawn(d.wheel_shift)}};
   wheel["face_width_mm"] = d.face_width;
-  wheel["tip_diameter_mm"] = tip_as_drawn(d.wheel_tip_diameter, d.pair.gears[1].internal());
+  wheel["tip_diameter_mm"] = tip_as_drawn(d.wheel_tip_diameter, d.pair.gears[1].side());
   wheel["cut_by"] = pinion_json(d.cutter, given["gear1"]);
   for (Json* g : {&pinion, &wheel}) {
     const char* name = g == &pinion ? "gear1" : "gear2";
@@ -150,7 +149,7 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
     const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];
     const auto& bore = spec.gear(which).bore;
     if (!bore) continue;
-    auto error = hole_error(bore, {gear.internal(), gear.root_diameter / 2});
+    auto error = body_error(gear, bore);
     if (!error) continue;
     error->rule += " of the design for this spec; without a bore, the verb fit prints the design";
     return of_gear(which, *error);

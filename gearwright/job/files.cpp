@@ -8,7 +8,6 @@
 
 #include "gearwright/base/output_file.hpp"
 #include "gearwright/base/subject.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/cad/dxf.hpp"

@@ -1,7 +1,6 @@
 // The answer of `scatter` in JSON, as a listing and as a table.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/number_text.hpp"
@@ -438,9 +437,8 @@ std::string scatter_csv(const SolvedJob& job, const ScatterAnswer& a) {
     for (std::size_t k = 0; k < sample.x.size(); ++k)
       out += "," + csv_cell(Value(sample.x[k]), units, unit_of(names[k]));
     for (const ScatterEntry& entry : scatter_entries()) {
-      const double value = sample.member[entry.quantity];
-      out += "," + (std::isnan(value) ? std::string()
-                                      : csv_cell(Value(entry.shown(value)), units, entry.unit));
+      const auto value = sample.member[entry.quantity];
+      out += "," + (value ? csv_cell(Value(entry.shown(*value)), units, entry.unit) : "");
     }
     out += fmt::format(",{}\r\n", sample.member.lost);
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/load/loaded_position.hpp"
 
 namespace gearwright {
@@ -49,8 +48,9 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
   }
 }
 
-NearbyLoad::Loaded NearbyLoad::loaded(std::size_t position, std::size_t torque,
-                                      std::span<const double> change, bool slopes) const {
+std::optional<NearbyLoad::Loaded> NearbyLoad::loaded(std::size_t position, std::size_t torque,
+                                                     std::span<const double> change,
+                                                     bool slopes) const {
   const Position& at = positions_[position];
   ContactProblem q = at.problem;
   q.moment = moments_[torque];
@@ -58,7 +58,7 @@ NearbyLoad::Loaded NearbyLoad::loaded(std::size_t position, std::size_t torque,
                                             static_cast<Eigen::Index>(change.size()));
   q.gap.array() -= (at.turn * e).array() * q.arm.array();
   const ContactSolution x = solve_contact(q, at.start[torque]);
-  if (!x.found()) return {kNoNumber, kNoNumber, {}};
+  if (!x.found()) return std::nullopt;
   // p_Hertz² by [T12.12] and [T12.13]
   const double square =
       (x.line_load.array() / q.radius.array()).maxCoeff() * q.reduced_modulus / std::numbers::pi;
@@ -73,25 +73,26 @@ NearbyLoad::Span NearbyLoad::span(std::span<const NearbyLoad> halves,
   const NearbyLoad& one = halves.front();
   const std::vector<double> none(slopes ? change.size() : 0, 0.0);
   for (const NearbyLoad& half : halves)
-    if (!half.complete_) return {kNoNumber, none};
+    if (!half.complete_) return {std::nullopt, none};
   Span worst{-1.0, none};
   for (std::size_t k = 0; k < one.moments_.size(); ++k) {
     Loaded least{}, greatest{};
     for (std::size_t i = 0; i < one.positions_.size(); ++i) {
-      Loaded here = one.loaded(i, k, change, slopes);
+      std::optional<Loaded> here = one.loaded(i, k, change, slopes);
+      if (!here) return {std::nullopt, none};
       for (const NearbyLoad& other : halves.subspan(1)) {
-        const Loaded second = other.loaded(i, k, change, slopes);
-        here.te = (here.te + second.te) / 2;
-        here.pressure = std::max(here.pressure, second.pressure);
-        if (slopes && !std::isnan(here.te)) here.slope = (here.slope + second.slope) / 2;
+        const std::optional<Loaded> second = other.loaded(i, k, change, slopes);
+        if (!second) return {std::nullopt, none};
+        here->te = (here->te + second->te) / 2;
+        here->pressure = std::max(here->pressure, second->pressure);
+        if (slopes) here->slope = (here->slope + second->slope) / 2;
       }
-      if (std::isnan(here.te)) return {kNoNumber, none};
-      worst.max_pressure = std::max(worst.max_pressure, here.pressure);
-      if (i == 0 || here.te > greatest.te) greatest = here;
-      if (i == 0 || here.te < least.te) least = std::move(here);
+      worst.max_pressure = std::max(worst.max_pressure, here->pressure);
+      if (i == 0 || here->te > greatest.te) greatest = *here;
+      if (i == 0 || here->te < least.te) least = *std::move(here);
     }
     const double value = greatest.te - least.te;
-    if (!(value > worst.value)) continue;
+    if (!(value > *worst.value)) continue;
     worst.value = value;
     if (!slopes) continue;
     const Eigen::VectorXd slope = greatest.slope - least.slope;

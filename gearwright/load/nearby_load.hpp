@@ -12,6 +12,7 @@
 // TE of a double-helical pair is the mean of both halves [T12.26].
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,9 @@ class NearbyLoad {
              std::span<const Influence> influences);
 
   struct Span {
-    double value;               ///< rad; NaN if a position has no solution
-    std::vector<double> slope;  ///< rad per unit of each influence; empty unless requested
-    double max_pressure = 0.0;  ///< MPa, over the positions and the torques
+    std::optional<double> value;  ///< rad; none if a position has no solution
+    std::vector<double> slope;    ///< rad per unit of each influence; empty unless requested
+    double max_pressure = 0.0;    ///< MPa, over the positions and the torques
   };
   /// The greatest peak to peak of the loaded TE over the torques of the request, after each
   /// influence has changed by its value in `change`.
@@ -62,12 +63,13 @@ class NearbyLoad {
     std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
   };
   struct Loaded {
-    double te;        // rad, TE under load; NaN without a solution
+    double te;        // rad, TE under load
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
-  Loaded loaded(std::size_t position, std::size_t torque, std::span<const double> change,
-                bool slopes) const;
+  // None without a solution.
+  std::optional<Loaded> loaded(std::size_t position, std::size_t torque,
+                               std::span<const double> change, bool slopes) const;
 
   std::vector<double> moments_;  // N mm, torques on gear 2
   std::vector<Position> positions_;

@@ -85,12 +85,12 @@ NearbyLoad::Span exact_span(const Teeth& t, const std::vector<double>& um) {
   for (const LoadedTorque& torque :
        loaded_contact(setup.pair(false), setup.gear(1), setup.gear(2), t.compliance, t.request)
            .torques) {
-    worst.value = std::max(worst.value, torque.peak_to_peak.rad());
+    worst.value = std::max(*worst.value, torque.peak_to_peak.rad());
     worst.max_pressure = std::max(worst.max_pressure, torque.max_pressure);
   }
   return worst;
 }
-double exact(const Teeth& t, const std::vector<double>& um) { return exact_span(t, um).value; }
+double exact(const Teeth& t, const std::vector<double>& um) { return *exact_span(t, um).value; }
 
 class NearbyLoads : public ::testing::Test {
  protected:
@@ -105,7 +105,7 @@ TEST_F(NearbyLoads, WithoutAChangeItIsLoadedContact) {
   for (const Teeth& t : all()) {
     const NearbyLoad::Span found = nearby(t, t.setup).span(none_, false);
     const NearbyLoad::Span expected = exact_span(t, none_);
-    EXPECT_NEAR(found.value, expected.value, 1e-9 * found.value) << t.name;
+    EXPECT_NEAR(*found.value, *expected.value, 1e-9 * *expected.value) << t.name;
     EXPECT_NEAR(found.max_pressure, expected.max_pressure, 1e-9 * found.max_pressure) << t.name;
   }
 }
@@ -115,7 +115,7 @@ TEST_F(NearbyLoads, WithoutAChangeItIsLoadedContact) {
 TEST_F(NearbyLoads, SolvesTeethThatAreMostlyFar) {
   const Teeth t = teeth(21, 55, 12, 38.0, 31);
   const double expected = exact(t, none_);
-  EXPECT_NEAR(nearby(t, t.setup).span(none_, false).value, expected, 1e-9 * expected);
+  EXPECT_NEAR(*nearby(t, t.setup).span(none_, false).value, expected, 1e-9 * expected);
 }
 
 TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
@@ -130,7 +130,7 @@ TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
       above[i] = kStep;
       below[i] = -kStep;
       const double difference =
-          (near.span(above, false).value - near.span(below, false).value) / (2 * kStep);
+          (*near.span(above, false).value - *near.span(below, false).value) / (2 * kStep);
       EXPECT_NEAR(slope[i], difference, 1e-5 * steepest) << t.name << ", correction " << i;
     }
   }
@@ -144,11 +144,11 @@ TEST_F(NearbyLoads, AChangeIsThatOfLoadedContactToAFewPercent) {
     for (const double v : um) change.push_back(v * kMmPerUm);
     const double before = exact(t, none_);
     const double after = exact(t, um);
-    EXPECT_NEAR(nearby(t, t.setup).span(change, false).value, after,
+    EXPECT_NEAR(*nearby(t, t.setup).span(change, false).value, after,
                 0.06 * std::abs(after - before))
         << t.name << " from " << before;
     // If the changed teeth are the start of the estimate (e = 0), the result is exact again.
-    EXPECT_NEAR(nearby(t, changed(t, um)).span(none_, false).value, after, 1e-9 * after) << t.name;
+    EXPECT_NEAR(*nearby(t, changed(t, um)).span(none_, false).value, after, 1e-9 * after) << t.name;
   }
 }
 

@@ -209,7 +209,7 @@ TEST(ShaftYield, OfSpurGearsUnderUniformLoadIsTheDeviationOfTheRating) {
   const PairCompliance c = shafts_only(d, r);
   const ContactPair pair = d.pair();
   const ShaftYield yield(pair, d.one, d.two, c, r);
-  const auto rated = rated_pair(*mount(d.one, d.two), {});
+  const auto rated = rated_pair(*mount(d.one, d.two));
   ASSERT_TRUE(rated);
   MeshShafts shafts;
   shafts.of = r.shafts;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "gearwright/base/contract.hpp"
@@ -78,14 +77,14 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// The distance s between tip and flank at a place; 0 if the place carries load, NaN if the forces
+// The distance s between tip and flank at a place; 0 if the place carries load, none if the forces
 // do not converge.
-double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
+std::optional<double> distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
-  if (at.rows.empty()) return std::numeric_limits<double>::infinity();
+  if (at.rows.empty()) return kInfinity;
   at.problem.moment = moment;
   const ContactSolution x = solve_contact(at.problem);
-  if (!x.found()) return kNoNumber;
+  if (!x.found()) return std::nullopt;
   for (std::size_t i = 0; i < at.rows.size(); ++i) {
     const auto [pair, slice] = at.rows[i];
     if (at.pairs[static_cast<std::size_t>(pair)].pair != 0 || slice != tip.slice) continue;
@@ -94,7 +93,7 @@ double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
     return at.problem.yield->row(k).dot(x.line_load) + at.problem.gap[k] -
            x.approach * at.problem.arm[k];
   }
-  return std::numeric_limits<double>::infinity();
+  return kInfinity;
 }
 
 // The helix modifications of the flanks, combined with these tip reliefs.
@@ -158,24 +157,23 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
         setup.with_modifications(with_reliefs(setup.modifications(), found.amount, path));
     if (!relieved) return relieved.error();
     const ContactPair pair = relieved->pair(gear2_drives);
-    std::vector<double> distance(tips.size());
+    std::vector<std::optional<double>> distance(tips.size());
     parallel_for(tips.size(), [&](std::size_t i) {
       PositionSolver solver(pair, one, two, compliance, request);
       distance[i] = distance_at(solver, tips[i], moment);
     });
-    std::array<double, 2> least{std::numeric_limits<double>::infinity(),
-                                std::numeric_limits<double>::infinity()};
-    // If a place has no solution, the least distance of its gear is unknown (NaN).
+    std::array<std::optional<double>, 2> least{kInfinity, kInfinity};
+    // If a place has no solution, the least distance of its gear is unknown. No distance is less
+    // than an unknown distance.
     for (std::size_t i = 0; i < tips.size(); ++i) {
-      double& known = least[tips[i].gear];
-      if (std::isnan(distance[i]) || distance[i] < known)
-        known = std::isnan(known) ? known : distance[i];
+      auto& known = least[tips[i].gear];
+      if (distance[i] < known) known = distance[i];
     }
     bool still = true;
     for (std::size_t g = 0; g < 2; ++g) {
       if (turn == 1) found.unloaded[g] = least[g] > 0.0;
-      if (!found.unloaded[g] || !(least[g] > kClose) || !std::isfinite(least[g])) continue;
-      found.amount[g] = std::max(0.0, found.amount[g] - least[g]);
+      if (!found.unloaded[g] || !(least[g] > kClose) || *least[g] == kInfinity) continue;
+      found.amount[g] = std::max(0.0, found.amount[g] - *least[g]);
       still = false;
     }
     if (still) break;

@@ -9,6 +9,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 
 namespace gearwright {
 
@@ -40,7 +41,7 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   // The ends of the last bracket are among the last points at which f was evaluated. The values at
   // these points are stored here, so that they need not be computed again.
   struct Look {
-    double x = std::numeric_limits<double>::quiet_NaN();
+    double x = kNoNumber;
     double value = 0.0;
   };
   std::array<Look, 4> looks;

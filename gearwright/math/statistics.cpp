@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 // Boost's sums for SSE2 have another order than its sums for other processors.
@@ -99,28 +98,34 @@ ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, do
           estimate.value + t * *estimate.standard_error};
 }
 
-std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
-                                          std::span<const std::vector<double>> mixed,
+std::vector<double> existing(std::span<const std::optional<double>> values) {
+  std::vector<double> list;
+  for (const std::optional<double>& v : values)
+    if (v) list.push_back(*v);
+  return list;
+}
+
+std::optional<SobolIndices> sobol_indices(const SampleValues& a, const SampleValues& b,
+                                          std::span<const SampleValues> mixed,
                                           double least_variance) {
   GW_EXPECTS(!a.empty() && a.size() == b.size());
-  std::vector<double> both;
-  for (const std::span<const double> half : {a, b})
-    std::copy_if(half.begin(), half.end(), std::back_inserter(both),
-                 [](double x) { return !std::isnan(x); });
+  std::vector<double> both = existing(a);
+  for (const double f : existing(b)) both.push_back(f);
   if (both.empty()) return std::nullopt;
   const auto [mean, variance] = moments(both);
   if (!(variance > least_variance)) return std::nullopt;
   SobolIndices indices;
-  for (const std::vector<double>& m : mixed) {
+  for (const SampleValues& m : mixed) {
     GW_EXPECTS(m.size() == a.size());
     // Estimates of S, 1 − S, S_T and 1 − S_T, each multiplied by `rows` and by V.
     double first = 0.0, others = 0.0, total = 0.0, others_alone = 0.0, rows = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      if (std::isnan(a[i] + b[i] + m[i])) continue;
-      first += (b[i] - mean) * (m[i] - a[i]);
-      others += 0.5 * (b[i] - m[i]) * (b[i] - m[i]);
-      total += 0.5 * (a[i] - m[i]) * (a[i] - m[i]);
-      others_alone += (a[i] - mean) * (m[i] - b[i]);
+      if (!a[i] || !b[i] || !m[i]) continue;
+      const double f_a = *a[i], f_b = *b[i], f_m = *m[i];
+      first += (f_b - mean) * (f_m - f_a);
+      others += 0.5 * (f_b - f_m) * (f_b - f_m);
+      total += 0.5 * (f_a - f_m) * (f_a - f_m);
+      others_alone += (f_a - mean) * (f_m - f_b);
       ++rows;
     }
     if (rows == 0.0) return std::nullopt;

@@ -69,6 +69,11 @@ Estimate estimate(std::span<const double> replicates);
 /// Domain    an estimate with a standard error, R ≥ 2, 0 < confidence < 1 (contract)
 ConfidenceInterval interval(const Estimate& estimate, std::size_t replicates, double confidence);
 
+/// A number for each sample; none for a sample in which it does not exist.
+using SampleValues = std::vector<std::optional<double>>;
+/// The numbers that exist, in the same order.
+std::vector<double> existing(std::span<const std::optional<double>> values);
+
 struct SobolIndices {
   std::vector<double> first, total;  ///< one index for each group
 };
@@ -77,14 +82,14 @@ struct SobolIndices {
 /// sets of n points. `a` contains the values of f at the points of A, and `b` the values at the
 /// points of B. For each group, `mixed` contains the values of f at the points of A after the
 /// inputs of the group are replaced by the inputs of B. The indices of a group are computed
-/// from those points at which none of `a`, `b` and `mixed` is NaN. None if a group has no such
-/// point, or if the variance of f is at most `least_variance`.
+/// from those points at which `a`, `b` and `mixed` have values. None if a group has no such point,
+/// or if the variance of f is at most `least_variance`.
 ///
 /// Formula   [T14.10]
 /// Domain    n ≥ 1, and all spans have n values (contract)
 /// Laws      both indices of a group are exactly 0 if the group has no influence
-std::optional<SobolIndices> sobol_indices(std::span<const double> a, std::span<const double> b,
-                                          std::span<const std::vector<double>> mixed,
+std::optional<SobolIndices> sobol_indices(const SampleValues& a, const SampleValues& b,
+                                          std::span<const SampleValues> mixed,
                                           double least_variance);
 
 // Distribution functions and their inverses, used for confidence intervals and tolerances.

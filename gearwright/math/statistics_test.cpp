@@ -75,8 +75,8 @@ TEST(Statistics, ReplicatesGiveTheError) {
 // The values of a function at n scrambled points of A, of B, and of A with one column of B.
 template <int d>
 struct Design {
-  std::vector<double> a, b;
-  std::array<std::vector<double>, d> mixed;
+  SampleValues a, b;
+  std::array<SampleValues, d> mixed;
 
   template <class F>
   Design(const F& f, std::uint32_t n, int replicate) {
@@ -157,14 +157,15 @@ TEST(Statistics, IndicesOfTheGFunctionHaveLessErrorThanJansens) {
     const Design<4> design(g, 256, r);
     const auto found = design.indices();
     ASSERT_TRUE(found);
-    std::vector<double> both = design.a;
-    both.insert(both.end(), design.b.begin(), design.b.end());
+    const std::vector<double> a = existing(design.a), b = existing(design.b);
+    std::vector<double> both = a;
+    both.insert(both.end(), b.begin(), b.end());
     const double scale = 1 / (2 * 256 * moments(both).variance);
     for (int j = 0; j < 4; ++j) {
       double first = 1.0, total = 0.0;
       for (std::size_t i = 0; i < 256; ++i) {
-        first -= scale * std::pow(design.b[i] - design.mixed[j][i], 2);
-        total += scale * std::pow(design.a[i] - design.mixed[j][i], 2);
+        first -= scale * std::pow(b[i] - *design.mixed[j][i], 2);
+        total += scale * std::pow(a[i] - *design.mixed[j][i], 2);
       }
       const double s = part(j) / v, s_t = (v + 1) * part(j) / ((1 + part(j)) * v);
       own_first[j] += std::pow(found->first[j] - s, 2) / kReplicates;
@@ -191,12 +192,14 @@ TEST(Statistics, IndicesOfASum) {
     EXPECT_NEAR(indices->total[j], share[j], 3e-3);
   }
   EXPECT_FALSE(indices_of([](const auto&) { return 7.0; }, 64, 0));
-  EXPECT_FALSE(indices_of([](const auto&) { return NAN; }, 64, 0));
+  EXPECT_FALSE(indices_of([](const auto&) { return std::nullopt; }, 64, 0));
 }
 
 // A lost value leaves out its point, not the whole index.
 TEST(Statistics, IndicesWithoutLostPoints) {
-  const auto f = [](const std::array<double, 3>& u) { return u[0] > 0.9 ? NAN : u[1]; };
+  const auto f = [](const std::array<double, 3>& u) {
+    return u[0] > 0.9 ? std::nullopt : std::optional(u[1]);
+  };
   const auto indices = indices_of(f, 4096, 0);
   ASSERT_TRUE(indices);
   EXPECT_EQ(indices->first[0], 0.0);

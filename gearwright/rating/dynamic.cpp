@@ -95,9 +95,7 @@ double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materi
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];
     const double d_m = (g.tip_diameter + g.root_diameter) / 2;
-    const double outside = g.bore > 0.0 ? g.bore : g.root_diameter + 5 * pair.normal_module;
-    const double hole = g.internal() ? outside : g.bore;
-    const double rim = std::abs(std::pow(d_m, 4) - std::pow(hole, 4));
+    const double rim = std::abs(std::pow(d_m, 4) - std::pow(g.bore, 4));
     GW_EXPECTS(materials[i].density.has_value());
     m[i] = std::numbers::pi / 8 * *materials[i].density * rim / (g.base_diameter * g.base_diameter);
   }
@@ -137,18 +135,21 @@ Dynamic dynamic_factor(const DynamicInput& in) {
 namespace {
 
 constexpr double kC_M = 0.8;
-constexpr double kSoftBelow = 100.0;  // N/mm; an F_t K_A K_γ/b below this value reduces the stiffness
+constexpr double kSoftBelow =
+    100.0;  // N/mm; an F_t K_A K_γ/b below this value reduces the stiffness
 
-// q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2
-//      + C_8 x_1² + C_9 x_2²
-double flexibility(const RatedGear& g1, const RatedGear& g2) {
+// c'_th = 1/q', q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2
+//                    + C_8 x_1² + C_9 x_2²
+Factor tooth_stiffness(const RatedGear& g1, const RatedGear& g2) {
+  const bool ring = g2.internal();
   const double inverse1 = 1 / g1.virtual_teeth;
-  const double inverse2 = g2.internal() ? 0.0 : 1 / g2.virtual_teeth;
+  const double inverse2 = ring ? 0.0 : 1 / g2.virtual_teeth;
   const double x1 = g1.profile_shift;
   const double x2 = g2.profile_shift;
-  return 0.04723 + 0.15551 * inverse1 + 0.25791 * inverse2 - 0.00635 * x1 -
-         0.11654 * x1 * inverse1 - 0.00193 * x2 - 0.24188 * x2 * inverse2 + 0.00529 * x1 * x1 +
-         0.00182 * x2 * x2;
+  const double q = 0.04723 + 0.15551 * inverse1 + 0.25791 * inverse2 - 0.00635 * x1 -
+                   0.11654 * x1 * inverse1 - 0.00193 * x2 - 0.24188 * x2 * inverse2 +
+                   0.00529 * x1 * x1 + 0.00182 * x2 * x2;
+  return {1 / q, "ISO 6336-1, 9.3.1.1", ring ? "internal: 1/z_n2 = 0" : "external"};
 }
 
 double rack_factor(const RatedGear& gear, double alpha_n) {
@@ -171,8 +172,7 @@ Stiffness mesh_stiffness(const RatedPair& pair, double specific_load, double ela
   Stiffness s{};
   const double sum = g1.profile_shift + g2.profile_shift;
   s.in_range = g1.profile_shift >= g2.profile_shift && sum >= -0.5 && sum <= 2.0;
-  s.c_th = {1 / flexibility(g1, g2), "ISO 6336-1, 9.3.1.1",
-            pair.internal() ? "internal: 1/z_n2 = 0" : "external"};
+  s.c_th = tooth_stiffness(g1, g2);
   s.C_R = body_factor(body);
   s.C_B = (rack_factor(g1, pair.alpha_n) + rack_factor(g2, pair.alpha_n)) / 2;
   double c = s.c_th.value * kC_M * s.C_R * s.C_B * std::cos(pair.beta) * elasticity;

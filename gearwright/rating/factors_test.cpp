@@ -206,13 +206,22 @@ TEST(RimFactor, ThinRims) {
   const RatedPair pair = testing::helical_24_95();
   const RatedGear& g = pair.gears[0];
   const double h = g.tooth_height;
-  EXPECT_EQ(rim_factor(g, 14, std::nullopt).value, 1.0);
-  EXPECT_EQ(rim_factor(g, 14, 1.2 * h).value, 1.0);
-  EXPECT_NEAR(rim_factor(g, 14, (1.2 - kStep) * h).value, 1.0, 1e-3);
-  EXPECT_GT(rim_factor(g, 14, 0.6 * h).value, 2.0);
   RatedGear ring = g;
   ring.teeth = -95;
-  EXPECT_NEAR(rim_factor(ring, 14, (3.5 - kStep) * 14).value, 1.0, 4e-3);
+  struct Case {
+    const RatedGear* gear;
+    double unit, least, thick, at_least;  // at_least: Y_B at the least rim
+  };
+  for (const Case& c : {Case{&g, h, 0.5, 1.2, 1.6 * std::log(2.242 / 0.5)},
+                        Case{&ring, 14.0, 1.75, 3.5, 1.15 * std::log(8.324 / 1.75)}}) {
+    const auto factor = [&](double s) { return rim_factor(*c.gear, 14, s * c.unit).value; };
+    EXPECT_EQ(rim_factor(*c.gear, 14, std::nullopt).value, 1.0);
+    EXPECT_EQ(factor(c.thick + kStep), 1.0);
+    EXPECT_NEAR(factor(c.thick - kStep), 1.0, 4e-3);
+    EXPECT_EQ(least_rim(c.gear->side(), 14, h).thickness, c.least * c.unit);
+    EXPECT_NEAR(factor(c.least), c.at_least, 1e-12);
+    EXPECT_GT(factor(c.least), factor(0.6 * c.thick));
+  }
 }
 
 TEST(DeepToothFactor, Branches) {

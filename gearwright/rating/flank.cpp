@@ -62,7 +62,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     return product > 0.0 ? std::tan(pair.alpha_wt) / std::sqrt(product) : 1.0;
   };
   const auto factor = [&](std::size_t own) -> Factor {
-    if (own == 1 && pair.internal()) return {1.0, formula, "1 for an internal gear"};
+    if (pair.gears[own].internal()) return {1.0, formula, "1 for an internal gear"};
     const double m_i = m(own, 1 - own);
     if (pair.spur())
       return {std::max(1.0, m_i), formula, m_i > 1.0 ? "spur, M > 1" : "spur, M ≤ 1"};

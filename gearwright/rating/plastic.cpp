@@ -140,7 +140,7 @@ std::vector<Error> missing_plastic_inputs(const RatingInput& in) {
 }
 
 Result<Rating> rate_plastic(const RatedPair& pair, const RatingInput& in) {
-  if (pair.internal()) {
+  if (pair.gears[1].internal()) {
     return Error{"rating.edition", std::string(name(in.edition)),
                  "covers external pairs only, but gear 2 is internal"};
   }

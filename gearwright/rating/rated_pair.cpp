@@ -48,7 +48,7 @@ RootTool root_tool(const Gear& gear) {
   return tool;
 }
 
-RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) {
+RatedGear rated_gear(const Gear& gear, double beta, double beta_b) {
   const ReferenceGeometry<double>& reference = gear.reference();
   RatedGear g;
   g.teeth = gear.spec.teeth;
@@ -61,22 +61,22 @@ RatedGear rated_gear(const Gear& gear, double bore, double beta, double beta_b) 
   g.generating_shift = reference.generating_profile_shift;
   g.virtual_teeth = virtual_teeth(g.teeth, beta, beta_b);
   g.face_width = gear.spec.face_width;
-  g.bore = bore;
+  if (const auto bore = body_bore(gear)) g.bore = bore->diameter;
   g.tool = root_tool(gear);
   return g;
 }
 
-Result<RatedPair> rated(const ArcPair&, const std::array<double, 2>&) {
+Result<RatedPair> rated(const ArcPair&) {
   return Error{gear_field(1, "rack"), "",
                "cuts circular arcs, but ISO 6336 rates involute gears only"};
 }
 
-Result<RatedPair> rated(const CrossedPair&, const std::array<double, 2>&) {
+Result<RatedPair> rated(const CrossedPair&) {
   return Error{"pair.shaft_angle", "",
                "ISO 6336 rates gears on parallel axes only, and these axes cross"};
 }
 
-Result<RatedPair> rated(const ParallelPair& pair, const std::array<double, 2>& bore) {
+Result<RatedPair> rated(const ParallelPair& pair) {
   if (!pair.flanks_meet()) {
     return Error{"pair.center_distance", "",
                  "the flanks do not touch, so they carry no load; a smaller centre distance or "
@@ -94,10 +94,8 @@ Result<RatedPair> rated(const ParallelPair& pair, const std::array<double, 2>& b
   r.center_distance = pair.center_distance;
   const double sum = second.base_radius() + second.side() * first.base_radius();
   r.alpha_wt = std::acos(std::min(1.0, sum / pair.center_distance));
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::size_t from = r.exchanged ? 1 - i : i;
-    r.gears[i] = rated_gear(pair.gears[from], bore[from], r.beta, r.beta_b);
-  }
+  for (std::size_t i = 0; i < 2; ++i)
+    r.gears[i] = rated_gear(pair.gears[r.exchanged ? 1 - i : i], r.beta, r.beta_b);
   r.u = static_cast<double>(r.gears[1].teeth) / r.gears[0].teeth;
   r.face_width = std::min(first.spec.face_width, second.spec.face_width);
   r.epsilon_alpha = pair.mesh.true_ratio;
@@ -118,16 +116,7 @@ double RatedPair::epsilon_alpha_n() const {
 }
 
 Result<RatedPair> rated_pair(const Pair& pair) {
-  std::array<double, 2> bore{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto& body = pair.mounted().gears[i].bore;
-    if (body) bore[i] = body->diameter;
-  }
-  return rated_pair(pair, bore);
-}
-
-Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore) {
-  return pair.visit([&](const auto& p) { return rated(p, bore); });
+  return pair.visit([](const auto& p) { return rated(p); });
 }
 
 FlankTolerances tolerance_edition(RatingEdition edition) {

@@ -65,7 +65,6 @@ struct RatedPair {
   double epsilon_alpha = 0.0;
   double epsilon_beta = 0.0;
 
-  bool internal() const { return gears[1].internal(); }
   bool spur() const { return beta == 0.0; }
   double epsilon_gamma() const { return epsilon_alpha + epsilon_beta; }
   /// The width that carries the load, 2 b_B for double-helical gears. [ISO 6336-1, 4.2]
@@ -85,13 +84,11 @@ std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
 ///
 /// Formula   ISO 6336-3, 6.2; confirmed to six digits by ISO/TR 6336-30, example 1
 double virtual_teeth(int teeth, double beta, double beta_b);
-/// The inputs of a mounted pair, with the bores of its gears.
+/// The inputs of a mounted pair.
 ///
 /// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the flanks do not meet,
 ///           `gear1.rack` for circular-arc teeth
 Result<RatedPair> rated_pair(const Pair& pair);
-/// The inputs of a mounted pair, with these bores of gear 1 and gear 2, mm (0 for a solid disc).
-Result<RatedPair> rated_pair(const Pair& pair, std::array<double, 2> bore);
 
 // The tolerances of ISO 1328-1 that a rating requires, computed from the accuracy grade.
 //

@@ -257,7 +257,7 @@ void Rater::check_limits() {
         which);
     const auto rim = in.rim[static_cast<std::size_t>(which - 1)];
     const RatedGear& g = pair.gears[i];
-    say(rim && *rim <= least_rim(g.internal(), pair.normal_module, g.tooth_height),
+    say(rim && *rim <= least_rim(g.side(), pair.normal_module, g.tooth_height).thickness,
         WarningCode::thin_rim, "The rim is thinner than the rim thickness factor Y_B allows.",
         which);
   }

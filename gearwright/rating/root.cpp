@@ -13,6 +13,8 @@ namespace gearwright {
 
 namespace {
 
+double rack_fillet(const RootTool& tool) { return tool.fillet; }
+
 // ρ_fPv*, the tip rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
 double virtual_fillet(const RootTool& tool) {
   if (tool.cutter_teeth == 0) return tool.fillet;
@@ -20,6 +22,36 @@ double virtual_fillet(const RootTool& tool) {
   return tool.fillet +
          std::pow(std::max(0.0, reach), 1.95) / (3.156 * std::pow(1.036, tool.cutter_teeth));
 }
+
+// The 30° tangent of an external gear and the 60° tangent of an internal gear.
+struct Tangent {
+  double T;              // angle in H [T11.27]
+  double start;          // of the search for θ, π/2 − T
+  double chord, height;  // factors of (G/cos θ − ρ) in s_Fn and h_F, 2 sin T and 2 cos T
+  double (*fillet)(const RootTool&);  // ρ_fP* or ρ_fPv*
+};
+
+// Clause 9: Y_B = rise ln(at/s) for s < thick, where s is the rim thickness relative to `unit`.
+struct RimRule {
+  double (*unit)(double normal_module, double tooth_height);
+  double least, thick, rise, at;
+  const char *words_of_least, *thick_branch, *thin_branch;
+};
+
+struct RootRules {
+  Tangent tangent;
+  RimRule rim;
+};
+constexpr RootRules kExternalRoot{
+    {kPi / 3, kPi / 6, std::numbers::sqrt3, 1.0, rack_fillet},
+    {[](double, double h) { return h; }, 0.5, 1.2, 1.6, 2.242, "half the tooth height",
+     "external, s_R/h ≥ 1.2", "external, s_R/h < 1.2"}};
+constexpr RootRules kInternalRoot{
+    {kPi / 6, kPi / 3, 1.0, std::numbers::sqrt3, virtual_fillet},
+    {[](double m, double) { return m; }, 1.75, 3.5, 1.15, 8.324, "1.75 modules",
+     "internal, s_R/m_n ≥ 3.5", "internal, s_R/m_n < 3.5"}};
+
+const RootRules& root_rules(double side) { return side > 0.0 ? kExternalRoot : kInternalRoot; }
 
 // Solves θ = 2 G tan θ/z_n − H by Newton's method.
 std::optional<double> tangent_angle(double G, double z_n, double H, double start) {
@@ -42,26 +74,25 @@ std::optional<double> tangent_angle(double G, double z_n, double H, double start
 
 std::optional<CriticalSection> critical_section(const RatedPair& pair, const RatedGear& gear,
                                                 LoadPoint at) {
-  const bool internal = gear.internal();
+  const Tangent& tangent = root_rules(gear.side()).tangent;
   const double m = pair.normal_module;
   const double z_n = gear.virtual_teeth;
   const double x = gear.generating_shift;
   const double sin_a = std::sin(pair.alpha_n);
   const double cos_a = std::cos(pair.alpha_n);
   const double tan_a = std::tan(pair.alpha_n);
-  const double fillet = internal ? virtual_fillet(gear.tool) : gear.tool.fillet;
+  const double fillet = tangent.fillet(gear.tool);
   const double E = kPi / 4 - gear.tool.dedendum * tan_a + gear.tool.protuberance / cos_a -
                    (1 - sin_a) * fillet / cos_a;
   const double G = fillet - gear.tool.dedendum + x;
-  const double T = internal ? kPi / 6 : kPi / 3;
-  const double H = 2 / z_n * (kPi / 2 - E) - T;
-  const auto theta = tangent_angle(G, z_n, H, internal ? kPi / 3 : kPi / 6);
+  const double H = 2 / z_n * (kPi / 2 - E) - tangent.T;
+  const auto theta = tangent_angle(G, z_n, H, tangent.start);
   if (!theta) return std::nullopt;
   const double c = std::cos(*theta);
   const double arm = G / c - fillet;
   CriticalSection s{};
   s.theta = *theta;
-  s.s_Fn = m * (z_n * std::sin(T - *theta) + (internal ? 1.0 : std::numbers::sqrt3) * arm);
+  s.s_Fn = m * (z_n * std::sin(tangent.T - *theta) + tangent.chord * arm);
   s.rho_F = m * (fillet + 2 * G * G / (c * (std::abs(z_n) * c * c - 2 * G)));
   // If `at` is LoadPoint::tip, the load acts at the tip. Otherwise it acts at the outer point
   // of single pair contact, ε_αn − 1 base pitches from the tip along the line of action.
@@ -79,7 +110,7 @@ std::optional<CriticalSection> critical_section(const RatedPair& pair, const Rat
   s.alpha_Fen = alpha_en - gamma;
   s.h_F = m / 2 *
           ((std::cos(gamma) - std::sin(gamma) * std::tan(s.alpha_Fen)) * s.d_en / m -
-           z_n * std::cos(T - *theta) - (internal ? std::numbers::sqrt3 : 1.0) * arm);
+           z_n * std::cos(tangent.T - *theta) - tangent.height * arm);
   s.q_s = s.s_Fn / (2 * s.rho_F);
   if (!(s.s_Fn > 0.0) || !(s.rho_F > 0.0) || !(s.h_F > 0.0)) return std::nullopt;
   return s;
@@ -126,21 +157,18 @@ Factor root_helix_factor(RatingEdition edition, const RatedPair& pair) {
                                     : "ε_β ≤ 1"};
 }
 
-double least_rim(bool internal, double normal_module, double tooth_height) {
-  return internal ? 1.75 * normal_module : 0.5 * tooth_height;
+LeastRim least_rim(double side, double normal_module, double tooth_height) {
+  const RimRule& rule = root_rules(side).rim;
+  return {rule.least * rule.unit(normal_module, tooth_height), rule.words_of_least};
 }
 
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim) {
   constexpr const char* formula = "ISO 6336-3, clause 9";
   if (!rim) return {1.0, formula, "thick rim, because no rim is given"};
-  if (gear.internal()) {
-    const double s = *rim / normal_module;
-    if (s >= 3.5) return {1.0, formula, "internal, s_R/m_n ≥ 3.5"};
-    return {1.15 * std::log(8.324 / s), formula, "internal, s_R/m_n < 3.5"};
-  }
-  const double s = *rim / gear.tooth_height;
-  if (s >= 1.2) return {1.0, formula, "external, s_R/h ≥ 1.2"};
-  return {1.6 * std::log(2.242 / s), formula, "external, s_R/h < 1.2"};
+  const RimRule& rule = root_rules(gear.side()).rim;
+  const double s = *rim / rule.unit(normal_module, gear.tooth_height);
+  if (s >= rule.thick) return {1.0, formula, rule.thick_branch};
+  return {rule.rise * std::log(rule.at / s), formula, rule.thin_branch};
 }
 
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade) {

@@ -47,8 +47,12 @@ double root_face_width(const RatedPair& pair, const RatedGear& gear);
 Factor form_factor(RatingEdition edition, const RatedPair& pair, const CriticalSection& section);
 Factor stress_correction_factor(const CriticalSection& section);         ///< Y_S [T11.33]
 Factor root_helix_factor(RatingEdition edition, const RatedPair& pair);  ///< Y_β [T11.34]
-/// The rim thickness above which Y_B is defined, mm: 0.5 h or, for an internal gear, 1.75 m_n.
-double least_rim(bool internal, double normal_module, double tooth_height);
+/// The rim thickness above which Y_B is defined: 0.5 h or, for an internal gear, 1.75 m_n.
+struct LeastRim {
+  double thickness;   ///< mm
+  const char* words;  ///< "half the tooth height"
+};
+LeastRim least_rim(double side, double normal_module, double tooth_height);
 /// Y_B [T11.35] for a rim thickness `rim` in mm. Without `rim`, the rim counts as thick enough.
 Factor rim_factor(const RatedGear& gear, double normal_module, std::optional<double> rim);
 Factor deep_tooth_factor(const RatedPair& pair, std::optional<int> grade);  ///< Y_DT [T11.36]

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
@@ -172,8 +171,8 @@ std::optional<DistributionScene> distribution_scene(const ScatterView& view,
   const SpreadEntry& entry = *spread->entry;
   DistributionScene scene{id, entry.words, std::string(unit_text(entry.unit)), {}, {}};
   for (const ScatterSample& s : view.scatter->samples) {
-    const double value = s.member[quantity];
-    if (!s.member.lost && !std::isnan(value)) scene.values.push_back(entry.shown(value));
+    const auto value = s.member[quantity];
+    if (!s.member.lost && value) scene.values.push_back(entry.shown(*value));
   }
   for (const Percentile& p : spread->spread->percentiles)
     scene.percentiles.emplace_back(p.percent, entry.shown(p.estimate.value));
@@ -192,7 +191,7 @@ std::vector<Figure> scatter_figures(const ScatterView& view) {
     const FlankDensity& flank = view.density->flanks[which];
     DensityScene scene{fmt::format("scatter-pattern{}", which + 1),
                        which,
-                       flank.internal,
+                       flank.side,
                        flank.diameter,
                        flank.height,
                        {},

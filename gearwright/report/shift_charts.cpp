@@ -139,7 +139,7 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
 }
 
 std::string identical_gears_figure(const SearchProblem& problem, const Trial& trial) {
-  if (problem.crossed() || problem.internal()) return {};
+  if (problem.kind() != PairKind::parallel_external) return {};
   const auto chart =
       identical_gears_chart(problem, trial.rack, trial.helix[0], kChartMin, kChartMax);
   Figure f = over_teeth(

@@ -43,7 +43,7 @@ Bounds window(const Gear& gear) {
   const double m = gear.spec.normal_module;
   const double out = gear.side();  // direction from root to tip
   const double pitch = gear.transverse_module * kPi;
-  const double body = gear.internal() ? 0.9 * m : std::min(0.9 * m, 0.8 * r_f);
+  const double body = std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
   const double height = std::max(tall, 1.5 * pitch / kAspect);
   const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * (height - tall);

@@ -1,7 +1,6 @@
 #include "gearwright/scatter/linear_family.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -92,13 +91,13 @@ std::optional<LinearFamily> LinearFamily::of(const ContactSetup& drawn,
         pair.patches(which).front().removal == family.setup_.removal(which, true);
   Deviation none;
   none.errors = errors;
-  const double exact = continuous_peak_to_peak(family.setup_, none, request).value;
-  if (std::isnan(exact)) return std::nullopt;
+  const auto exact = continuous_peak_to_peak(family.setup_, none, request).value;
+  if (!exact) return std::nullopt;
   const bool crossed = family.setup_.place().axis_angle != Angle();
   GapSearch search(pair, heights_of(pair, crossed));
   for (int i = 0; i <= request.positions; ++i)
     family.add_position(search, pair.pitch() * (static_cast<double>(i) / request.positions - 0.5));
-  family.correction_ = exact - family.peak_to_peak(none);
+  family.correction_ = *exact - family.peak_to_peak(none);
   return family;
 }
 

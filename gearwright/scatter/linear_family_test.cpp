@@ -45,13 +45,13 @@ Compared compared(const ContactSetup& setup, const ScatterTask& task) {
   const auto linear = LinearFamily::of(setup, task.member);
   EXPECT_TRUE(linear);
   const double drawn =
-      continuous_peak_to_peak(setup, {setup.place().errors, setup.modifications(), false, {}, {}},
-                              task.member)
-          .value;
+      *continuous_peak_to_peak(setup, {setup.place().errors, setup.modifications(), false, {}, {}},
+                               task.member)
+           .value;
   Compared c{0.0, 0.0};
   for (const auto& x : SamplePoints(task).first(0, 32)) {
     const Deviation d = deviation_at(setup, task.tolerances, x);
-    const double exact = continuous_peak_to_peak(setup, d, task.member).value;
+    const double exact = *continuous_peak_to_peak(setup, d, task.member).value;
     c.change = std::max(c.change, std::abs(exact - drawn));
     c.error = std::max(c.error, std::abs(linear->peak_to_peak(d) - exact));
   }
@@ -65,7 +65,7 @@ TEST(LinearFamily, WithoutADeviationItIsExact) {
     const Deviation none{setup.place().errors, setup.modifications(), false, {}, {}};
     const auto linear = LinearFamily::of(setup, request);
     ASSERT_TRUE(linear);
-    EXPECT_NEAR(linear->peak_to_peak(none), continuous_peak_to_peak(setup, none, request).value,
+    EXPECT_NEAR(linear->peak_to_peak(none), *continuous_peak_to_peak(setup, none, request).value,
                 1e-12);
   }
 }

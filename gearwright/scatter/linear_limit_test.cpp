@@ -76,7 +76,7 @@ TEST(LinearLimit, IsThatOfTheExactDerivatives) {
   const std::vector<double> mean = mean_slopes(setup, task.member.positions, all);
   const FamilyMember middle = member_at(setup, none, task.member);
   ASSERT_FALSE(middle.edge());
-  ASSERT_NEAR(middle[Q::peak_to_peak], span.value, 1e-15);
+  ASSERT_NEAR(*middle[Q::peak_to_peak], *span.value, 1e-15);
   for (const auto& [quantity, slopes] :
        {std::pair(Q::peak_to_peak, span.slope), std::pair(Q::mean, mean)}) {
     // The variance of a uniform variable is a third of the square of its half width.
@@ -87,11 +87,11 @@ TEST(LinearLimit, IsThatOfTheExactDerivatives) {
     const double deviation = std::sqrt(variance);
     ASSERT_GT(deviation, 1e-10);  // rad: 100 times the accuracy of an extreme
     EXPECT_NEAR(s.standard_deviation.value, deviation, 1e-3 * deviation);
-    EXPECT_NEAR(s.mean.value, middle[quantity], 1e-3 * deviation);
+    EXPECT_NEAR(s.mean.value, *middle[quantity], 1e-3 * deviation);
     // The linear form at the same samples has the same percentiles.
     std::vector<double> values;
     for (const auto& sample : scatter->samples) {
-      double value = middle[quantity];
+      double value = *middle[quantity];
       for (std::size_t i = 0; i < all.size(); ++i) value += slopes[i] * sample.x[i];
       values.push_back(value);
     }

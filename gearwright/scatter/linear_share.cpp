@@ -81,18 +81,20 @@ bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
 // a tolerance without derivatives changes f.
 std::optional<double> slope_of(const Probes& probes, double drawn, std::size_t quantity,
                                double deviation) {
-  const auto f = [&](std::size_t i) { return probes.at[i].member.value[quantity]; };
-  for (std::size_t i = 0; i < probes.at.size(); ++i)
-    if (std::isnan(f(i))) return std::nullopt;
+  std::vector<double> f;
+  for (const Probe& probe : probes.at) {
+    if (!probe.member.value[quantity]) return std::nullopt;
+    f.push_back(*probe.member.value[quantity]);
+  }
   if (probes.half_width == 0.0) {
-    const bool same = f(0) == drawn && f(1) == drawn;
+    const bool same = f[0] == drawn && f[1] == drawn;
     return same ? std::optional(0.0) : std::nullopt;
   }
-  const double bend = std::abs(f(1) - 2 * drawn + f(2));
-  const double wide_bend = std::abs(f(0) - 2 * drawn + f(3));
+  const double bend = std::abs(f[1] - 2 * drawn + f[2]);
+  const double wide_bend = std::abs(f[0] - 2 * drawn + f[3]);
   const double small = std::max(kRoundingBend, kStep * kSmallBend * deviation);
   if (bend > small && bend > kBend * wide_bend) return std::nullopt;
-  return (f(2) - f(1)) / (2 * kStep * probes.half_width);
+  return (f[2] - f[1]) / (2 * kStep * probes.half_width);
 }
 
 }  // namespace
@@ -114,10 +116,10 @@ QuantityGradients gradients_as_drawn(const ContactSetup& setup, const ScatterTas
   parallel_for(
       list.size(), [&](std::size_t i) { compute(*list[i]); }, task.threads);
   for (std::size_t q = 0; q < kScatterQuantities; ++q) {
-    if (std::isnan(drawn.member.value[q])) continue;
+    if (!drawn.member.value[q]) continue;
     std::vector<double> g(dimensions);
     const bool exists = std::all_of(all.begin(), all.end(), [&](const Probes& probes) {
-      const auto slope = slope_of(probes, drawn.member.value[q], q, deviation[q]);
+      const auto slope = slope_of(probes, *drawn.member.value[q], q, deviation[q]);
       if (slope) g[probes.coordinate] = *slope;
       return slope.has_value();
     });
@@ -132,11 +134,11 @@ std::array<std::optional<double>, kScatterQuantities> linear_shares(
   const auto values_of = [&](std::size_t q, const auto& value) {
     std::vector<double> values;
     for (const ScatterSample& s : samples)
-      if (!std::isnan(s.member.value[q])) values.push_back(value(s));
+      if (s.member.value[q]) values.push_back(value(s));
     return values;
   };
   for (std::size_t q = 0; q < kScatterQuantities; ++q) {
-    const auto f = values_of(q, [q](const ScatterSample& s) { return s.member.value[q]; });
+    const auto f = values_of(q, [q](const ScatterSample& s) { return *s.member.value[q]; });
     if (!f.empty()) variance[q] = moments(f).variance;
   }
   std::array<double, kScatterQuantities> deviation{};

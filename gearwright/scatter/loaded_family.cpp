@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/contact/halves.hpp"
 #include "gearwright/load/loaded_halves.hpp"
@@ -56,12 +55,11 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
   return scores;
 }
 
-std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none) {
-  std::vector<double> peaks;
+SampleValues loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores) {
+  SampleValues peaks;
   for (const auto& s : scores) {
-    double worst = s.empty() ? none : 0.0;
-    for (const LoadedScore& t : s) worst = std::max(worst, t.peak_to_peak.rad());
-    peaks.push_back(worst);
+    std::optional<double>& worst = peaks.emplace_back();
+    for (const LoadedScore& t : s) worst = std::max(worst.value_or(0.0), t.peak_to_peak.rad());
   }
   return peaks;
 }
@@ -72,14 +70,14 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
   for (std::size_t k = 0; k < load.request.torques.size(); ++k) {
     LoadedSpread of{load.torque(k), {}, {}, {}, {}, {}};
     const auto spread = [&](auto value) {
-      std::vector<double> values;
-      for (const auto& s : scores) values.push_back(s.empty() ? kNoNumber : value(s[k]));
+      SampleValues values(scores.size());
+      for (std::size_t i = 0; i < scores.size(); ++i)
+        if (!scores[i].empty()) values[i] = value(scores[i][k]);
       return spread_of(task, values, load.samples);
     };
     of.peak_to_peak = spread([](const LoadedScore& s) { return s.peak_to_peak.rad(); });
     of.max_pressure = spread([](const LoadedScore& s) { return s.max_pressure; });
-    of.face_load_factor =
-        spread([](const LoadedScore& s) { return s.face_load_factor.value_or(kNoNumber); });
+    of.face_load_factor = spread([](const LoadedScore& s) { return s.face_load_factor; });
     const auto share = [&](auto is) {
       return probability_of(std::count_if(scores.begin(), scores.end(), is),
                             static_cast<std::int64_t>(scores.size()), task.confidence);

@@ -35,9 +35,9 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
                                                         const LoadedFamily& load,
                                                         const std::vector<std::vector<double>>& x);
 
-/// The peak-to-peak TE of each member under the worst of the torques, rad; `none` for a member
+/// The peak-to-peak TE of each member under the worst of the torques, rad; none for a member
 /// without scores.
-std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
+SampleValues loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores);
 
 /// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index
 /// of `scores`.

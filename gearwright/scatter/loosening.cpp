@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/units.hpp"
 #include "gearwright/contact/compensation.hpp"
 #include "gearwright/scatter/sample_points.hpp"
 

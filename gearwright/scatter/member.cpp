@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -73,11 +72,13 @@ class FlankTouches {
   }
 
   double turned() const { return pairs_[0]->turned(); }
-  // TE in the frame N; for a double-helical pair, the mean of both halves. NaN without contact.
-  double te(std::size_t position) const {
+  // TE in the frame N; for a double-helical pair, the mean of both halves. None without contact.
+  std::optional<double> te(std::size_t position) const {
     double sum = 0.0;
-    for (const auto& touches : touches_)
-      sum += touches[position].found() ? touches[position].te() : kNoNumber;
+    for (const auto& touches : touches_) {
+      if (!touches[position].found()) return std::nullopt;
+      sum += touches[position].te();
+    }
     return sum / static_cast<double>(touches_.size());
   }
   // The score. Each position of the contact is taken from the half in which its magnitude is
@@ -93,10 +94,10 @@ class FlankTouches {
     worst.edge_share = edges / static_cast<double>(touches_.size());
     return worst;
   }
-  // Peak to peak of the continuous curve; NaN if contact is lost.
-  double span() {
+  // Peak to peak of the continuous curve; none if contact is lost.
+  std::optional<double> span() {
     for (std::size_t i = 0; i < touches_[0].size(); ++i)
-      if (std::isnan(te(i))) return kNoNumber;
+      if (!te(i)) return std::nullopt;
     if (touches_.size() == 1) {
       if (track_) extremes_ = track_->extremes();
       if (!extremes_) extremes_ = continuous_extremes(transmissions_[0], touches_[0]);
@@ -104,7 +105,7 @@ class FlankTouches {
     }
     const auto positions = static_cast<int>(touches_[0].size());
     const auto span = continuous_span(mesh_, std::max(kLeastSpanPositions, positions));
-    return span ? without_rounding(span->rad(), kNoAngle) : kNoNumber;
+    return span ? std::optional(without_rounding(span->rad(), kNoAngle)) : std::nullopt;
   }
   double long_period(const ContactSetup& setup, const Deviation& deviation) {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
@@ -130,8 +131,9 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   GW_EXPECTS(request.positions >= 2 && !(request.stagger && deviation.uneven_pitch()));
   using Q = ScatterQuantity;
   FamilyMember m;
-  m.value.fill(kNoNumber);
-  const auto set = [&](Q q, double value) { m.value[static_cast<std::size_t>(q)] = value; };
+  const auto set = [&](Q q, std::optional<double> value) {
+    m.value[static_cast<std::size_t>(q)] = value;
+  };
   const MemberSetup setup(drawn, deviation);
   const bool lanes = deviates(drawn, deviation);
   FlankTouches driving(*setup, deviation.errors, request, request.gear2_drives, lanes);
@@ -140,12 +142,13 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   // A change of the tooth thickness is divided equally between the two flanks of the tooth.
   std::vector<double> te;
   double sum = 0.0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (int i = 0; i < request.positions; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double play = -(driving.te(at) + behind.te(at)) - taken;
-    if (play < least) least = play;
-    te.push_back(driving.turned() * (driving.te(at) + 0.5 * taken));
+    const auto driven = driving.te(at);
+    if (!driven) continue;
+    if (const auto back = behind.te(at)) least = std::min(least, -(*driven + *back) - taken);
+    te.push_back(driving.turned() * (*driven + 0.5 * taken));
     sum += te.back();
   }
   if (std::isfinite(least)) set(Q::least_play, least);
@@ -157,8 +160,8 @@ FamilyMember member_at(const ContactSetup& drawn, const Deviation& deviation,
   set(Q::tip_clearance2, clearances.tip[1]);
   set(Q::form_clearance1, clearances.form[0]);
   set(Q::form_clearance2, clearances.form[1]);
-  const double span = driving.span();
-  m.lost = std::isnan(span);
+  const auto span = driving.span();
+  m.lost = !span;
   if (m.lost) return m;
   set(Q::along_face, score.along_face);
   if (request.profile.width > Angle()) set(Q::along_profile, score.along_profile);

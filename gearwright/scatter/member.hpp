@@ -38,11 +38,13 @@ enum class ScatterQuantity {
 constexpr std::size_t kScatterQuantities = 14;
 
 struct FamilyMember {
-  std::array<double, kScatterQuantities> value{};  ///< NaN if there is no such number
-  bool lost = false;                               ///< true if nothing touches at some position
-  bool jam = false;                                ///< result of jams() for the least play
+  std::array<std::optional<double>, kScatterQuantities> value{};
+  bool lost = false;  ///< true if nothing touches at some position
+  bool jam = false;   ///< result of jams() for the least play
 
-  double operator[](ScatterQuantity q) const { return value[static_cast<std::size_t>(q)]; }
+  std::optional<double> operator[](ScatterQuantity q) const {
+    return value[static_cast<std::size_t>(q)];
+  }
   bool edge() const { return (*this)[ScatterQuantity::edge_share] > 0.0; }
 };
 
@@ -91,7 +93,7 @@ FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
 /// Peak to peak of the continuous curve, rad, and its derivative with respect to each influence,
 /// rad per mm or rad.
 struct MemberSpan {
-  double value;  ///< NaN if contact is lost
+  std::optional<double> value;  ///< none if contact is lost
   std::vector<double> slope;
 };
 

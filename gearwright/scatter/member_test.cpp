@@ -52,7 +52,7 @@ TEST(Member, WithoutDeviationsIsThePairAsDrawn) {
       }
       EXPECT_EQ(m[Q::mean], sum / 32);
       EXPECT_EQ(m[Q::edge_share], edges / 32.0);
-      EXPECT_NEAR(m[Q::along_face], along_face(driving, drawn.gears[0].face_width), 1e-12);
+      EXPECT_NEAR(*m[Q::along_face], along_face(driving, drawn.gears[0].face_width), 1e-12);
       EXPECT_GE(m[Q::peak_to_peak], driving.peak_to_peak.rad());
       EXPECT_EQ(m[Q::peak_to_peak], continuous_peak_to_peak(setup, none(setup), request).value);
       EXPECT_FALSE(m.lost);
@@ -84,9 +84,9 @@ TEST(Member, OfADoubleHelicalPairWithEqualHalvesIsAHalf) {
             member_at(halves, deviation_at(halves, thick, std::vector{allowance}), whole);
         for (const Q q : {Q::harmonic1, Q::harmonic2, Q::mean, Q::peak_to_peak, Q::along_face,
                           Q::edge_share, Q::least_play})
-          EXPECT_NEAR(a[q], b[q], 1e-12) << static_cast<int>(q);
+          EXPECT_NEAR(*a[q], *b[q], 1e-12) << static_cast<int>(q);
         EXPECT_EQ(a.lost, b.lost);
-        EXPECT_TRUE(std::isnan(b[Q::long_period]));
+        EXPECT_FALSE(b[Q::long_period]);
         EXPECT_EQ(b[Q::along_face] == 0.0, lead_slope == 0.0);
       }
       // Staggered halves touch in the middle of the face too if the teeth have no slope.
@@ -121,11 +121,11 @@ TEST(Member, OfADoubleHelicalPairIsTheContactOfTheWholeGears) {
             analyse_contact(halves.pair(askew.errors, !gear2_drives).mesh, at);
         double sum = 0.0;
         for (const ContactPoint& p : found.whole.positions) sum += p.te.rad();
-        EXPECT_NEAR(m[Q::mean], sum / 32, 1e-12);
-        EXPECT_NEAR(m[Q::harmonic1], found.whole.harmonics[0].rad(), 1e-12);
-        EXPECT_NEAR(m[Q::harmonic2], found.whole.harmonics[1].rad(), 1e-12);
-        EXPECT_NEAR(m[Q::harmonic3], found.whole.harmonics[2].rad(), 1e-12);
-        EXPECT_NEAR(m[Q::least_play], least_play(found.whole, other.whole, gear2_drives)->rad(),
+        EXPECT_NEAR(*m[Q::mean], sum / 32, 1e-12);
+        EXPECT_NEAR(*m[Q::harmonic1], found.whole.harmonics[0].rad(), 1e-12);
+        EXPECT_NEAR(*m[Q::harmonic2], found.whole.harmonics[1].rad(), 1e-12);
+        EXPECT_NEAR(*m[Q::harmonic3], found.whole.harmonics[2].rad(), 1e-12);
+        EXPECT_NEAR(*m[Q::least_play], least_play(found.whole, other.whole, gear2_drives)->rad(),
                     1e-12);
         EXPECT_EQ(m[Q::peak_to_peak], continuous_span(driving.mesh, 32)->rad());
         EXPECT_EQ(m[Q::peak_to_peak],
@@ -137,7 +137,7 @@ TEST(Member, OfADoubleHelicalPairIsTheContactOfTheWholeGears) {
         // Half A extends away from the apex towards +z, and half B towards −z.
         const double a = along_face(found.half[0], face), b = -along_face(found.half[1], face);
         EXPECT_GT(std::abs(std::abs(a) - std::abs(b)), 1e-4);
-        EXPECT_NEAR(m[Q::along_face], std::abs(a) > std::abs(b) ? a : b, 1e-9);
+        EXPECT_NEAR(*m[Q::along_face], std::abs(a) > std::abs(b) ? a : b, 1e-9);
         one_edge += edges[0] != edges[1];
         ++(m[Q::along_face] > 0.0 ? outward : inward);
       }
@@ -167,8 +167,9 @@ TEST(Member, IsThePairWithItsErrorsAndModifications) {
   const ContactSetup made = drawn.setup();
   const FamilyMember direct = member_at(made, none(made), {16, false, {}});
   for (std::size_t q = 0; q < kScatterQuantities; ++q) {
-    if (std::isnan(direct.value[q])) continue;
-    EXPECT_NEAR(m.value[q], direct.value[q], 1e-13) << q;
+    ASSERT_EQ(m.value[q].has_value(), direct.value[q].has_value()) << q;
+    if (!direct.value[q]) continue;
+    EXPECT_NEAR(*m.value[q], *direct.value[q], 1e-13) << q;
   }
 }
 
@@ -187,8 +188,8 @@ TEST(Member, ThicknessIsThatOfAPairMadeAnew) {
       thicker.gears[1].thickness_allowance -= 0.027;
       const ContactSetup made = thicker.setup();
       const FamilyMember direct = member_at(made, none(made), request);
-      EXPECT_NEAR(m[Q::least_play], direct[Q::least_play], 1e-12);
-      EXPECT_NEAR(m[Q::mean], direct[Q::mean], 1e-12);
+      EXPECT_NEAR(*m[Q::least_play], *direct[Q::least_play], 1e-12);
+      EXPECT_NEAR(*m[Q::mean], *direct[Q::mean], 1e-12);
     }
   }
 }
@@ -212,9 +213,9 @@ TEST(Member, SpurGearsHaveClosedForms) {
     const double second = 4 * 0.03 * 0.03 * kRadPerDeg * kRadPerDeg;
     const double one = b / (2 * r_b2) * std::abs(x + y);
     const double other = b / (2 * r_b2) * std::abs(x - y);
-    const double te = m[Q::mean] - nominal[Q::mean];
+    const double te = *m[Q::mean] - *nominal[Q::mean];
     EXPECT_NEAR(std::min(std::abs(te - one), std::abs(te - other)), 0.0, second + 0.002 * te);
-    const double play = m[Q::least_play] - nominal[Q::least_play];
+    const double play = *m[Q::least_play] - *nominal[Q::least_play];
     EXPECT_NEAR(play, -b / r_b2 * std::max(std::abs(x), std::abs(y)),
                 2 * second + 0.002 * std::abs(play));
     EXPECT_GT(m[Q::edge_share], 0.99);
@@ -224,7 +225,7 @@ TEST(Member, SpurGearsHaveClosedForms) {
   Deviation farther = none(plain);
   farther.errors.center_distance = 0.01;
   const double gained =
-      member_at(plain, farther, {8, false, {}})[Q::least_play] - nominal[Q::least_play];
+      *member_at(plain, farther, {8, false, {}})[Q::least_play] - *nominal[Q::least_play];
   const double sine = std::sin(std::acos((r_b1 + r_b2) / 60.405));
   EXPECT_NEAR(gained, 2 * sine * 0.01 / r_b2, 1e-9);
   // A crowned tooth touches at an edge if Δγ is at least 4C/(b cos α_wt), here 0.098162°.
@@ -252,8 +253,8 @@ TEST(Member, LostContactIsNoNumber) {
   const FamilyMember m = member_at(setup, d, {8, false, {}});
   EXPECT_TRUE(m.lost);
   EXPECT_FALSE(m.jam);
-  EXPECT_TRUE(std::isnan(m[Q::peak_to_peak]));
-  EXPECT_TRUE(std::isnan(continuous_peak_to_peak(setup, d, {8, false, {}}).value));
+  EXPECT_FALSE(m[Q::peak_to_peak]);
+  EXPECT_FALSE(continuous_peak_to_peak(setup, d, {8, false, {}}).value);
 }
 
 TEST(Tolerance, BoresMoveAndTiltTheAxis) {

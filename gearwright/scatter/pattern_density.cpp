@@ -33,7 +33,7 @@ PatternDensity pattern_density(const ContactSetup& setup, const ScatterTask& tas
     flank.diameter = rasters[0][which].diameter;
     flank.height = rasters[0][which].height;
     flank.count.assign(rasters[0][which].gap.size(), 0);
-    flank.internal = setup.gear(static_cast<int>(which) + 1).internal();
+    flank.side = setup.gear(static_cast<int>(which) + 1).side();
     for (const auto& raster : rasters)
       for (std::size_t k = 0; k < flank.count.size(); ++k)
         flank.count[k] += raster[which].gap[k] <= request.marking ? 1 : 0;

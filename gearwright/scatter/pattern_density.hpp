@@ -34,7 +34,7 @@ struct FlankDensity {
   std::vector<double> diameter;     ///< mm, diameters of the rows, ascending
   std::vector<double> height;       ///< mm, z of the columns in the gear's own frame, ascending
   std::vector<std::int64_t> count;  ///< samples that cover the place, [row · columns + column]
-  bool internal = false;
+  double side = 1.0;                ///< σ of the gear
 
   double share(std::size_t at, std::int64_t of) const {
     return static_cast<double>(count[at]) / static_cast<double>(of);

@@ -124,7 +124,7 @@ std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterT
   }
   const auto bend = second_order(setup, extent);
   if (!bend) return std::nullopt;
-  std::vector<double> play(corners.size());
+  SampleValues play(corners.size());
   parallel_for(
       corners.size(),
       [&](std::size_t i) {
@@ -133,9 +133,9 @@ std::optional<double> least_play_bound(const ContactSetup& setup, const ScatterT
       },
       task.threads);
   double least = kInfinity;
-  for (const double p : play) {
-    if (std::isnan(p)) return std::nullopt;
-    least = std::min(least, p);
+  for (const auto& p : play) {
+    if (!p) return std::nullopt;
+    least = std::min(least, *p);
   }
   return least - *bend;
 }

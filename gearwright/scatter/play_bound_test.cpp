@@ -44,7 +44,7 @@ TEST(PlayBound, IsCloseToTheClosedFormOfSpurGears) {
        testing::tolerance("gear1.thickness_allowance_mm", 1.0, -0.02, 0.02, VaryingThickness{1})},
       4);
   const double drawn =
-      member_at(setup, deviation_at(setup, {}, {}), task.member)[ScatterQuantity::least_play];
+      *member_at(setup, deviation_at(setup, {}, {}), task.member)[ScatterQuantity::least_play];
   const double r_b1 = setup.gear(1).base_radius();
   const double r_b2 = setup.gear(2).base_radius();
   // The play over ΔC, exactly: the change of ± TE of both flanks, inv α_wt of

@@ -1,7 +1,6 @@
 #include "gearwright/scatter/robust.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/scatter/robust_load.hpp"

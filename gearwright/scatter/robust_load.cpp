@@ -1,10 +1,8 @@
 #include "gearwright/scatter/robust_load.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/center_search.hpp"
@@ -68,7 +66,8 @@ class LoadedTrials final : public CorrectedFamily {
     const auto changed = corrected(v);
     if (!changed) return values;
     if (exact_trials(load_, robust_)) {
-      values.f = loaded_peaks(scores_under_load(*changed, task_, load_, places_), kLostSpan);
+      const auto peaks = loaded_peaks(scores_under_load(*changed, task_, load_, places_));
+      for (std::size_t i = 0; i < peaks.size(); ++i) values.f[i] = peaks[i].value_or(kLostSpan);
       for (std::size_t i = 0; slopes && i < v.size(); ++i)
         add_difference(values, *this, v, i, robust_.bounds[i]);
       return values;
@@ -81,8 +80,8 @@ class LoadedTrials final : public CorrectedFamily {
           if (near_[k].empty()) return;
           const NearbyLoad::Span span = NearbyLoad::span(near_[k], change, slopes);
           count_step(task_.progress);
-          if (std::isnan(span.value)) return;
-          values.f[k] = span.value;
+          if (!span.value) return;
+          values.f[k] = *span.value;
           for (std::size_t i = 0; i < span.slope.size(); ++i)
             values.slope[k][i] = span.slope[i] * kMmPerUm;
         },
@@ -180,7 +179,7 @@ std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const S
   begin_stage(judged.progress, "computing the samples under load",
               static_cast<std::int64_t>(family.x.size()));
   const auto scores = scores_under_load(setup, judged, load, family.x);
-  auto spread = spread_of(judged, loaded_peaks(scores, kNoNumber), load.samples);
+  auto spread = spread_of(judged, loaded_peaks(scores), load.samples);
   if (!spread) return std::nullopt;
   family.peak_to_peak = std::move(*spread);
   family.loaded = spreads_under_load(judged, load, scores);

@@ -1,7 +1,6 @@
 #include "gearwright/scatter/robust_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "gearwright/math/minimise.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 
 #include "gearwright/base/parallel.hpp"
 
@@ -69,7 +68,7 @@ std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& t
 
 std::vector<double> ranked(const std::vector<MemberSpan>& spans) {
   std::vector<double> f;
-  for (const MemberSpan& s : spans) f.push_back(std::isnan(s.value) ? kLostSpan : s.value);
+  for (const MemberSpan& s : spans) f.push_back(s.value.value_or(kLostSpan));
   return f;
 }
 

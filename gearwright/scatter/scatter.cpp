@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/parallel.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/scatter/linear_share.hpp"
@@ -81,12 +79,13 @@ Probability share_of(const std::vector<ScatterSample>& samples, double confidenc
                         static_cast<std::int64_t>(samples.size()), confidence);
 }
 
-// One quantity of `count` samples, the first of which is `from`; NaN for samples that lose contact.
-std::vector<double> kept(const std::vector<ScatterSample>& samples, std::size_t quantity,
-                         std::size_t from, std::size_t count) {
-  std::vector<double> values;
-  for (std::size_t i = from; i < from + count; ++i)
-    values.push_back(samples[i].member.lost ? kNoNumber : samples[i].member.value[quantity]);
+// One quantity of `count` samples, the first of which is `from`; none for samples that lose
+// contact.
+SampleValues kept(const std::vector<ScatterSample>& samples, std::size_t quantity, std::size_t from,
+                  std::size_t count) {
+  SampleValues values(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (const FamilyMember& m = samples[from + i].member; !m.lost) values[i] = m.value[quantity];
   return values;
 }
 
@@ -99,7 +98,7 @@ std::optional<IndexEstimates> indices_of(
   const std::size_t groups = mixed_samples.size();
   std::vector<std::vector<double>> first(groups), total(groups);
   for (std::size_t r = 0; r < static_cast<std::size_t>(task.replicates); ++r) {
-    std::vector<std::vector<double>> columns;
+    std::vector<SampleValues> columns;
     for (const auto& m : mixed_samples) columns.push_back(kept(m, quantity, r * n, n));
     const auto found = sobol_indices(kept(a, quantity, r * n, n), kept(b, quantity, r * n, n),
                                      columns, rounding * rounding);
@@ -130,7 +129,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   s.samples = members_of(setup, task, [&](int r, std::uint32_t n) { return points.at(r, n); });
   const auto nowhere = [](const ScatterSample& sample) {
     return sample.member[ScatterQuantity::edge_share] == 0.0 && sample.member.lost &&
-           std::isnan(sample.member[ScatterQuantity::least_play]);
+           !sample.member[ScatterQuantity::least_play];
   };
   if (std::all_of(s.samples.begin(), s.samples.end(), nowhere)) return nothing_touches(setup);
   for (std::size_t q = 0; q < kScatterQuantities; ++q)
@@ -178,7 +177,7 @@ std::vector<Warning> sample_warnings(const Scatter& scatter) {
   if (scatter.jam.count > 0) {
     double least = 0.0;
     for (const ScatterSample& sample : scatter.samples)
-      if (sample.member.jam) least = std::min(least, sample.member[ScatterQuantity::least_play]);
+      if (sample.member.jam) least = std::min(least, *sample.member[ScatterQuantity::least_play]);
     warn(WarningCode::samples_jam,
          fmt::format(
              "The gears jam in {} of {} samples. The least play of gear 2 is {:.5f} degrees.",

@@ -126,14 +126,14 @@ TEST(Scatter, PlainSpurGearsHaveAClosedDistribution) {
   ScatterTask task = task_of({testing::crossing(0.02), testing::intersecting(0.03)}, 8, 256);
   task.percentiles = {50, 95};
   const Scatter s = done(setup, task);
-  const double drawn = member_at(setup, deviation_at(setup, {}, {}), task.member)[Q::mean];
+  const double drawn = *member_at(setup, deviation_at(setup, {}, {}), task.member)[Q::mean];
   const Spread& mean = spread(s, Q::mean);
   for (const auto& [i, exact] : {std::pair{0, median}, {1, p95}}) {
     const Percentile& p = mean.percentiles[static_cast<std::size_t>(i)];
     EXPECT_NEAR(p.estimate.value - drawn, exact, 4 * *p.estimate.standard_error + 0.002 * exact);
     EXPECT_LT(*p.lower, p.estimate.value);
     EXPECT_GT(*p.upper, p.estimate.value);
-    EXPECT_NEAR(s.samples[p.sample].member[Q::mean], p.estimate.value, 0.01 * a1);
+    EXPECT_NEAR(*s.samples[p.sample].member[Q::mean], p.estimate.value, 0.01 * a1);
   }
   EXPECT_EQ(s.edge_contact.count, s.edge_contact.of);
   EXPECT_EQ(s.contact_lost.count, 0);
@@ -210,7 +210,7 @@ TEST(Scatter, JamsAndLostContactAreCounted) {
   // [T14.14]: the backlash is 0 where 2 sin α_wt ΔC/r_b2 equals the backlash of the drawing.
   const double r_b2 = setup.gear(2).base_radius();
   const double sine = std::sin(std::acos((setup.gear(1).base_radius() + r_b2) / 60.4));
-  const double play = member_at(setup, deviation_at(setup, {}, {}), task.member)[Q::least_play];
+  const double play = *member_at(setup, deviation_at(setup, {}, {}), task.member)[Q::least_play];
   EXPECT_NEAR(s.jam.value, (0.05 - play * r_b2 / (2 * sine)) / 0.1, 0.02);
   EXPECT_GT(s.jam.interval.lower, 0.1);
   task.tolerances = {testing::tolerance("errors.center_distance_mm", 1.0, 0.0, 5.0,

@@ -4,25 +4,11 @@
 #include <cmath>
 #include <span>
 
+#include "gearwright/base/numbers.hpp"
+
 namespace gearwright {
 
 namespace {
-
-// The values of one quantity in the samples that have a value, and the indices of these samples.
-struct Values {
-  std::vector<double> value;
-  std::vector<std::size_t> sample;
-};
-
-Values values_of(const std::vector<double>& all, std::size_t from, std::size_t count) {
-  Values v;
-  for (std::size_t i = from; i < from + count; ++i) {
-    if (std::isnan(all[i])) continue;
-    v.value.push_back(all[i]);
-    v.sample.push_back(i);
-  }
-  return v;
-}
 
 // A statistic Y of all samples, with its standard error by [T14.9]. Y has less bias than the values
 // Y_r of the replicates, which have fewer samples.
@@ -34,7 +20,7 @@ Estimate pooled(double of_all, std::span<const double> of_replicates) {
   return {of_all, std::sqrt(squares / (r * (r - 1.0)))};
 }
 
-Percentile percentile_of(const ScatterTask& task, double percent, const Values& all,
+Percentile percentile_of(const ScatterTask& task, double percent, const SampleValues& values,
                          const std::vector<double>& sorted,
                          const std::vector<std::vector<double>>& sorted_replicates) {
   const double p = percent / 100.0;
@@ -51,45 +37,44 @@ Percentile percentile_of(const ScatterTask& task, double percent, const Values& 
     if (ranks.lower) found.lower = at(*ranks.lower);
     if (ranks.upper) found.upper = at(*ranks.upper);
   }
-  double best = std::abs(all.value[0] - found.estimate.value);
-  found.sample = all.sample[0];
-  for (std::size_t i = 1; i < all.value.size(); ++i) {
-    const double away = std::abs(all.value[i] - found.estimate.value);
+  double best = kInfinity;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double away = values[i] ? std::abs(*values[i] - found.estimate.value) : kInfinity;
     if (away >= best) continue;
     best = away;
-    found.sample = all.sample[i];
+    found.sample = i;
   }
   return found;
 }
 
 }  // namespace
 
-std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
+std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& values,
                                 int per_replicate) {
   const auto n = static_cast<std::size_t>(per_replicate);
-  const Values all = values_of(values, 0, values.size());
-  if (all.value.empty()) return std::nullopt;
-  std::vector<double> sorted = all.value;
+  const std::vector<double> all = existing(values);
+  if (all.empty()) return std::nullopt;
+  std::vector<double> sorted = all;
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> means, deviations;
   std::vector<std::vector<double>> replicates;
   for (std::size_t from = 0; from + n <= values.size(); from += n) {
-    Values v = values_of(values, from, n);
-    if (v.value.empty()) continue;
-    const Moments m = moments(v.value);
+    std::vector<double> v = existing(std::span(values).subspan(from, n));
+    if (v.empty()) continue;
+    const Moments m = moments(v);
     means.push_back(m.mean);
     deviations.push_back(std::sqrt(m.variance));
-    std::sort(v.value.begin(), v.value.end());
-    replicates.push_back(std::move(v.value));
+    std::sort(v.begin(), v.end());
+    replicates.push_back(std::move(v));
   }
-  const Moments m = moments(all.value);
+  const Moments m = moments(all);
   Spread spread{pooled(m.mean, means),
                 pooled(std::sqrt(m.variance), deviations),
                 {},
                 sorted.front(),
                 sorted.back()};
   for (const double percent : task.percentiles)
-    spread.percentiles.push_back(percentile_of(task, percent, all, sorted, replicates));
+    spread.percentiles.push_back(percentile_of(task, percent, values, sorted, replicates));
   return spread;
 }
 

@@ -13,9 +13,8 @@
 namespace gearwright {
 
 /// The spread of `values`. The values are stored replicate by replicate, with `per_replicate`
-/// values in each, and NaN for a sample without a value. Percentile::sample is an index of
-/// `values`. None if no sample has a value.
-std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
+/// values in each. Percentile::sample is an index of `values`. None if no sample has a value.
+std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& values,
                                 int per_replicate);
 
 Probability probability_of(std::int64_t count, std::int64_t of, double confidence);

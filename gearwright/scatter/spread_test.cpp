@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kSumSamples = 64, kSumReplicates = 8;
 
-std::vector<double> sums(std::uint64_t seed) {
+SampleValues sums(std::uint64_t seed) {
   const SobolPoints sobol(3);
-  std::vector<double> values;
+  SampleValues values;
   for (int r = 0; r < kSumReplicates; ++r) {
     for (std::uint32_t n = 0; n < kSumSamples; ++n) {
       double sum = 0.0;
@@ -52,9 +52,8 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
 }
 
 TEST(Spread, LostSamplesAreLeftOut) {
-  std::vector<double> values(kSumSamples * kSumReplicates, 1.0);
-  for (int n = 0; n < kSumSamples; ++n)
-    values[static_cast<std::size_t>(n)] = NAN;  // a whole replicate
+  SampleValues values(kSumSamples * kSumReplicates, 1.0);
+  std::fill_n(values.begin(), kSumSamples, std::nullopt);  // a whole replicate
   const auto spread = spread_of(ScatterTask(), values, kSumSamples);
   ASSERT_TRUE(spread);
   EXPECT_EQ(spread->mean.value, 1.0);

@@ -55,12 +55,13 @@ class Box {
   // play. Minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
-    const double value = quantity_ == ScatterQuantity::peak_to_peak
-                             ? continuous_peak_to_peak(setup_, d, task_.member).value
-                             : -member_at(setup_, d, task_.member)[quantity_];
+    const auto found = quantity_ == ScatterQuantity::peak_to_peak
+                           ? continuous_peak_to_peak(setup_, d, task_.member).value
+                           : member_at(setup_, d, task_.member)[quantity_];
     count_step(task_.progress);
-    return std::isnan(value) ? -std::numeric_limits<double>::infinity() : value;
+    return found ? value(*found) : -std::numeric_limits<double>::infinity();
   }
+  // The quantity of a badness, and the badness of a quantity.
   double value(double badness) const {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
@@ -243,8 +244,8 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   keep_worst(starts, kStartCorners);
   std::vector<Place> worst_samples;
   for (const ScatterSample& s : samples) {
-    const double value = s.member[quantity];
-    if (!std::isnan(value)) worst_samples.push_back({box.inside(s.x), box.value(value)});
+    if (const auto value = s.member[quantity])
+      worst_samples.push_back({box.inside(s.x), box.value(*value)});
   }
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());

@@ -225,7 +225,7 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
-  if (p.shorten_tips && (p.mounting != Mounting::tight || p.crossed())) {
+  if (p.shorten_tips && !p.tight()) {
     t.fail("shorten_tips",
            "needs mounting = \"tight\" on parallel axes, because the extended centre distance "
            "keeps the full clearance");

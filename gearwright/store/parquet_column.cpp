@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "gearwright/base/contract.hpp"
 
@@ -45,7 +46,7 @@ void append_split(std::string& page, const std::string& values) {
 
 template <class Number>
 void write_range(Thrift& out, const std::string& values) {
-  constexpr bool real = std::numeric_limits<Number>::has_quiet_NaN;
+  constexpr bool real = std::is_floating_point_v<Number>;
   std::vector<Number> numbers(values.size() / sizeof(Number));
   if (!numbers.empty()) std::memcpy(numbers.data(), values.data(), values.size());
   std::size_t not_numbers = 0;

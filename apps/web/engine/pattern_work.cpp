@@ -49,7 +49,7 @@ class ErrorMapWork : public Work {
       : Work(std::move(session)),
         keys_(keys),
         axes_(std::move(axes)),
-        peak_to_peak_arcsec_(axes_[0].size() * axes_[1].size(), kNaN),
+        peak_to_peak_arcsec_(axes_[0].size() * axes_[1].size(), kNoNumber),
         positions_(positions) {}
 
   Result<Steps> step(double milliseconds) override {

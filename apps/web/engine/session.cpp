@@ -5,7 +5,6 @@
 
 #include "apps/web/engine/answering.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
-#include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
@@ -38,7 +37,7 @@ void add_columns(const QuantityTable& table, const std::vector<ValueRecord>& row
       for (const Value* value : column.values(row)) {
         const auto* const word = std::get_if<std::string>(&value->variant());
         if (words) texts.push_back(word ? *word : std::string());
-        if (!words) numbers.push_back(value->number().value_or(kNaN));
+        if (!words) numbers.push_back(value->number().value_or(kNoNumber));
       }
     }
     ContactCurve::Column& made = curve.columns[column.name(".")];
@@ -154,7 +153,7 @@ Result<ContactCurve> Session::contact_curve(int positions) {
   const auto made = this->found(positions);
   if (!made) return made.error();
   const ContactResult& found = (*made)->whole;
-  ContactCurve curve{positions,           {}, kNaN, found.mean_slope, {}, found.contact_lost,
+  ContactCurve curve{positions,           {}, kNoNumber, found.mean_slope, {}, found.contact_lost,
                      contact_words(found)};
   bool touches = false;
   for (const ContactPoint& p : found.positions) touches = touches || p.kind != TouchKind::none;

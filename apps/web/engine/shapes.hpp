@@ -6,13 +6,13 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/contact/pattern.hpp"
 #include "gearwright/figure/figure.hpp"
@@ -20,8 +20,7 @@
 
 namespace gearwright::web {
 
-using Numbers = std::vector<double>;
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();  ///< a missing value
+using Numbers = std::vector<double>;  ///< kNoNumber is a missing value
 
 /// The kind of typed array that a row becomes in JavaScript. It is stored as the subtype of the
 /// binary data of the row.

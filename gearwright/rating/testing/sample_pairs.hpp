@@ -25,12 +25,13 @@ inline RatedPair printed_pair(const PrintedGear& g1, const PrintedGear& g2, doub
                               double beta_deg, double face, double distance,
                               const StraightRack& rack, std::array<double, 2> bore = {}) {
   const double mate = g2.teeth < 0 ? beta_deg : -beta_deg;
-  auto first = make_gear(printed_spec(g1, module, beta_deg, face, rack));
-  auto second = make_gear(printed_spec(g2, module, mate, face, rack));
+  Gear first = make_gear(printed_spec(g1, module, beta_deg, face, rack)).value();
+  Gear second = make_gear(printed_spec(g2, module, mate, face, rack)).value();
+  if (bore[0] > 0.0) first.bore = Bore{bore[0]};
+  if (bore[1] > 0.0) second.bore = Bore{bore[1]};
   PairSpec place;
   if (distance > 0.0) place.center_distance = distance;
-  const auto pair = mount(std::move(first).take(), std::move(second).take(), place);
-  return rated_pair(*pair, bore).value();
+  return rated_pair(*mount(std::move(first), std::move(second), place)).value();
 }
 
 inline Material case_hardened() { return *material_named("18CrNiMo7-6"); }
