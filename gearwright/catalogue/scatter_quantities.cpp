@@ -8,13 +8,14 @@ namespace {
 
 using V = ScatterView;
 
+Value shown(const SpreadEntry& entry, const std::optional<double>& value) {
+  return value ? Value(entry.shown(*value)) : Value();
+}
+
 template <class Of>
 ValueList listed(const std::vector<Percentile>& all, const SpreadEntry& entry, Of of) {
   ValueList list;
-  for (const Percentile& p : all) {
-    const std::optional<double> value = std::invoke(of, p);
-    list.push_back(value ? Value(entry.shown(*value)) : Value());
-  }
+  for (const Percentile& p : all) list.push_back(shown(entry, std::invoke(of, p)));
   return list;
 }
 
@@ -28,15 +29,10 @@ const Quantities<SpreadView>& error_quantities() {
   using S = SpreadView;
   return define("scatter.standard_errors", [](Quantities<S>& q) {
     q.number("mean", "standard error of the mean", "", "null if there is only one replicate",
-             [](const S& s) {
-               const auto& e = s.spread->mean.standard_error;
-               return e ? Value(s.entry->shown(*e)) : Value();
-             });
-    q.number("standard_deviation", "standard error of the standard deviation", "", "",
-             [](const S& s) {
-               const auto& e = s.spread->standard_deviation.standard_error;
-               return e ? Value(s.entry->shown(*e)) : Value();
-             });
+             [](const S& s) { return shown(*s.entry, s.spread->mean.standard_error); });
+    q.number(
+        "standard_deviation", "standard error of the standard deviation", "", "",
+        [](const S& s) { return shown(*s.entry, s.spread->standard_deviation.standard_error); });
     q.number("percentiles", "standard errors of the percentiles", "", "", [](const S& s) {
       return listed(s.spread->percentiles, *s.entry,
                     [](const Percentile& p) { return p.estimate.standard_error; });
@@ -92,9 +88,7 @@ const Quantities<WorstView>& worst_quantities() {
              "lower bound of the values of all pairs within the ranges, in the unit of its key "
              "[T14.29]; null for the peak to peak, which is not convex; otherwise only for "
              "external involute pairs on parallel axes without reliefs, topographies and waves",
-             [](const W& w) {
-               return w.worst->bound ? Value(w.entry->shown(*w.worst->bound)) : Value();
-             });
+             [](const W& w) { return shown(*w.entry, w.worst->bound); });
   });
 }
 
@@ -111,14 +105,13 @@ const Quantities<V>& worsts_quantities() {
 const Quantities<JudgedView>& judged_quantities() {
   using J = JudgedView;
   return define("scatter.robust judged", [](Quantities<J>& q) {
-    const auto arcsec = [](double rad) { return Angle::radians(rad).arcsec(); };
     q.number("percentile_arcsec", "percentile of the peak-to-peak transmission error", "",
-             "minimised percentile",
-             [arcsec](const J& j) { return arcsec(j.family->percentile().estimate.value); });
+             "minimised percentile", [](const J& j) {
+               return Angle::radians(j.family->percentile().estimate.value).arcsec();
+             });
     q.number("standard_error_arcsec", "standard error of the percentile", "",
-             "computed from the replicates [T14.9]", [arcsec](const J& j) {
-               const auto& e = j.family->percentile().estimate.standard_error;
-               return e ? arcsec(*e) : Value();
+             "computed from the replicates [T14.9]", [](const J& j) {
+               return shown(scatter_entries()[0], j.family->percentile().estimate.standard_error);
              });
     q.record<spread_quantities>("peak_to_peak_arcsec",
                                 "distribution of the peak-to-peak transmission error",

@@ -285,7 +285,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
 
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions) {
   Transmission transmission(pair);
-  const auto touches = one_pitch(transmission, -0.5 * pair.pitch(), positions);
+  const auto touches =
+      one_pitch(transmission, -0.5 * pair.pitch(), std::max(kLeastSpanPositions, positions));
   for (const PairTouch& t : touches)
     if (!t.found()) return std::nullopt;
   return Angle::radians(continuous_extremes(transmission, touches).span());

@@ -48,7 +48,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
 /// The least number of positions per pitch that is used to find the extremes of a pitch.
 inline constexpr int kLeastSpanPositions = 32;
 
-/// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position.
+/// Peak to peak of the continuous curve over a pitch; none if contact is lost at some position. At
+/// least kLeastSpanPositions are used.
 ///
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);

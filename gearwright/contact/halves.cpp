@@ -233,6 +233,7 @@ std::vector<double> transmission_error(const HalvesMesh& mesh, int positions) {
 }
 
 std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
+  positions = std::max(kLeastSpanPositions, positions);
   if (mesh.alike()) return continuous_span(*mesh.half[0], positions);
   MeanError mean(mesh, positions);
   std::vector<double> te;

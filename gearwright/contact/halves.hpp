@@ -105,7 +105,8 @@ HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& requ
 /// ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
-/// Peak to peak of the continuous curve of TE; none if a half loses contact.
+/// Peak to peak of the continuous curve of TE; none if a half loses contact. At least
+/// kLeastSpanPositions are used.
 ///
 /// Accuracy  1e-12 rad at the extremes that are found. A branch may be overlooked if it leads
 ///           for less than one step, the pitch divided by `positions`

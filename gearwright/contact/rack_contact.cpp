@@ -77,8 +77,7 @@ Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
   static_cast<ContactResult&>(found) = analyse_contact(*found.pair, options.request);
   found.non_working = analyse_contact(**other, reversed.request);
   found.min_play = least_play(found, found.non_working, options.gear2_drives);
-  found.continuous_span =
-      continuous_span(*found.pair, std::max(kLeastSpanPositions, options.request.positions));
+  found.continuous_span = continuous_span(*found.pair, options.request.positions);
   return found;
 }
 

@@ -140,8 +140,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   if (std::none_of(positions.begin(), positions.end(), touches))
     return nothing_touches(*answer.setup);
   answer.min_play = least_play(answer.driving, answer.other, gear2_drives);
-  answer.continuous_span = continuous_span(answer.setup->pair(gear2_drives),
-                                           std::max(kLeastSpanPositions, input.positions));
+  answer.continuous_span = continuous_span(answer.setup->pair(gear2_drives), input.positions);
   if (input.map) {
     const auto te_at = [&](double x, double y) {
       const ContactErrors errors = errors_at(*answer.setup, *input.map, x, y);
@@ -212,8 +211,7 @@ Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
   whole.float_axial = std::move(driving.float_axial);
   whole.other = std::move(other.whole);
   whole.min_play = least_play(whole.driving, whole.other, drives_2);
-  whole.continuous_span =
-      continuous_span(pairs[drives_2].mesh, std::max(kLeastSpanPositions, input.positions));
+  whole.continuous_span = continuous_span(pairs[drives_2].mesh, input.positions);
   if (map) {
     const auto te_at = [&](double x, double y) {
       const HalvesPair at = setup.pair(errors_at(half, *map, x, y), drives_2);

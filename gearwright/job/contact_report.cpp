@@ -123,7 +123,7 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
     const ContactPair pair = setup.pair(u.errors, r.gear2_drives);
     r.under[i - 1] = {
         u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
-        continuous_span(pair, std::max(kLeastSpanPositions, positions))
+        continuous_span(pair, positions)
             .value_or(Angle::radians(peak_to_peak(transmission_error(pair, positions)))),
         u.as_specified};
   };
@@ -171,8 +171,8 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   static_cast<ContactScene&>(r) =
       contact_scene(gears, *pair.half[0], input.marking, answer.driving);
   r.other = answer.other;
-  r.span[1] = continuous_span(halves.pair(setup->place().errors, !gear2_drives).mesh,
-                              std::max(kLeastSpanPositions, input.positions));
+  r.span[1] =
+      continuous_span(halves.pair(setup->place().errors, !gear2_drives).mesh, input.positions);
   r.min_play = given.min_play;
   for (const FlankContact& half : flanks_of(gears, pair, input.marking,
                                             {&answer.halves[0].driving, &answer.halves[1].driving}))
@@ -211,8 +211,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
     r.driving = analyse_contact(pair, pitch);
     r.other = analyse_contact(answer.setup->pair(!gear2_drives), pitch);
   }
-  r.span[1] = continuous_span(answer.setup->pair(!gear2_drives),
-                              std::max(kLeastSpanPositions, input.positions));
+  r.span[1] = continuous_span(answer.setup->pair(!gear2_drives), input.positions);
   r.min_play = answer.min_play;
   make_patterns(r, job, *answer.setup);
   r.middle = middle_of(r.driving.positions);
@@ -239,7 +238,7 @@ Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& 
   const auto other = contact_pair(*job.rack, errors_of(job), options);
   if (!other) return other.error();
   r.other = fits ? answer.other : analyse_contact(**other, options.request);
-  r.span[1] = continuous_span(**other, std::max(kLeastSpanPositions, options.request.positions));
+  r.span[1] = continuous_span(**other, options.request.positions);
   return r;
 }
 

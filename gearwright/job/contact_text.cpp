@@ -52,41 +52,37 @@ std::string over_face(const SolvedJob& job, double degrees) {
 }
 
 // Lists the transmission error and the movement of the whole gears, and where each half touches.
-std::string halves_listing(const ContactAnswer& answer, UnitSystem units) {
+TextTable halves_table(const ContactAnswer& answer, UnitSystem units) {
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
-  const std::string_view unit = unit_text(units, Unit::mm);
-  const auto line = [](const auto&... cells) {
-    return fmt::format("  {:>11}{:>15}{:>13}  {:<9}{:>10}{:>10}  {:<9}{:>10}{:>10}\n", cells...);
-  };
-  std::string out =
-      "\n" +
-      line("rotation1", "TE", "axial float", "z > 0", "diam. 1", "z 1", "z < 0", "diam. 1", "z 1") +
-      line("°", "arcsec", unit_text(units, Unit::um), "", unit, unit, "", unit, unit);
+  const std::string unit(unit_text(units, Unit::mm));
+  TextTable table{
+      "",
+      {"rotation 1", "TE", "axial float", "z > 0", "diam. 1", "z 1", "z < 0", "diam. 1", "z 1"}};
+  table.units = {"°", "″", std::string(unit_text(units, Unit::um)), "", unit, unit, "", unit, unit};
+  table.notes = {
+      "axial float: movement of gear 1 relative to gear 2; z 1: axial position from the middle of "
+      "the half"};
   const auto& positions = answer.driving.positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
   for (std::size_t i = 0; i < positions.size(); i += step) {
     const ContactPoint& p = positions[i];
-    if (p.kind == TouchKind::none) {
-      out += fmt::format("  {:>11.4f}{:>15}\n", p.rotation1.deg(), "no contact");
-      continue;
+    std::vector<std::string> cells{fixed_decimals(p.rotation1.deg(), 4), "no contact"};
+    if (p.kind != TouchKind::none) {
+      cells[1] = fixed_decimals(p.te.arcsec(), 5);
+      cells.push_back(text_in(units, Unit::um, answer.float_axial[i] * kUmPerMm, 4));
+      for (const ContactView& half : answer.halves) {
+        const ContactPoint& at = half.driving.positions[i];
+        cells.insert(cells.end(),
+                     {std::string(to_string(at.kind)), mm(at.diameter[0]), mm(at.height[0])});
+      }
     }
-    const ContactPoint& a = answer.halves[0].driving.positions[i];
-    const ContactPoint& b = answer.halves[1].driving.positions[i];
-    out += line(fixed_decimals(p.rotation1.deg(), 4), fixed_decimals(p.te.arcsec(), 5),
-                text_in(units, Unit::um, answer.float_axial[i] * kUmPerMm, 4), to_string(a.kind),
-                mm(a.diameter[0]), mm(a.height[0]), to_string(b.kind), mm(b.diameter[0]),
-                mm(b.height[0]));
+    cells.resize(table.columns.size());
+    table.rows.push_back({"", "", std::move(cells)});
   }
-  return out +
-         "\n  axial float: movement of gear 1 relative to gear 2; z 1: axial position from the "
-         "middle of the half\n";
+  return table;
 }
 
 }  // namespace
-
-Json contact_json(const SolvedJob& job, const ContactAnswer& answer) {
-  return titled_record(job.spec, "contact", contact_quantities().of(answer));
-}
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
   const ContactResult& r = answer.driving;
@@ -150,7 +146,7 @@ std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer) {
           fmt::format("{} to {} {}", error_text(Angle::radians(least), 3),
                       error_text(Angle::radians(greatest), 3), error_unit));
   }
-  if (!answer.halves.empty()) return out + halves_listing(answer, units);
+  if (!answer.halves.empty()) return out + "\n" + table_listing(halves_table(answer, units));
   // The rows are limited to one page. --json has all positions.
   const std::size_t step = std::max<std::size_t>(1, r.positions.size() / 32);
   std::vector<std::string> names;

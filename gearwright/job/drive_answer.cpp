@@ -35,26 +35,35 @@ std::string part_of(const Drive& drive, std::size_t body) {
                                             : "";
 }
 
-// The records of the bodies or of the meshes of a drive.
-template <class View, class List>
-std::vector<ValueRecord> records_of(const Quantities<View>& quantities, const Drive& drive,
-                                    const List& list) {
+// Rows for those bodies or meshes of a drive for which `has` is true, below a title. The listing is
+// empty if there are none.
+template <class View, class List, class Has>
+std::string rows_of(UnitSystem units, const char* title, const Quantities<View>& quantities,
+                    const Drive& drive, const List& list, const Has& has,
+                    std::initializer_list<std::string_view> keys) {
+  std::vector<std::string> names;
   std::vector<ValueRecord> records;
-  for (std::size_t i = 0; i < list.size(); ++i) records.push_back(quantities.of({&drive, i}));
-  return records;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!has(i)) continue;
+    names.push_back(printable(list[i].name, 17));
+    records.push_back(quantities.of({&drive, i}));
+  }
+  return names.empty() ? "" : title + row_listing(units, names, records, keys);
 }
 
 std::string body_listing(const Drive& drive, UnitSystem units) {
   const auto& bodies = drive.graph.bodies;
   std::vector<std::string> names;
+  std::vector<ValueRecord> records;
   bool racks = false;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const std::string part = part_of(drive, b);
     names.push_back(printable(bodies[b].name, 13) + (part.empty() ? "" : ", " + part));
+    records.push_back(drive_body_quantities().of({&drive, b}));
     racks = racks || drive.graph.moves(b);
   }
   return "\nBodies\n" +
-         row_listing(units, names, records_of(drive_body_quantities(), drive, bodies),
+         row_listing(units, names, records,
                      {"speed_ratio", "speed_ratio_exact", "relative_speed_ratio",
                       "travel_per_input_turn_mm", "speed_rpm", "speed_m_per_s", "torque_ratio",
                       "torque_Nm", "force_N", "power_kW"}) +
@@ -62,56 +71,30 @@ std::string body_listing(const Drive& drive, UnitSystem units) {
 }
 
 std::string mesh_listing(const Drive& drive, UnitSystem units) {
-  std::vector<std::string> names;
-  for (const DriveMesh& mesh : drive.graph.meshes) names.push_back(printable(mesh.name, 17));
-  const std::vector<ValueRecord> records =
-      records_of(drive_mesh_quantities(), drive, drive.graph.meshes);
-  std::vector<std::string> rated_names;
-  std::vector<ValueRecord> rated;
-  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
-    if (!drive.ratings[m]) continue;
-    rated_names.push_back(names[m]);
-    rated.push_back(records[m]);
-  }
-  std::string out;
-  if (!rated.empty())
-    out = "\nStrength by ISO 6336\n" +
-          row_listing(units, rated_names, rated,
-                      {"rating.torque_Nm", "rating.speed_rpm", "rating.S_H", "rating.S_F"});
-  return out + "\nMeshes\n" +
-         row_listing(units, names, records,
-                     {"frequency_ratio", "frequency_hz", "efficiency", "power_ratio",
-                      "pair.center_distance_mm", "pair.contact_ratio_true",
-                      "pair.backlash.normal_mm", "rack_pair.center_distance_mm",
-                      "rack_pair.contact_ratio_true", "rack_pair.backlash.normal_mm"});
+  const auto& meshes = drive.graph.meshes;
+  const auto& quantities = drive_mesh_quantities();
+  const auto rated = [&](std::size_t m) { return m < drive.ratings.size() && drive.ratings[m]; };
+  return rows_of(units, "\nStrength by ISO 6336\n", quantities, drive, meshes, rated,
+                 {"rating.torque_Nm", "rating.speed_rpm", "rating.S_H", "rating.S_F"}) +
+         rows_of(units, "\nMeshes\n", quantities, drive, meshes, [](std::size_t) { return true; },
+                 {"frequency_ratio", "frequency_hz", "efficiency", "power_ratio",
+                  "pair.center_distance_mm", "pair.contact_ratio_true", "pair.backlash.normal_mm",
+                  "rack_pair.center_distance_mm", "rack_pair.contact_ratio_true",
+                  "rack_pair.backlash.normal_mm"});
 }
 
 // The tooth forces in the meshes and on the bodies. The listing is empty if the drive has no
 // torque.
 std::string force_listing(const Drive& drive, UnitSystem units) {
   if (!drive.graph.torque_Nm) return "";
-  std::vector<std::string> meshes, bodies;
-  std::vector<ValueRecord> of_meshes, of_bodies;
-  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
-    if (!mesh_forces(drive, m)) continue;
-    meshes.push_back(printable(drive.graph.meshes[m].name, 17));
-    of_meshes.push_back(drive_mesh_quantities().of({&drive, m}));
-  }
-  for (std::size_t b = 0; b < drive.graph.bodies.size(); ++b) {
-    if (!body_forces(drive, b)) continue;
-    bodies.push_back(printable(drive.graph.bodies[b].name, 17));
-    of_bodies.push_back(drive_body_quantities().of({&drive, b}));
-  }
-  std::string out;
-  if (!meshes.empty())
-    out += "\nForces of the teeth on the first gear of each mesh, for one planet\n" +
-           row_listing(units, meshes, of_meshes,
-                       {"tangential_force_N", "separating_force_N", "axial_force_N"});
-  if (!bodies.empty())
-    out += "\nForces of all teeth on each body, for one planet\n" +
-           row_listing(units, bodies, of_bodies,
-                       {"radial_force_N", "axial_force_N", "tilting_moment_Nm"});
-  return out;
+  const auto in_mesh = [&](std::size_t m) { return mesh_forces(drive, m).has_value(); };
+  const auto on_body = [&](std::size_t b) { return body_forces(drive, b).has_value(); };
+  return rows_of(units, "\nForces of the teeth on the first gear of each mesh, for one planet\n",
+                 drive_mesh_quantities(), drive, drive.graph.meshes, in_mesh,
+                 {"tangential_force_N", "separating_force_N", "axial_force_N"}) +
+         rows_of(units, "\nForces of all teeth on each body, for one planet\n",
+                 drive_body_quantities(), drive, drive.graph.bodies, on_body,
+                 {"radial_force_N", "axial_force_N", "tilting_moment_Nm"});
 }
 
 std::string shift_listing(const Drive& drive) {
@@ -121,11 +104,8 @@ std::string shift_listing(const Drive& drive) {
 }
 
 std::string set_listing(const PlanetSet& set, UnitSystem units) {
-  return "\nPlanets\n" +
-         quantity_listing(units, assembly_quantities().table(), {assembly_quantities().of(set)},
-                          {}) +
-         "\nPhases\n" +
-         quantity_listing(units, phasing_quantities().table(), {phasing_quantities().of(set)}, {});
+  return "\nPlanets\n" + listing_of(units, assembly_quantities(), set) + "\nPhases\n" +
+         listing_of(units, phasing_quantities(), set);
 }
 
 std::string drive_csv(const Drive& drive) {
@@ -152,13 +132,11 @@ std::string load_factor_sentence(const Drive& drive) {
 
 std::string load_listing(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
-  std::string out = "\nUnder load\n" + quantity_listing(units, drive_load_quantities().table(),
-                                                        {drive_load_quantities().of(drive)}, {});
+  std::string out = "\nUnder load\n" + listing_of(units, drive_load_quantities(), drive);
   for (const PlanetShares& shares : drive.loaded->sets) {
     const std::size_t carrier = drive.sets[shares.set].group.carrier;
     out += fmt::format("\nPlanets of {} under load\n", printable(drive.graph.bodies[carrier].name));
-    out += quantity_listing(units, planet_share_quantities().table(),
-                            {planet_share_quantities().of({&drive, &shares})}, {});
+    out += listing_of(units, planet_share_quantities(), {&drive, &shares});
   }
   return out + load_factor_sentence(drive);
 }
@@ -185,8 +163,7 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
 }  // namespace
 
 std::string drive_listing(const Drive& drive, UnitSystem units) {
-  std::string out =
-      quantity_listing(units, drive_quantities().table(), {drive_quantities().of(drive)}, {});
+  std::string out = listing_of(units, drive_quantities(), drive);
   out += load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units) +
          force_listing(drive, units) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set, units);

@@ -145,7 +145,7 @@ Json fit_json(const FitAnswer& answer) { return {{"fit", to_json(fit_quantities(
 std::string fit_listing(const FitAnswer& answer, UnitSystem units) {
   if (answer.branches.empty())
     return "\nThere is no such pair: " + answer.fit.reason + ".\n" +
-           quantity_listing(units, fit_quantities().table(), {fit_quantities().of(answer)}, {});
+           listing_of(units, fit_quantities(), answer);
   std::vector<std::string> names;
   std::vector<ValueRecord> records;
   std::string rejected;

@@ -9,6 +9,7 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/fit_quantities.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -261,16 +262,18 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   if (!found.reason.empty()) text += "\n" + sentence_in(units, capitalised(found.reason)) + ".\n";
   if (found.alternative) text += "\n" + alternative_text(found, units) + "\n";
   if (found.candidates.empty()) return text;
-  text += fmt::format("\n  {:>9}  {:>10}  {:>12}  {:>5}  {:>19}  {:>17}  {:>10}\n", "candidate",
-                      "likelihood", "module", "α_n", "helix angle", "x_E", "tip");
-  int number = 0;
-  for (const IdentifiedGear& g : found.candidates) {
-    text += fmt::format("  {:>9}  {:>8.2f} %  {:>12}  {:>4g}°  {:>18}°  {:>17}  {:>7} {}\n",
-                        ++number, 100 * g.likelihood, module_text(g), g.normal_pressure_angle.deg(),
-                        plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
-                        plus_minus(g.generating_shift, g.shift_uncertainty, 4),
-                        text_in(units, Unit::mm, g.tip_diameter, 3), unit_text(units, Unit::mm));
-  }
+  TextTable table{"", {"candidate", "likelihood", "module", "α_n", "helix angle", "x_E", "tip"}};
+  table.units = {"", "%", "", "°", "°", "", std::string(unit_text(units, Unit::mm))};
+  for (const IdentifiedGear& g : found.candidates)
+    table.rows.push_back(
+        {"",
+         "",
+         {std::to_string(table.rows.size() + 1), fixed_decimals(100 * g.likelihood, 2),
+          module_text(g), fmt::format("{:g}", g.normal_pressure_angle.deg()),
+          plus_minus(g.helix_angle.deg(), g.helix_uncertainty.deg(), 3),
+          plus_minus(g.generating_shift, g.shift_uncertainty, 4),
+          text_in(units, Unit::mm, g.tip_diameter, 3)}});
+  text += "\n" + table_listing(table);
   for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
     text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
   if (const auto& n = found.next) {

@@ -78,12 +78,8 @@ std::vector<std::string> gear_columns(std::size_t count) {
 
 std::string pair_listing(const SolvedJob& job) {
   if (job.rack) {
-    return "\nRack\n" +
-           quantity_listing(job.spec.units(), rack_quantities().table(),
-                            {rack_quantities().of(job.rack->rack)}, {}) +
-           "\nRack and pinion\n" +
-           quantity_listing(job.spec.units(), rack_pair_quantities().table(),
-                            {rack_pair_quantities().of(*job.rack)}, {});
+    return "\nRack\n" + listing_of(job.spec.units(), rack_quantities(), job.rack->rack) +
+           "\nRack and pinion\n" + listing_of(job.spec.units(), rack_pair_quantities(), *job.rack);
   }
   return job.pair ? pair_listing(*job.pair, job.spec.units()) + pair_interval_listing(job)
                   : std::string();
@@ -147,7 +143,7 @@ std::string pair_listing(const Pair& pair, UnitSystem units) {
   const bool halves = pair.gear(1).gap.has_value();
   return fmt::format("\n{}{}\n", kind,
                      halves ? "; contact ratios and axial force apply to one half" : "") +
-         quantity_listing(units, pair_quantities().table(), {pair_quantities().of(pair)}, {});
+         listing_of(units, pair_quantities(), pair);
 }
 
 std::string warning_listing(const std::vector<Warning>& warnings, UnitSystem units) {

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/catalogue/text_table.hpp"
 #include "gearwright/job/files.hpp"
 
 namespace gearwright {
@@ -29,6 +31,11 @@ std::string quantity_listing(UnitSystem units, const QuantityTable& table,
                              const std::vector<ValueRecord>& records,
                              const std::vector<std::string>& columns,
                              const std::function<std::string(const QuantityInfo&)>& note = nullptr);
+template <class S>
+std::string listing_of(UnitSystem units, const Quantities<S>& quantities,
+                       const std::type_identity_t<S>& subject) {
+  return quantity_listing(units, quantities.table(), {quantities.of(subject)}, {});
+}
 /// The rows of a gear's record that differ between the lower and the upper end of its
 /// tolerances.
 ///
@@ -66,32 +73,15 @@ std::string padded_left(const std::string& text, std::size_t width);
 /// blanks, and every line ends with a line break.
 std::string wrapped(std::string_view text);
 
-/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
-/// lacks it.
-const Member* member_at(const ValueRecord& record, std::string_view path);
-
-struct ListingColumn {
-  std::string words;  ///< term for the quantity, in full
-  std::string head;   ///< heading: the symbol, or words
-  std::string unit;
-  std::vector<std::string> cells;                   ///< one for each row
-  bool left = false;                                ///< true if the cells are aligned to the left
-  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, to compare columns;
-                                                    ///< empty for columns of words
-};
-
-/// Makes a column for each quantity of `keys` for which at least one record shows a value. The
-/// values are given in `units`. A heading is the symbol or, if another column has the same
-/// symbol, the words. The key of a member of an inner record is "record.key".
-std::vector<ListingColumn> listing_columns(UnitSystem units,
-                                           const std::vector<ValueRecord>& records,
-                                           std::initializer_list<std::string_view> keys);
-
 /// Lists records below each other, in these units. The line of each record begins with its name and
 /// has the columns of `keys`.
 std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys);
+
+/// Lists a table with its title and its notes. A row whose numbers are all printed as zero is
+/// replaced by its words in a line below the table.
+std::string table_listing(const TextTable& table);
 
 /// Lists designs below each other. The first column names the designs. If there are at least
 /// two designs, some columns are replaced by lines of the list "Common to all designs" above

@@ -106,8 +106,7 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer) {
   if (!answer.contact) return out;
   const auto views = torque_views(*answer.contact, answer.standard);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    out += quantity_listing(units, load_torque_quantities().table(),
-                            {load_torque_quantities().of(views[i])}, {}) +
+    out += listing_of(units, load_torque_quantities(), views[i]) +
            noise_rows(job, *views[i].torque, answer.contact->regime);
     if (!answer.halves.empty()) {
       std::vector<LoadTorqueView> halves;

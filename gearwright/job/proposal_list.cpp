@@ -44,15 +44,13 @@ const char* words_of(ReliefLength length) {
 // The reason why a pair has no reliefs of this length.
 std::string why_none(const SolvedJob& job, ReliefLength length) {
   const double ratio = job.pair->involute()->mesh.true_ratio;
-  return ratio > 1.0
-             ? fmt::format(
-                   "There are no {} reliefs, because at a transverse contact ratio of {:.3f} no "
-                   "tooth pair ever carries the whole load.",
-                   words_of(length), ratio)
-             : fmt::format(
-                   "There are no {} reliefs, because the flanks touch over only {:.3f} base "
-                   "pitches, and a relief needs more than one.",
-                   words_of(length), ratio);
+  const char* const why =
+      ratio > 1.0 ? "at a transverse contact ratio of {:.3f} no tooth pair ever carries "
+                    "the whole load"
+                  : "the flanks touch over only {:.3f} base pitches, and a relief needs "
+                    "more than one";
+  return fmt::format("There are no {} reliefs, because {}.", words_of(length),
+                     fmt::format(fmt::runtime(why), ratio));
 }
 
 std::string still_loaded(ReliefLength length, int gear) {

@@ -41,8 +41,6 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullpt
 ///           proposal
 std::size_t recommended(const std::vector<Proposal>& proposals);
 
-/// A record with the title, and with the result under "propose".
-Json propose_json(const SolvedJob& job, const ProposeAnswer& answer);
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 
 /// The proposals in the report of `run`. There are none if [load] has no torque, if the gears have

@@ -15,8 +15,6 @@
 
 namespace gearwright {
 
-struct CompensateAnswer;
-struct ContactAnswer;
 struct LoadAnalysis;
 
 Json warnings_json(const std::vector<Warning>& warnings);
@@ -24,10 +22,8 @@ Json warnings_json(const std::vector<Warning>& warnings);
 Json titled_record(const JobSpec& spec);
 /// The record of titled_record() with one result under its key.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
-/// Records with the title and the result of the verb under its name.
-Json contact_json(const SolvedJob& job, const ContactAnswer& answer);
+/// A record with the title and the result of the verb `load` under its name.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
-Json compensate_json(const SolvedJob& job, const CompensateAnswer& answer);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
 /// The record of job_record() with `warnings` and `verdict` added.

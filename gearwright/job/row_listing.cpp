@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -44,8 +45,6 @@ std::string wrapped(std::string_view text) {
 
 namespace {
 
-constexpr std::string_view kAbsent = "-";  // the cell of a value that a record does not have
-
 constexpr std::size_t kHeadWidth = 12;       // width of headings
 constexpr std::size_t kDesignHeadWidth = 8;  // width of headings of designs, which have many
                                              // columns
@@ -61,24 +60,6 @@ std::vector<std::string> broken(const std::string& words, std::size_t most) {
       lines.back() += " " + word;
   }
   return lines;
-}
-
-// The column of the quantity `info`. If `gear` is 1 or 2, it is the column of this gear's values.
-ListingColumn listing_column(UnitSystem units, const QuantityInfo& info, const std::string& head,
-                             int gear, const std::vector<const Member*>& members) {
-  ListingColumn column{
-      gear > 0 ? fmt::format("{}, gear {}", info.words, gear) : info.words,
-      gear > 0 ? fmt::format("{}{}{}", head, head == info.symbol ? "" : " ", gear) : head,
-      std::string(unit_text(system_of(info, units), info.unit)),
-      {},
-      info.type == Type::word || info.type == Type::map};
-  for (const Member* m : members) {
-    const ValueList* const each = m && gear > 0 ? m->value.list() : nullptr;
-    const Value value = each ? (*each)[static_cast<std::size_t>(gear - 1)] : m ? m->value : Value();
-    column.cells.push_back(text_of(info, value, kAbsent, units));
-    column.numbers.push_back(value.number());
-  }
-  return column;
 }
 
 // The lines of a column: its heading, broken at `head_width` and filled up to `heads` lines,
@@ -166,54 +147,47 @@ std::string tables_of(const std::vector<const ListingColumn*>& columns) {
 
 }  // namespace
 
-const Member* member_at(const ValueRecord& record, std::string_view path) {
-  const std::size_t dot = std::min(path.find('.'), path.size());
-  for (const Member& m : record) {
-    if (m.info->key != path.substr(0, dot)) continue;
-    const ValueRecord* const inner = m.value.record();
-    return dot == path.size() ? &m : inner ? member_at(*inner, path.substr(dot + 1)) : nullptr;
-  }
-  return nullptr;
-}
-
-std::vector<ListingColumn> listing_columns(UnitSystem units,
-                                           const std::vector<ValueRecord>& records,
-                                           std::initializer_list<std::string_view> keys) {
-  struct Shown {
-    const QuantityInfo* info = nullptr;
-    std::vector<const Member*> members{};
-  };
-  std::vector<Shown> all;
-  for (const std::string_view key : keys) {
-    Shown shown;
-    for (const ValueRecord& record : records) {
-      shown.members.push_back(member_at(record, key));
-      if (const Member* m = shown.members.back(); m && m->shown) shown.info = m->info;
-    }
-    if (shown.info) all.push_back(std::move(shown));
-  }
-  std::vector<ListingColumn> columns;
-  for (const Shown& s : all) {
-    const auto same = [&](const Shown& other) { return other.info->symbol == s.info->symbol; };
-    const bool words = s.info->symbol.empty() || std::count_if(all.begin(), all.end(), same) > 1;
-    const std::string& head = words ? s.info->words : s.info->symbol;
-    for (const int gear : s.info->two == Two::gears ? std::vector{1, 2} : std::vector{0}) {
-      ListingColumn column = listing_column(units, *s.info, head, gear, s.members);
-      if (!all_equal(column) || column.cells.front() != kAbsent)
-        columns.push_back(std::move(column));
-    }
-  }
-  return columns;
-}
-
 std::string row_listing(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<ValueRecord>& records,
                         std::initializer_list<std::string_view> keys) {
-  const ListingColumn first{"", "", "", names, true};
-  const std::vector<ListingColumn> columns = listing_columns(units, records, keys);
-  std::vector<const ListingColumn*> all{&first};
-  for (const ListingColumn& column : columns) all.push_back(&column);
-  return table_of(all, kHeadWidth);
+  return table_listing(record_table(units, "", names, records, keys));
+}
+
+std::string table_listing(const TextTable& table) {
+  const auto starts_with_letter = [](const std::string& cell) {
+    return cell.empty() || cell == kAbsent || std::isalpha(static_cast<unsigned char>(cell[0]));
+  };
+  std::vector<ListingColumn> columns{{"", "", "", {}, true}};
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    columns.push_back(
+        {"", table.columns[i], i < table.units.size() ? table.units[i] : std::string(), {}});
+  const auto add = [&](std::string words, const std::vector<std::string>& cells) {
+    columns[0].cells.push_back(std::move(words));
+    for (std::size_t i = 0; i < cells.size(); ++i) columns[i + 1].cells.push_back(cells[i]);
+  };
+  std::string zeros;
+  for (const TextTable::Row& row : table.rows) {
+    std::string digits;
+    for (const std::string& cell : row.cells) digits += cell;
+    if (table.omit_zeros && digits.find('0') != digits.npos &&
+        digits.find_first_not_of("-.0") == digits.npos) {
+      zeros += (zeros.empty() ? "  zero to these digits: " : ", ") + row.words;
+      continue;
+    }
+    add(row.words + (row.unit.empty() ? "" : "  ") + row.unit, row.cells);
+    if (!row.errors.empty()) add("    standard error", row.errors);
+  }
+  std::vector<const ListingColumn*> all;
+  for (ListingColumn& column : columns) {
+    column.left =
+        column.left || std::all_of(column.cells.begin(), column.cells.end(), starts_with_letter);
+    all.push_back(&column);
+  }
+  std::string text = table.title.empty() ? "" : "\n" + wrapped(table.title);
+  if (!columns[0].cells.empty()) text += table_of(all, kHeadWidth);
+  if (!zeros.empty()) text += wrapped(zeros);
+  for (const std::string& note : table.notes) text += wrapped("  " + note);
+  return text;
 }
 
 std::string design_listing(const std::vector<ListingColumn>& columns) {

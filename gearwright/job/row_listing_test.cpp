@@ -155,5 +155,46 @@ TEST(DesignListing, continues_in_further_tables) {
   }
 }
 
+TextTable samples() {
+  TextTable table{"Samples", {"mean", "key in the spec"}};
+  table.rows = {{"play", "mm", {"0.10", "pair.a"}, {"0.01", ""}}, {"waves", "", {"0.0", ""}, {}}};
+  table.notes = {"A sentence."};
+  return table;
+}
+
+// The columns are as wide as their widest text. Numbers are aligned to the right and words to the
+// left.
+TEST(TableListing, has_a_title_rows_with_errors_and_notes) {
+  EXPECT_EQ(table_listing(samples()),
+            "\nSamples\n"
+            "                            key in the\n"
+            "                      mean  spec\n"
+            "  play  mm            0.10  pair.a\n"
+            "      standard error  0.01\n"
+            "  waves                0.0\n"
+            "  A sentence.\n");
+}
+
+TEST(TableListing, omits_rows_of_zeros_if_the_table_permits_it) {
+  TextTable table = samples();
+  table.omit_zeros = true;
+  table.rows.push_back({"harmonics", "", {"-0.00", ""}, {"0.1", ""}});
+  const std::string text = table_listing(table);
+  EXPECT_NE(text.find("\n  zero to these digits: waves, harmonics\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("\n  waves"), std::string::npos) << text;
+  table.rows.back().cells[0] = "-0.01";
+  EXPECT_NE(table_listing(table).find("\n  harmonics  "), std::string::npos);
+}
+
+// The units of the columns have a line of their own. Without rows, only the title and the notes
+// remain.
+TEST(TableListing, has_the_units_of_its_columns) {
+  EXPECT_EQ(table_listing({"", {"x", "kind"}, {{"", "", {"1.0", "line"}}}, {}, {"mm", ""}}),
+            "      x  kind\n"
+            "     mm\n"
+            "    1.0  line\n");
+  EXPECT_EQ(table_listing({"Nothing", {"x"}, {}, {"No value."}}), "\nNothing\n  No value.\n");
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -87,7 +87,7 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
       fmt::join(keys, ", "));
 }
 
-// Sentences that the page shows beside the counts.
+// Sentences beside the counts, for the terminal and the page.
 std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRun& run,
                                     UnitSystem units) {
   std::vector<std::string> lines;
@@ -99,10 +99,11 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
     lines.push_back(sentence_in(units, "Designs are " + drawing_line(problem) + "."));
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
-  for (const std::string& line : change_lines(run, units))
-    lines.push_back("One change that would make designs feasible: " + line + ".");
+  if (!run.changes.empty())
+    lines.emplace_back("Each of these changes alone would make designs feasible:");
+  for (const std::string& line : change_lines(run, units)) lines.push_back("  " + line);
   if (!run.changes_left_out.empty()) {
-    lines.push_back(run.changes_left_out + ".");
+    lines.push_back(capitalised(run.changes_left_out) + ".");
   } else if (run.changes.empty()) {
     lines.push_back(no_change_helps(run, units));
   }
@@ -156,27 +157,6 @@ std::string margin_line(const SearchLimits& limits) {
   if (limits.tip_clearance)
     text += fmt::format(", tip clearance ≥ {:g} modules", *limits.tip_clearance);
   return text;
-}
-
-// One line for each limit that rejected candidates, for example "tip clearance: 2698", in the
-// order of the limits.
-std::vector<std::string> rejected_lines(const SearchCounts& counts) {
-  constexpr const char* kWords[kLimits] = {
-      "limits of the profile shifts (undercut, tip, given limits)",
-      "centre distance",
-      "contact ratio",
-      "overlap ratio",
-      "specific sliding",
-      "tip clearance",
-      "interference",
-      "safety against pitting at the profile shifts of the design",
-      "safety against root breakage at the profile shifts of the design",
-      "verdict of the drawn pair at all ends of the tolerances"};
-  std::vector<std::string> lines;
-  for (std::size_t i = 0; i < counts.rejected.size(); ++i)
-    if (counts.rejected[i] > 0)
-      lines.push_back(fmt::format("{}: {}", kWords[i], counts.rejected[i]));
-  return lines;
 }
 
 }  // namespace
@@ -307,30 +287,17 @@ std::string search_listing(const Search& search, const SearchRun& run, UnitSyste
   std::string text =
       fmt::format("{} candidates (module, z1, z2{}) were tested, and {} are feasible\n",
                   a.counts.tested, p.helix.size() > 1 ? ", helix" : "", a.counts.feasible);
-  for (const std::string& line : rejected_lines(a.counts)) text += "  ruled out by " + line + "\n";
+  for (std::size_t i = 0; i < a.counts.rejected.size(); ++i)
+    if (a.counts.rejected[i] > 0)
+      text += fmt::format("  {}: {}\n", words_of(static_cast<Limit>(i)), a.counts.rejected[i]);
   text += wrapped(margin_line(p.limits));
-  if (p.rating) text += wrapped(sentence_in(units, rating_line(p)));
-  if (run.default_face_load) text += wrapped(face_load_line(run));
-  if (p.rating_unused) text += wrapped(kRatingUnused);
-  if (p.draw) text += wrapped(sentence_in(units, drawing_line(p)));
   if (p.shift_step) {
     text += fmt::format("{} of {} points of the grid of profile shifts are feasible (step {})\n",
                         a.counts.points_feasible, a.counts.points_tested, *p.shift_step);
   }
-  if (a.counts.feasible == 0) {
-    if (run.safest) text += wrapped(safest_line(*run.safest));
-    if (!run.changes.empty()) {
-      text += "\nNo design is feasible. Each of these changes alone would make designs feasible:\n";
-      for (const std::string& line : change_lines(run, units)) text += "  " + line + "\n";
-      if (!run.changes_left_out.empty()) text += wrapped("Note: " + run.changes_left_out + ".");
-    } else {
-      text += "\n" + wrapped("No design is feasible. " + (run.changes_left_out.empty()
-                                                              ? no_change_helps(run, units)
-                                                              : "No change that helps was found; " +
-                                                                    run.changes_left_out + "."));
-    }
-    return text;
-  }
+  for (const std::string& line : reasons_of(p, run, units))
+    text += line.starts_with(' ') ? line + "\n" : wrapped(line);  // a change remains in one line
+  if (a.counts.feasible == 0) return text;
   ListingColumn ranks;
   ListingColumn places{"profile shifts", "profile shifts", "", {}, true};
   std::vector<ValueRecord> records;

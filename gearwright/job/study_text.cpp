@@ -8,6 +8,7 @@
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/catalogue/scattered_design_quantities.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -70,6 +71,10 @@ Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
     place.replace(place.size() - 1, 1, std::to_string(ranking_percentile(spec)));
   const Json::json_pointer at(place);
   return row.contains(at) ? row[at] : Json();
+}
+
+std::optional<double> number_or_none(const Json& value) {
+  return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
 }
 
 std::string shown(const StudyColumn& column, const Json& value) {
@@ -206,26 +211,21 @@ std::string study_page(const JobSpec& spec, const StudyRun& run) {
   report.version = kVersion;
   report.percentile = percent_words(spec);
   for (const StudyColumn& c : kColumns)
-    if (*c.head != 0) report.columns.push_back({head_of(spec, c), c.unit, c.meaning});
+    if (*c.head != 0) report.columns.push_back({escaped(head_of(spec, c)), c.unit, c.meaning});
   const std::size_t at = ranking_percentile(spec);
   for (const Json& row : run.designs) {
-    StudyReport::Row& r = report.rows.emplace_back();
+    TableRow& cells = report.rows.emplace_back();
     for (const StudyColumn& c : kColumns) {
       if (*c.head == 0) continue;
       const Json value = cell(spec, c, row);
-      r.cells.push_back(
-          {shown(c, value), value.is_number() ? std::optional(value.get<double>()) : std::nullopt});
+      cells.cells.push_back({escaped(shown(c, value)), number_or_none(value)});
     }
     const Json& te = row["peak_to_peak_arcsec"];
-    const auto number = [&](const Json& list) {
-      return list.is_array() && list[at].is_number() ? std::optional(list[at].get<double>())
-                                                     : std::nullopt;
+    const auto end = [&](const char* key) {
+      return te[key].is_array() ? number_or_none(te[key][at]) : std::nullopt;
     };
-    r.percentile = te["percentiles"][at].get<double>();
-    r.lower = number(te["lower"]);
-    r.upper = number(te["upper"]);
-    r.mean = te["mean"].get<double>();
-    r.words = design_words(row);
+    report.ranking.push_back({design_words(row), te["percentiles"][at].get<double>(),
+                              te["mean"].get<double>(), end("lower"), end("upper")});
   }
   for (const Json& row : run.refused)
     report.refused.push_back(design_words(row) + ": " + row["reason"].get<std::string>());

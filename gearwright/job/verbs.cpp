@@ -68,6 +68,12 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   return answer;
 }
 
+// The title of the spec, and the quantities of an answer under the name of their table.
+template <const auto& (*quantities)(), class Found>
+Json record_of(const SolvedJob& job, const Found& found) {
+  return titled_record(job.spec, quantities().table().name.c_str(), quantities().of(found));
+}
+
 // The empty result of verbs that need only the gears and the pair.
 struct AsSolved {};
 
@@ -123,7 +129,7 @@ Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
        .find = answer_contact,
        .judge = [](const SolvedJob& job,
                    const ContactAnswer& a) { return judge(job, {.contact = &a.judged()}); },
-       .record = contact_json,
+       .record = record_of<contact_quantities, ContactAnswer>,
        .listing = contact_listing,
        .csv = contact_csv,
        .rack = true},
@@ -135,7 +141,7 @@ Result<Answer> run_compensate(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::pair,
        .find = [](SolvedJob& job, Progress* h) { return answer_compensate(job, h); },
        .judge = [](const SolvedJob&, const CompensateAnswer& a) { return a.verdict; },
-       .record = compensate_json,
+       .record = record_of<compensate_quantities, CompensateAnswer>,
        .listing = compensate_listing,
        .specs = [](const CompensateAnswer& a) { return std::vector{a.corrected->tables}; }},
       spec, progress);
@@ -146,7 +152,7 @@ Result<Answer> run_propose(const JobSpec& spec, Progress* progress) {
       {.scope = Scope::pair,
        .find = answer_propose,
        .judge = [](const SolvedJob&, const ProposeAnswer& a) { return a.verdict; },
-       .record = propose_json,
+       .record = record_of<propose_quantities, ProposeAnswer>,
        .listing = propose_listing,
        .csv = [](const SolvedJob& job, const ProposeAnswer& a) { return propose_csv(job, a); },
        .specs = [](const ProposeAnswer& a) { return a.specs; },
@@ -187,10 +193,6 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-Json rating_json(const SolvedJob& job, const RatingAnswer& answer) {
-  return titled_record(job.spec, "rating", rating_quantities().of(answer));
-}
-
 // Lists inputs, factors and safeties with symbol, value, unit, clause of the standard and branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
@@ -208,7 +210,7 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
        .find = answer_rating,
        .judge = [](const SolvedJob& job,
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
-       .record = rating_json,
+       .record = record_of<rating_quantities, RatingAnswer>,
        .listing = rating_listing,
        .csv = rating_csv},
       spec, progress);

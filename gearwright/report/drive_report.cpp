@@ -83,11 +83,8 @@ std::string power_part(const Drive& drive, UnitSystem units) {
   std::string text = "<section>\n<h2>Power</h2>\n";
   if (const auto figure = power_figure(drive)) text += figure_html(*figure, kSchemeWidth);
   text += table_of("Meshes", drive_mesh_quantities(), drive, drive.graph.meshes, units);
-  const auto groups =
-      text_groups(drive_quantities().table(), {drive_quantities().of(drive)}, kPage, units);
-  TableBuilder whole("The whole drive", {"Value"});
-  whole.groups(groups);
-  return text + whole.str() + "</section>\n";
+  return text + table_html("The whole drive", {"Value"}, units, drive_quantities(), drive) +
+         "</section>\n";
 }
 
 // A table of the rating of each mesh, with the factors of the standard.
@@ -130,17 +127,11 @@ std::string load_part(const Drive& drive, UnitSystem units) {
   for (std::size_t c = 0; c < loaded.curves.size(); ++c)
     figures += html_of(loaded_output_figure(drive, c));
   text += side_by_side(figures);
-  TableBuilder whole("Under load", {"Value"});
-  whole.groups(text_groups(drive_load_quantities().table(), {drive_load_quantities().of(drive)},
-                           kPage, units));
-  text += whole.str();
+  text += table_html("Under load", {"Value"}, units, drive_load_quantities(), drive);
   for (const PlanetShares& shares : loaded.sets) {
     const std::size_t carrier = drive.sets[shares.set].group.carrier;
-    TableBuilder table(fmt::format("Planets of {} under load", drive.graph.bodies[carrier].name),
-                       {"Value"});
-    table.groups(text_groups(planet_share_quantities().table(),
-                             {planet_share_quantities().of({&drive, &shares})}, kPage, units));
-    text += table.str();
+    text += table_html(fmt::format("Planets of {} under load", drive.graph.bodies[carrier].name),
+                       {"Value"}, units, planet_share_quantities(), {&drive, &shares});
   }
   return text + "</section>\n";
 }
@@ -150,10 +141,8 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   for (const PlanetSet& set : drive.sets) {
     TableBuilder table(fmt::format("Planets of {}", drive.graph.bodies[set.group.carrier].name),
                        {"Value"});
-    table.groups(
-        text_groups(assembly_quantities().table(), {assembly_quantities().of(set)}, kPage, units));
-    table.groups(
-        text_groups(phasing_quantities().table(), {phasing_quantities().of(set)}, kPage, units));
+    table.groups(units, assembly_quantities(), set);
+    table.groups(units, phasing_quantities(), set);
     text += table.str();
   }
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";

@@ -4,6 +4,7 @@
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
+#include "gearwright/catalogue/correction_tables.hpp"
 #include "gearwright/figure/contact_scene.hpp"
 #include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -11,6 +12,7 @@
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/report_sections.hpp"
+#include "gearwright/report/table_builder.hpp"
 
 namespace gearwright {
 
@@ -56,35 +58,11 @@ std::string compared(const ProposeView& v) {
   return html_of(compared_te_figure(curves));
 }
 
-std::vector<std::string> cells(const LoadedScore& s) {
-  if (!scored(s)) return {"–", "–", "–", "–"};
-  return {shown_arcsec(s.peak_to_peak.arcsec()), fixed(s.max_pressure, 0),
-          s.face_load_factor ? fixed(*s.face_load_factor, 2) : "", s.edge_carries ? "yes" : "no"};
-}
-
-std::string table(const ProposeView& v) {
-  const bool limits = v.proposals.front().at_limits.has_value();
-  std::vector<std::string> heads{"", "TE, ″", "Pressure, N/mm²", "K_Hβ", "Edge carries load"};
-  if (limits) heads.push_back("Pressure at the limits of the helix slopes");
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < v.proposals.size(); ++i) {
-    const Proposal& p = v.proposals[i];
-    std::string name = fmt::format("{} {}{}", i + 1, escaped(words_of(p)),
-                                   i == v.recommended ? " (recommended)" : "");
-    for (std::size_t g = 0; g < 2; ++g)
-      if (const std::string amounts = amounts_of(p.gears[g]); !amounts.empty())
-        name += fmt::format("<br><small>gear {}: {}</small>", g + 1, amounts);
-    std::vector<std::string> row{std::move(name)};
-    for (std::string& cell : cells(p.worst)) row.push_back(std::move(cell));
-    if (limits) row.push_back(p.at_limits ? cells(*p.at_limits)[1] : "–");
-    rows.push_back(std::move(row));
-  }
-  return value_table("Proposals", heads, rows);
-}
-
 }  // namespace
 
-std::string propose_section(const ProposeView& v) {
+std::string propose_section(const ProposeView& v, UnitSystem units) {
+  std::string tables;
+  for (const TextTable& table : proposal_tables(v, units)) tables += table_html(table);
   return fmt::format(
       "<section class=\"proposals\">\n<h2>Proposed modifications</h2>\n<p>The amounts follow from "
       "a torque of {} N m, the grades of the gears and the deflection of their shafts. The effect "
@@ -93,7 +71,7 @@ std::string propose_section(const ProposeView& v) {
       "</section>\n",
       format_number(newton_metres(v.torque)), v.recommended + 1,
       escaped(words_of(v.proposals[v.recommended])), escaped(v.reason),
-      side_by_side(compared(v) + effects(v)), table(v));
+      side_by_side(compared(v) + effects(v)), tables);
 }
 
 }  // namespace gearwright

@@ -251,7 +251,7 @@ std::string report_html(const ReportInput& input) {
   if (input.rack) sections += rack_section(*input.rack, kShapes, units);
   if (input.contact) sections += contact_section(*input.contact, units);
   if (input.load) sections += load_section(*input.load, kShapes, units);
-  if (input.propose) sections += propose_section(*input.propose);
+  if (input.propose) sections += propose_section(*input.propose, input.units);
   if (input.compensate) sections += compensate_section(*input.compensate, units);
   if (input.scatter) sections += scatter_section(*input.scatter, units);
   if (input.rating) sections += rating_section(*input.rating, units);

@@ -7,7 +7,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
-#include "gearwright/catalogue/error_keys.hpp"
+#include "gearwright/catalogue/correction_tables.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -78,37 +78,6 @@ const char* aim_words(CompensateAim aim) {
          "nearest to the middle of the flank.";
 }
 
-// Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
-// given" remains unchanged.
-std::string in_words(std::string_view errors) {
-  std::string text;
-  while (!errors.empty()) {
-    const std::string_view one = errors.substr(0, errors.find(", "));
-    errors.remove_prefix(std::min(errors.size(), one.size() + 2));
-    const std::size_t equals = std::min(one.size(), one.find(" = "));
-    const auto index = error_index(one.substr(0, equals));
-    text += text.empty() ? "" : ", ";
-    if (!index) {
-      text += one;
-      continue;
-    }
-    const ErrorEntry& e = error_entries()[*index];
-    text += fmt::format("{} {}{}", e.words, one.substr(equals + 3),
-                        e.unit() == "deg"  ? "°"
-                        : e.unit() == "um" ? " µm"
-                                           : " mm");
-  }
-  return text;
-}
-
-std::string corrections(const CompensateView& v, UnitSystem units) {
-  TableBuilder t("Corrections", {"Change of the drawing"});
-  for (const FoundCorrection& c : v.corrections)
-    t.row(capitalised(c.words), "", unit_text(units, unit_of(c.key)),
-          {text_in(units, unit_of(c.key), c.value, kLengthDigits)});
-  return t.str();
-}
-
 std::string scores(const CompensateView& v, UnitSystem units) {
   const auto& quantities = score_quantities();
   const auto& loaded = loaded_score_quantities();
@@ -127,21 +96,8 @@ std::string scores(const CompensateView& v, UnitSystem units) {
     t.group("Without load");
     for (const TextGroup& g : unloaded) t.rows(g);
   }
-  if (v.scenarios.size() > 1) {
-    t.group("Transmission error, peak to peak, for each combination of errors");
-    for (const Scenario& s : v.scenarios)
-      t.row(capitalised(in_words(s.errors)), "", "″", {arcsec(s.before), arcsec(s.after)});
-  }
-  return t.str();
-}
-
-// Additional results for circular-arc teeth, computed in closed form.
-std::string closed_forms(const CompensateView& v, UnitSystem units) {
-  if (!v.setting && !v.lead) return {};
-  TableBuilder t("Results in closed form", {"Value"});
-  const auto& quantities = compensate_quantities();
-  t.groups(text_groups(quantities.table(), {quantities.of(v)}, kPage, units));
-  return t.str();
+  return t.str() +
+         (v.scenarios.size() > 1 ? table_html(scenario_table(v.scenarios, units)) : std::string());
 }
 
 std::string finding(const Rating& r) {
@@ -207,9 +163,14 @@ std::string compensate_section(const CompensateView& view, UnitSystem units) {
       "\n<p>The following changes of the gears compensate the errors of this pair. {} "
       "<code>gearwright compensate --take</code> prints the specification with the "
       "corrections.</p>\n<p><strong>{}</strong></p>\n{}",
-      aim_words(view.aim), finding(view), corrections(view, units));
+      aim_words(view.aim), finding(view),
+      table_html(correction_table("Corrections", view.corrections, units)));
   return "<section class=\"compensate\">\n<h2>Corrections</h2>\n" +
-         in_columns(what, "\n" + scores(view, units)) + closed_forms(view, units) + "</section>\n";
+         in_columns(what, "\n" + scores(view, units)) +
+         (view.setting || view.lead ? table_html("Results in closed form", {"Value"}, units,
+                                                 compensate_quantities(), view)
+                                    : "") +
+         "</section>\n";
 }
 
 std::string rating_section(const RatingAnswer& view, UnitSystem units) {
@@ -263,27 +224,15 @@ std::string rack_picture(const RackPair& pair, const std::array<std::string, 2>&
                               escaped(figure.error().message()));
 }
 
-std::string rack_table(const RackPair& pair, UnitSystem units) {
-  TableBuilder rack("Rack data, symbols of ISO 21771", {"Rack"});
-  rack.groups(
-      text_groups(rack_quantities().table(), {rack_quantities().of(pair.rack)}, kPage, units));
-  return rack.str();
-}
-
-std::string rack_pair_table(const RackPair& pair, UnitSystem units) {
-  TableBuilder mesh("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"});
-  mesh.groups(
-      text_groups(rack_pair_quantities().table(), {rack_pair_quantities().of(pair)}, kPage, units));
-  return mesh.str();
-}
-
 }  // namespace
 
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units, std::string_view head) {
-  return fmt::format("<section class=\"pair\">\n{}{}{}{}</section>\n", head,
-                     rack_picture(pair, shapes, units), rack_pair_table(pair, units),
-                     rack_table(pair, units));
+  return fmt::format(
+      "<section class=\"pair\">\n{}{}{}{}</section>\n", head, rack_picture(pair, shapes, units),
+      table_html("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"}, units,
+                 rack_pair_quantities(), pair),
+      table_html("Rack data, symbols of ISO 21771", {"Rack"}, units, rack_quantities(), pair.rack));
 }
 
 }  // namespace gearwright

@@ -80,7 +80,7 @@ std::string root_stress_figures(const LoadScene& report, const std::array<std::s
 /// Proposed flank modifications and their effects.
 ///
 /// Domain    at least one proposal (contract)
-std::string propose_section(const ProposeView& view);
+std::string propose_section(const ProposeView& view, UnitSystem units);
 
 /// Corrections: the changes to make, and their effect on each objective.
 ///

@@ -244,8 +244,7 @@ std::string pair_table(const Pair& pair, UnitSystem units) {
   TableBuilder t("Pair data, symbols of ISO 21771", gear_headings(2));
   t.decisive_rows(
       {"transverse_contact_ratio", "overlap_ratio", "contact_ratio_crossed", "tip_clearance_mm"});
-  const auto& quantities = pair_quantities();
-  t.groups(text_groups(quantities.table(), {quantities.of(pair)}, kPage, units));
+  t.groups(units, pair_quantities(), pair);
   return t.str();
 }
 

@@ -4,13 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/figure/distribution_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/report_sections.hpp"
 #include "gearwright/report/search_figures.hpp"
-#include "gearwright/report/search_table.hpp"
 
 namespace gearwright {
 
@@ -211,30 +209,20 @@ std::string search_report(const SearchReport& report) {
 namespace {
 
 std::string table_of(const StudyReport& report) {
-  std::vector<TableColumn> columns;
-  for (const StudyReport::Column& c : report.columns)
-    columns.push_back({escaped(c.head), c.unit, c.meaning});
-  std::vector<TableRow> rows;
   const std::size_t count = std::min(kStudyRows, report.rows.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    TableRow& row = rows.emplace_back();
-    for (const StudyReport::Cell& cell : report.rows[i].cells)
-      row.cells.push_back({escaped(cell.text), cell.key});
-  }
-  std::string text = sortable_table(columns, rows);
+  const auto first = report.rows.begin();
+  std::string text =
+      sortable_table(report.columns, {first, first + static_cast<std::ptrdiff_t>(count)});
   if (count < report.rows.size())
     text += fmt::format("<p>The files contain {} more designs.</p>\n", report.rows.size() - count);
-  return text + column_key(columns);
+  return text + column_key(report.columns);
 }
 
 std::string figure_of(const StudyReport& report) {
   if (report.rows.empty()) return {};
-  RankingScene scene{
-      "scatter-ranking", "transmission error, peak to peak", "″", report.percentile, {}};
-  for (std::size_t i = 0; i < std::min(kStudyDots, report.rows.size()); ++i) {
-    const StudyReport::Row& r = report.rows[i];
-    scene.entries.push_back({r.words, r.percentile, r.mean, r.lower, r.upper});
-  }
+  RankingScene scene{"scatter-ranking", "transmission error, peak to peak", "″", report.percentile,
+                     report.ranking};
+  scene.entries.resize(std::min(kStudyDots, scene.entries.size()));
   return picture_hint() + side_by_side(figure_html(ranking_figure(scene)));
 }
 

@@ -11,6 +11,8 @@
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/design/search.hpp"
+#include "gearwright/figure/distribution_figures.hpp"
+#include "gearwright/report/search_table.hpp"
 
 namespace gearwright {
 
@@ -48,21 +50,9 @@ struct StudyReport {
   std::string spec_text;   ///< the spec, verbatim; omitted if empty
   std::string version;     ///< version of the program
   std::string percentile;  ///< "95 %"
-  struct Column {
-    std::string head, unit, meaning;
-  };
-  std::vector<Column> columns;
-  struct Cell {
-    std::string text;
-    std::optional<double> key;  ///< value by which the column is sorted
-  };
-  struct Row {
-    std::vector<Cell> cells;  ///< one for each column
-    double percentile = 0.0, mean = 0.0;
-    std::optional<double> lower, upper;
-    std::string words;  ///< "design 3, 23:45 teeth, module 3"
-  };
-  std::vector<Row> rows;             ///< best first
+  std::vector<TableColumn> columns;
+  std::vector<TableRow> rows;                ///< best first
+  std::vector<RankingScene::Entry> ranking;  ///< one for each row
   std::vector<std::string> refused;  ///< designs that have no scatter results, with the reason
 };
 

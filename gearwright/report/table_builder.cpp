@@ -121,4 +121,23 @@ std::string TableBuilder::str() const {
       caption_, decisive_.empty() ? first_ : decisive_, table);
 }
 
+std::string table_html(const TextTable& table) {
+  std::string text = table.title.empty() ? "" : fmt::format("<h3>{}</h3>\n", escaped(table.title));
+  if (!table.rows.empty()) {
+    std::vector<std::string> heads;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const std::string& head = table.columns[i];
+      const bool symbol = head.find('_') != head.npos;
+      const bool unit = i < table.units.size() && !table.units[i].empty();
+      heads.push_back((symbol ? head : capitalised(head)) + (unit ? ", " + table.units[i] : ""));
+    }
+    TableBuilder html(table.title, heads);
+    for (const TextTable::Row& row : table.rows) html.row(row.words, "", row.unit, row.cells);
+    text = html.str();
+  }
+  for (const std::string& note : table.notes)
+    text += fmt::format("<p>{}</p>\n", escaped(capitalised(note)));
+  return text;
+}
+
 }  // namespace gearwright

@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/catalogue/text_table.hpp"
 
 namespace gearwright {
 
@@ -34,6 +36,12 @@ class TableBuilder {
   void rows(const TextGroup& group);
   /// Adds the rows of each group under its heading.
   void groups(const std::vector<TextGroup>& groups);
+  /// Adds the quantities of a subject, under their headings.
+  template <class S>
+  void groups(UnitSystem units, const Quantities<S>& quantities,
+              const std::type_identity_t<S>& subject) {
+    groups(text_groups(quantities.table(), {quantities.of(subject)}, kPage, units));
+  }
 
   /// Sets the words that a folded table shows next to its caption instead of the first values. The
   /// words may contain symbols.
@@ -65,5 +73,18 @@ class TableBuilder {
   bool in_group_ = false;
   std::string text_;
 };
+
+/// A table and its notes, which become paragraphs.
+std::string table_html(const TextTable& table);
+
+/// The quantities of a subject as a table.
+template <class S>
+std::string table_html(std::string_view caption, const std::vector<std::string>& columns,
+                       UnitSystem units, const Quantities<S>& quantities,
+                       const std::type_identity_t<S>& subject) {
+  TableBuilder table(caption, columns);
+  table.groups(units, quantities, subject);
+  return table.str();
+}
 
 }  // namespace gearwright

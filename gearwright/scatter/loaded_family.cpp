@@ -69,15 +69,15 @@ std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const Load
   std::vector<LoadedSpread> all;
   for (std::size_t k = 0; k < load.request.torques.size(); ++k) {
     LoadedSpread of{load.torque(k), {}, {}, {}, {}, {}};
-    const auto spread = [&](auto value) {
+    const auto spread = [&](auto value, double least = 0.0) {
       SampleValues values(scores.size());
       for (std::size_t i = 0; i < scores.size(); ++i)
         if (!scores[i].empty()) values[i] = value(scores[i][k]);
-      return spread_of(task, values, load.samples);
+      return spread_of(task, values, load.samples, {.least = least});
     };
     of.peak_to_peak = spread([](const LoadedScore& s) { return s.peak_to_peak.rad(); });
     of.max_pressure = spread([](const LoadedScore& s) { return s.max_pressure; });
-    of.face_load_factor = spread([](const LoadedScore& s) { return s.face_load_factor; });
+    of.face_load_factor = spread([](const LoadedScore& s) { return s.face_load_factor; }, 1.0);
     const auto share = [&](auto is) {
       return probability_of(std::count_if(scores.begin(), scores.end(), is),
                             static_cast<std::int64_t>(scores.size()), task.confidence);

@@ -104,7 +104,7 @@ class FlankTouches {
       return without_rounding(extremes_->span(), kNoAngle);
     }
     const auto positions = static_cast<int>(touches_[0].size());
-    const auto span = continuous_span(mesh_, std::max(kLeastSpanPositions, positions));
+    const auto span = continuous_span(mesh_, positions);
     return span ? std::optional(without_rounding(span->rad(), kNoAngle)) : std::nullopt;
   }
   double long_period(const ContactSetup& setup, const Deviation& deviation) {

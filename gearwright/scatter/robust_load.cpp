@@ -179,7 +179,7 @@ std::optional<JudgedFamily> judged_under_load(const ContactSetup& setup, const S
   begin_stage(judged.progress, "computing the samples under load",
               static_cast<std::int64_t>(family.x.size()));
   const auto scores = scores_under_load(setup, judged, load, family.x);
-  auto spread = spread_of(judged, loaded_peaks(scores), load.samples);
+  auto spread = spread_of(judged, loaded_peaks(scores), load.samples, kNotNegative);
   if (!spread) return std::nullopt;
   family.peak_to_peak = std::move(*spread);
   family.loaded = spreads_under_load(judged, load, scores);

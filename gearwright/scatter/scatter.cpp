@@ -116,6 +116,19 @@ std::optional<IndexEstimates> indices_of(
   return e;
 }
 
+PossibleValues possible_values(ScatterQuantity quantity) {
+  switch (quantity) {
+    case ScatterQuantity::peak_to_peak:
+    case ScatterQuantity::harmonic1:
+    case ScatterQuantity::harmonic2:
+    case ScatterQuantity::harmonic3:
+    case ScatterQuantity::long_period: return kNotNegative;
+    case ScatterQuantity::along_face: return {-1.0, 1.0};
+    case ScatterQuantity::edge_share: return {0.0, 1.0};
+    default: return {};
+  }
+}
+
 }  // namespace
 
 Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
@@ -133,7 +146,8 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
   };
   if (std::all_of(s.samples.begin(), s.samples.end(), nowhere)) return nothing_touches(setup);
   for (std::size_t q = 0; q < kScatterQuantities; ++q)
-    s.spread[q] = spread_of(task, kept(s.samples, q, 0, s.samples.size()), task.samples);
+    s.spread[q] = spread_of(task, kept(s.samples, q, 0, s.samples.size()), task.samples,
+                            possible_values(static_cast<ScatterQuantity>(q)));
   s.edge_contact =
       share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.edge(); });
   s.jam = share_of(s.samples, task.confidence, [](const FamilyMember& m) { return m.jam; });

@@ -22,15 +22,16 @@ Estimate pooled(double of_all, std::span<const double> of_replicates) {
 
 Percentile percentile_of(const ScatterTask& task, double percent, const SampleValues& values,
                          const std::vector<double>& sorted,
-                         const std::vector<std::vector<double>>& sorted_replicates) {
+                         const std::vector<std::vector<double>>& sorted_replicates,
+                         const PossibleValues& possible) {
   const double p = percent / 100.0;
   std::vector<double> each;
   for (const auto& r : sorted_replicates) each.push_back(quantile(r, p));
   Percentile found{percent, pooled(quantile(sorted, p), each), {}, {}, 0};
   if (task.sampling == Sampling::sobol && found.estimate.standard_error) {
     const ConfidenceInterval i = interval(found.estimate, each.size(), task.confidence);
-    found.lower = i.lower;
-    found.upper = i.upper;
+    found.lower = std::max(i.lower, possible.least);
+    found.upper = std::min(i.upper, possible.greatest);
   } else {
     const auto ranks = quantile_ranks(static_cast<std::int64_t>(sorted.size()), p, task.confidence);
     const auto at = [&](std::int64_t rank) { return sorted[static_cast<std::size_t>(rank - 1)]; };
@@ -50,7 +51,7 @@ Percentile percentile_of(const ScatterTask& task, double percent, const SampleVa
 }  // namespace
 
 std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& values,
-                                int per_replicate) {
+                                int per_replicate, const PossibleValues& possible) {
   const auto n = static_cast<std::size_t>(per_replicate);
   const std::vector<double> all = existing(values);
   if (all.empty()) return std::nullopt;
@@ -74,7 +75,8 @@ std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& val
                 sorted.front(),
                 sorted.back()};
   for (const double percent : task.percentiles)
-    spread.percentiles.push_back(percentile_of(task, percent, values, sorted, replicates));
+    spread.percentiles.push_back(
+        percentile_of(task, percent, values, sorted, replicates, possible));
   return spread;
 }
 

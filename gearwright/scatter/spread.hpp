@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,10 +13,17 @@
 
 namespace gearwright {
 
+/// The possible values of a quantity, to which the intervals of its percentiles are limited.
+struct PossibleValues {
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+};
+constexpr PossibleValues kNotNegative{.least = 0.0};
+
 /// The spread of `values`. The values are stored replicate by replicate, with `per_replicate`
 /// values in each. Percentile::sample is an index of `values`. None if no sample has a value.
 std::optional<Spread> spread_of(const ScatterTask& task, const SampleValues& values,
-                                int per_replicate);
+                                int per_replicate, const PossibleValues& possible = {});
 
 Probability probability_of(std::int64_t count, std::int64_t of, double confidence);
 

@@ -51,6 +51,26 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
   EXPECT_GE(deviation, 0.90 * kTrials);
 }
 
+// Replicates of 0 and 10 give intervals far below 0 and far above 10. A quantity with the values
+// from 0 to 10 has intervals that end there. Without limits they contain them.
+TEST(Spread, IntervalsEndAtPossibleValues) {
+  ScatterTask task;
+  std::vector<double> values(2 * kSumSamples, 0.0);
+  for (std::size_t n = kSumSamples; n < values.size(); ++n) values[n] = 10.0;
+  const auto free = spread_of(task, values, kSumSamples);
+  const auto limited = spread_of(task, values, kSumSamples, {0.0, 10.0});
+  ASSERT_TRUE(free && limited);
+  for (std::size_t i = 0; i < free->percentiles.size(); ++i) {
+    const Percentile &wide = free->percentiles[i], &cut = limited->percentiles[i];
+    EXPECT_LT(*wide.lower, 0.0);
+    EXPECT_GT(*wide.upper, 10.0);
+    EXPECT_EQ(*cut.lower, 0.0);
+    EXPECT_EQ(*cut.upper, 10.0);
+    EXPECT_EQ(cut.estimate.value, wide.estimate.value);
+    EXPECT_EQ(*cut.estimate.standard_error, *wide.estimate.standard_error);
+  }
+}
+
 TEST(Spread, LostSamplesAreLeftOut) {
   SampleValues values(kSumSamples * kSumReplicates, 1.0);
   std::fill_n(values.begin(), kSumSamples, std::nullopt);  // a whole replicate

@@ -167,7 +167,7 @@ class Words(unittest.TestCase):
         self.assertEqual(taken["scatter"]["errors"]["axial_in"]["cpk"], 1.25)
         self.assertAlmostEqual(taken["scatter"]["errors"]["axial_in"]["range"][1], 0.1 / 25.4)
         run = Run("compensate", json.dumps(spec), name="case.json")
-        self.assertIn("center_distance_in = -0.001969", run.out)
+        self.assertIn("Centre distance -0.001969 in, ", run.out)
         self.assertNotRegex(" ".join(run.out.split()), LENGTH_IN_MM)
 
     def test_bores_are_listed_in_inch(self):

@@ -24,10 +24,10 @@ class Report(unittest.TestCase):
         spec += ('[[scatter.correlations]]\nbetween = ["errors.crossing_deg", "errors.intersecting_deg"]\n'
                  "value = 0.25\n")
         self.assertRegex(Run("scatter", spec).out,
-                         r"Correlations of the inputs\n +errors.crossing_deg +0.25 +errors.intersecting_deg")
+                         r"Correlations of the inputs\n +ρ\n +errors.crossing_deg, errors.intersecting_deg +0.25\n")
         run = Run("run", spec, "--only", "report", "--out", "out")
         text = re.sub("<[^>]*>", " ", (run.folder / "out/report.html").read_text())
-        self.assertRegex(text, r"errors.crossing_deg, errors.intersecting_deg\s+ρ\s+0.25")
+        self.assertRegex(text, r"Correlations of the inputs[^.]* ρ\s+errors.crossing_deg, errors.intersecting_deg\s+0.25")
 
 
 if __name__ == "__main__":

@@ -265,7 +265,7 @@ class Answer(Asked):
     def test_the_table_for_people(self):
         r = Run("search", spec(), "--out", "o", folder=folder())
         self.assertEqual(r.status, 0)
-        for words in ("459 candidates", "46 are feasible", "ruled out by centre distance: 413", "26 more", "o/search.parquet"):
+        for words in ("459 candidates", "46 are feasible", "centre distance out of reach: 413", "26 more", "o/search.parquet"):
             self.assertIn(words, r.out)
         best = search(spec())["designs"][0]
         self.assertRegex(r.out, "\nCommon to all designs\n  profile shifts  balanced\n")

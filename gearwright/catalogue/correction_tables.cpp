@@ -1,0 +1,100 @@
+#include "gearwright/catalogue/correction_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/catalogue/error_keys.hpp"
+
+namespace gearwright {
+
+namespace {
+
+// Converts keys and values such as "crossing_deg = -0.01, axial_1_mm = 2" to words. The text "as
+// given" remains unchanged.
+std::string in_words(std::string_view errors) {
+  std::string text;
+  while (!errors.empty()) {
+    const std::string_view one = errors.substr(0, errors.find(", "));
+    errors.remove_prefix(std::min(errors.size(), one.size() + 2));
+    const std::size_t equals = std::min(one.size(), one.find(" = "));
+    const auto index = error_index(one.substr(0, equals));
+    text += text.empty() ? "" : ", ";
+    if (!index) {
+      text += one;
+      continue;
+    }
+    const ErrorEntry& e = error_entries()[*index];
+    text += fmt::format("{} {}{}", e.words, one.substr(equals + 3),
+                        e.unit() == "deg"  ? "°"
+                        : e.unit() == "um" ? " µm"
+                                           : " mm");
+  }
+  return text;
+}
+
+}  // namespace
+
+TextTable correction_table(std::string title, const std::vector<FoundCorrection>& corrections,
+                           UnitSystem units) {
+  TextTable table{std::move(title), {"change"}};
+  const bool any = std::any_of(corrections.begin(), corrections.end(),
+                               [](const FoundCorrection& c) { return c.value != 0.0; });
+  if (any) table.columns.emplace_back("key in the spec");
+  for (const FoundCorrection& c : corrections) {
+    const Unit unit = unit_of(c.key);
+    std::vector<std::string> cells{text_in(units, unit, c.value, 4)};
+    if (any) cells.push_back(c.value != 0.0 ? key_in(units, c.spec_key) : "");
+    table.rows.push_back({c.words, std::string(unit_text(units, unit)), std::move(cells)});
+    if (c.at_bound)
+      table.notes.push_back(fmt::format("The {} is at the end of the range.", c.words));
+  }
+  return table;
+}
+
+TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units) {
+  TextTable table{"Transmission error, peak to peak, for each combination of errors",
+                  {"before", "after"}};
+  table.units = {"″", "″"};
+  const auto arcsec = [](const ContactScore& s) {
+    return s.nothing_touches() ? "no contact" : fixed_decimals(s.span_or_sampled().arcsec(), 4);
+  };
+  for (const Scenario& s : scenarios)
+    table.rows.push_back({capitalised(sentence_in(units, in_words(s.errors))),
+                          "",
+                          {arcsec(s.before), arcsec(s.after)}});
+  return table;
+}
+
+std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units) {
+  TextTable amounts{"Amounts, reliefs rounded upwards", {}};
+  std::vector<std::string> names;
+  std::vector<ValueRecord> worst, at_limits;
+  for (const Proposal& p : view.proposals) {
+    const std::size_t number = names.size() + 1;
+    const char* const mark = number == view.recommended + 1 ? "*" : " ";
+    names.push_back(fmt::format("{} {:>2}  {}", mark, number, words_of(p)));
+    worst.push_back(loaded_score_quantities().of(p.worst));
+    if (p.at_limits) at_limits.push_back(loaded_score_quantities().of(*p.at_limits));
+    for (std::size_t gear = 0; gear < 2 && number > 1; ++gear)
+      if (const std::string text = amounts_of(p.gears[gear]); !text.empty())
+        amounts.notes.push_back(
+            fmt::format("{:>2}  gear {}: {}", number, gear + 1, sentence_in(units, text)));
+  }
+  const auto effects = [&](std::string title, const std::vector<ValueRecord>& scores) {
+    return record_table(
+        units, std::move(title), names, scores,
+        {"peak_to_peak_arcsec", "max_pressure_MPa", "face_load_factor", "edge_carries"});
+  };
+  const bool several = view.proposals.front().loads.size() > 1;
+  std::vector<TextTable> tables{
+      std::move(amounts),
+      effects(several ? "Effects, worst values over the torques" : "Effects", worst)};
+  if (!at_limits.empty())
+    tables.push_back(effects(
+        "Effects with the helix slope deviations in the less favourable direction", at_limits));
+  return tables;
+}
+
+}  // namespace gearwright

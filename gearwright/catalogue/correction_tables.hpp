@@ -1,0 +1,24 @@
+// The tables of corrections and proposed modifications and of their effects, for users.
+#pragma once
+
+#include <vector>
+
+#include "gearwright/catalogue/compensate_quantities.hpp"
+#include "gearwright/catalogue/propose_quantities.hpp"
+#include "gearwright/catalogue/text_table.hpp"
+#include "gearwright/catalogue/unit_system.hpp"
+
+namespace gearwright {
+
+/// A row for each correction, and a note for each value at the end of the searched range.
+TextTable correction_table(std::string title, const std::vector<FoundCorrection>& corrections,
+                           UnitSystem units);
+
+/// The peak-to-peak transmission error for each combination of errors.
+TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
+
+/// The amounts of each proposal, and its effects under load, also with the helix slope deviations
+/// in the less favourable direction if grades give them.
+std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units);
+
+}  // namespace gearwright

@@ -1,0 +1,58 @@
+// Tables for users as values. An answer makes its tables once, in the words and units of its spec;
+// the terminal (job/listing.hpp) and the report (report/table_builder.hpp) write them.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/catalogue/quantity.hpp"
+
+namespace gearwright {
+
+struct TextTable {
+  struct Row {
+    std::string words, unit;
+    std::vector<std::string> cells;        ///< one for each column
+    std::vector<std::string> errors = {};  ///< standard errors of the cells, for the terminal;
+                                           ///< empty if they are not known
+  };
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<Row> rows = {};
+  std::vector<std::string> notes = {};  ///< sentences below the table
+  std::vector<std::string> units = {};  ///< of the columns; empty if the rows have units
+  bool omit_zeros = false;              ///< true if the terminal lists rows of zeros in one line
+};
+
+constexpr std::string_view kAbsent = "-";  ///< the cell of a value that a record does not have
+
+/// The member of a record, or of one of its inner records ("span.length_mm"), or null if the record
+/// lacks it.
+const Member* member_at(const ValueRecord& record, std::string_view path);
+
+struct ListingColumn {
+  std::string words;  ///< term for the quantity, in full
+  std::string head;   ///< heading: the symbol, or words
+  std::string unit;
+  std::vector<std::string> cells;                   ///< one for each row
+  bool left = false;                                ///< true if the cells are aligned to the left
+  std::vector<std::optional<double>> numbers = {};  ///< values of the cells, to compare columns;
+                                                    ///< empty for columns of words
+};
+
+/// Makes a column for each quantity of `keys` for which at least one record shows a value. The
+/// values are given in `units`. A heading is the symbol or, if another column has the same
+/// symbol, the words. The key of a member of an inner record is "record.key".
+std::vector<ListingColumn> listing_columns(UnitSystem units,
+                                           const std::vector<ValueRecord>& records,
+                                           std::initializer_list<std::string_view> keys);
+
+/// A table with a row for each record, which begins with its name, and the columns of `keys`.
+TextTable record_table(UnitSystem units, std::string title, const std::vector<std::string>& names,
+                       const std::vector<ValueRecord>& records,
+                       std::initializer_list<std::string_view> keys);
+
+}  // namespace gearwright
