@@ -150,7 +150,7 @@ std::string load_factor_sentence(const Drive& drive) {
                      fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
 }
 
-std::string load_listing(const Drive& drive, UnitSystem units) {
+std::string drive_load_listing(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
   std::string out = "\nUnder load\n" + quantity_listing(units, drive_load_quantities().table(),
                                                         {drive_load_quantities().of(drive)}, {});
@@ -187,8 +187,8 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
 std::string drive_listing(const Drive& drive, UnitSystem units) {
   std::string out =
       quantity_listing(units, drive_quantities().table(), {drive_quantities().of(drive)}, {});
-  out += load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units) +
-         force_listing(drive, units) + shift_listing(drive);
+  out += drive_load_listing(drive, units) + body_listing(drive, units) +
+         mesh_listing(drive, units) + force_listing(drive, units) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set, units);
   return out;
 }
@@ -211,7 +211,7 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
   return answer_of(spec, solve_whole_drive(spec, progress, RateMeshes::yes),
                    [](const Drive& drive, UnitSystem units) {
-                     return load_listing(drive, units) + body_listing(drive, units) +
+                     return drive_load_listing(drive, units) + body_listing(drive, units) +
                             mesh_listing(drive, units);
                    });
 }
