@@ -19,7 +19,7 @@ namespace {
 constexpr double kNoise = 0.01;  // µm, twice the accuracy of C_i; a smaller excess over whole µm is
                                  // not rounded up
 
-constexpr double kSame =
+constexpr double kSameDepth =
     0.01;  // relative difference; below it, the reliefs of both gears are made equal
 
 // Rounds up to whole µm, so that the tips carry no load.
@@ -70,7 +70,7 @@ Result<std::optional<ReliefProposal>> propose_relief(const Arranged& arranged, c
   // Equal gears need equal reliefs, but the compliance tables of the two gears cause
   // differences of half a percent.
   const double greater = std::max(p.deflection[0], p.deflection[1]);
-  if (std::abs(p.deflection[0] - p.deflection[1]) < kSame * greater)
+  if (std::abs(p.deflection[0] - p.deflection[1]) < kSameDepth * greater)
     p.deflection = {greater, greater};
   const double r_b = pair->input.gears[0].radius;
   const double start = roll_length(p.root_start / 2, r_b);

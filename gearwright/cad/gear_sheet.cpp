@@ -301,7 +301,7 @@ class Views {
   Vec2 origin_ = Vec2::Zero();
 };
 
-struct Place {
+struct TablePlace {
   SheetBox views;
   Vec2 data;
   int columns;
@@ -309,8 +309,8 @@ struct Place {
 
 // An A4 sheet is in portrait format, with the views at the top and the data in two columns below.
 // An A3 sheet is in landscape format, with the data to the right of the views.
-Place place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
-               const std::vector<DataGroup>& data) {
+TablePlace place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
+                    const std::vector<DataGroup>& data) {
   if (size == SheetSize::a4) {
     const double top = block.hi.y() + kInner / 2 + data_size(data, 2).y();
     return {{{frame.lo.x(), top}, frame.hi}, {frame.lo.x(), top}, 2};
@@ -340,7 +340,7 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   const SheetBox block = draw_title_block(
       draft, frame,
       {input.words, "", a4 ? "A4" : "A3", input.number, input.mass, datum, input.units});
-  const Place place = place_of(size, frame, block, input.data);
+  const TablePlace place = place_of(size, frame, block, input.data);
   const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
   for (const Scale& scale : kScales) {
     Views views(input, *outline, *contour, scale.factor());

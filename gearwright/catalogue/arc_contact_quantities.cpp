@@ -45,7 +45,7 @@ const Quantities<C>& tensor_quantities() {
   });
 }
 
-const Quantities<ArcContact>& ellipse_quantities() {
+const Quantities<ArcContact>& arc_quantities() {
   using A = ArcContact;
   return define("pair.arc_contacts ellipse", [](Quantities<A>& q) {
     q.number("marking_mm", "thickness of the marking compound", "δ",
@@ -76,7 +76,7 @@ const Quantities<ArcContact>& radius_quantities() {
   });
 }
 
-void add_all(Quantities<C>& q) {
+void add_arc_contact(Quantities<C>& q) {
   const auto at = [](auto get) {
     return [get](const C& c) -> decltype(auto) { return std::invoke(get, c.contact->at); };
   };
@@ -108,8 +108,8 @@ void add_all(Quantities<C>& q) {
          at(&ArcContact::gap))
       .words("relative curvatures")
       .list({2});
-  q.record<ellipse_quantities>("ellipse", "the contact ellipse under the marking compound",
-                               at(std::identity{}));
+  q.record<arc_quantities>("ellipse", "the contact ellipse under the marking compound",
+                           at(std::identity{}));
   q.record<radius_quantities>("transverse_radius_mm", "radii of the transverse profiles",
                               at(std::identity{}));
   q.number("transverse_radius_difference_mm", "difference of the transverse radii", "Δρ",
@@ -126,7 +126,7 @@ void add_all(Quantities<C>& q) {
 }  // namespace
 
 const Quantities<ArcContactView>& arc_contact_quantities() {
-  return define<add_all>("pair.arc_contacts");
+  return define<add_arc_contact>("pair.arc_contacts");
 }
 
 std::vector<ArcContactView> arc_contacts_of(const ArcPair& pair) {

@@ -8,8 +8,6 @@ namespace gearwright {
 
 namespace {
 
-using V = CompensateView;
-
 constexpr const char* kSetting = "Rack F setting that restores the contact";
 constexpr const char* kLead = "Lead angle that removes the slope of the transmission error";
 
@@ -90,20 +88,21 @@ const Quantities<AimedLoad>& load_quantities_of_aim() {
   });
 }
 
-bool loaded(const V& v) { return under_load(v.aim); }
+bool loaded(const CompensateView& v) { return under_load(v.aim); }
 
-void add_all(Quantities<V>& q) {
+void add_compensation(Quantities<CompensateView>& q) {
   q.groups({kSetting, kLead});
-  q.record<correction_quantities>("corrections", "corrections that were found", &V::corrections)
+  q.record<correction_quantities>("corrections", "corrections that were found",
+                                  &CompensateView::corrections)
       .doors(kJson);
   q.record<score_quantities>("before", "worst scores over all scenarios, without corrections",
-                             &V::before)
+                             &CompensateView::before)
       .doors(kJson);
   q.record<score_quantities>("after", "worst scores over all scenarios, with the corrections",
-                             &V::after)
+                             &CompensateView::after)
       .doors(kJson);
   q.word("aim", "minimised quantity", "value of the key `aim`",
-         [](const V& v) {
+         [](const CompensateView& v) {
            return v.aim == CompensateAim::pressure ? "pressure" : "loaded_transmission_error";
          })
       .one_of({"loaded_transmission_error", "pressure"})
@@ -111,29 +110,32 @@ void add_all(Quantities<V>& q) {
       .doors(kJson);
   q.record<load_quantities_of_aim>(
        "under_load", "one entry for each torque, with the worst scores over all scenarios",
-       &V::loads)
+       &CompensateView::loads)
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "no correction needed",
          "true if no correction gains 0.001 arcsec, or 0.1 MPa for `pressure`, so that every "
          "correction is 0",
-         &V::nothing_to_correct)
+         &CompensateView::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
-           "value of the key `centering_arcsec`, or its default [T8.24]", &V::centering)
+           "value of the key `centering_arcsec`, or its default [T8.24]",
+           &CompensateView::centering)
       .doors(kJson);
-  q.record<scenario_quantities>("scenarios", "each scenario with its scores", &V::scenarios)
+  q.record<scenario_quantities>("scenarios", "each scenario with its scores",
+                                &CompensateView::scenarios)
       .doors(kJson);
   q.under(kSetting);
   q.record<setting_quantities>(
       "tool_setting", "setting of rack F for gears cut by racks F and P; null for other gears",
-      &V::setting);
+      &CompensateView::setting);
   q.under(kLead);
   q.record<lead_quantities>("lead",
                             "change of the lead for circular-arc pairs; null for involute pairs, "
                             "whose lead is corrected by helix slope modifications",
-                            &V::lead);
-  q.add(Type::map, "spec", "spec", "", "the complete spec with the corrections", &V::spec)
+                            &CompensateView::lead);
+  q.add(Type::map, "spec", "spec", "", "the complete spec with the corrections",
+        &CompensateView::spec)
       .always()
       .doors(kJson);
 }
@@ -144,7 +146,9 @@ const char* least_gain(CompensateAim aim) {
   return aim == CompensateAim::pressure ? "0.1 N/mm²" : "0.001 ″";
 }
 
-const Quantities<CompensateView>& compensate_quantities() { return define<add_all>("compensate"); }
+const Quantities<CompensateView>& compensate_quantities() {
+  return define<add_compensation>("compensate");
+}
 
 const Quantities<FoundCorrection>& correction_quantities() {
   using C = FoundCorrection;

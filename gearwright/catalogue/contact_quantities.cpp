@@ -10,18 +10,15 @@ namespace gearwright {
 
 namespace {
 
-using V = ContactView;
-using P = ContactPoint;
-
 constexpr const char* kContact = "Tooth contact";
 
-bool touches(const P& p) { return p.kind != TouchKind::none; }
+bool touches(const ContactPoint& p) { return p.kind != TouchKind::none; }
 
 // A getter for a quantity of a single contact point. It has no value for a whole double-helical
 // pair, because each half has its own contact point.
 template <class F>
 auto at_place(F get) {
-  return [get](const P& p) {
+  return [get](const ContactPoint& p) {
     return touches(p) && !std::isnan(p.diameter[0]) ? std::optional(std::invoke(get, p))
                                                     : std::nullopt;
   };
@@ -30,16 +27,17 @@ auto at_place(F get) {
 // A getter for a quantity that exists only at a position with contact.
 template <class F>
 auto touching(F get) {
-  return
-      [get](const P& p) { return touches(p) ? std::optional(std::invoke(get, p)) : std::nullopt; };
+  return [get](const ContactPoint& p) {
+    return touches(p) ? std::optional(std::invoke(get, p)) : std::nullopt;
+  };
 }
 
 // is_rack is true if gear 2 is a rack, and is_gear if it is not. The results for a rack are travels
 // instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
-bool of_rack(const V& v) { return is_rack(v.driving); }
-bool of_gear(const V& v) { return !of_rack(v); }
+bool of_rack(const ContactView& v) { return is_rack(v.driving); }
+bool of_gear(const ContactView& v) { return !of_rack(v); }
 
 double travel_um(const RackTravel& rack, Angle angle) { return kUmPerMm * rack.of(angle); }
 
@@ -77,66 +75,68 @@ const Quantities<ContactRidge>& ridge_quantities() {
   });
 }
 
-void add_position(Quantities<P>& q) {
-  q.term("rotation1_deg", "clockwise seen from +z", &P::rotation1);
+void add_position(Quantities<ContactPoint>& q) {
+  q.term("rotation1_deg", "clockwise seen from +z", &ContactPoint::rotation1);
   q.number("rotation2_deg", "rotation of gear 2", "φ_2", "position of gear 2 when gear 1 drives it",
-           touching([](const P& p) { return p.rotation2.deg(); }))
+           touching([](const ContactPoint& p) { return p.rotation2.deg(); }))
       .when(is_gear);
   q.number("travel_mm", "travel of the rack", "",
            "position of the rack when gear 1 drives it, > 0 along −y",
-           touching([](const P& p) { return p.rack.of(p.rotation2); }))
+           touching([](const ContactPoint& p) { return p.rack.of(p.rotation2); }))
       .when(is_rack);
   q.term("transmission_error_arcsec",
          "rotation of gear 2 minus |z1/z2| times the rotation of gear 1; the mean is not removed; "
          "> 0 if gear 2 is ahead [T8.2]",
-         touching([](const P& p) { return p.te.arcsec(); }))
+         touching([](const ContactPoint& p) { return p.te.arcsec(); }))
       .when(is_gear);
   q.term("transmission_error_um",
          "travel of the rack minus r times the rotation of gear 1; the mean is not removed; > 0 if "
          "the rack is ahead [T8.29]",
-         touching([](const P& p) { return travel_um(p.rack, p.te); }))
+         touching([](const ContactPoint& p) { return travel_um(p.rack, p.te); }))
       .when(is_rack);
   q.whole("tooth", "tooth pair", "k",
           "number of the tooth pair in contact; tooth pair k reaches the centre line k pitches "
           "after tooth pair 0",
-          touching(&P::pair));
+          touching(&ContactPoint::pair));
   q.term("kind",
          "kind of contact: inside the flanks, along a line or at an edge; `form1` and `form2` are "
          "the ends of the usable flanks at the roots, and `ridge` is the start of a linear relief",
-         touching([](const P& p) { return to_string(p.kind); }))
+         touching([](const ContactPoint& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
-  q.term("point_mm", "in the housing frame", at_place(&P::point)).words("point of contact");
+  q.term("point_mm", "in the housing frame", at_place(&ContactPoint::point))
+      .words("point of contact");
   q.term("normal", "unit vector in the housing frame that points out of gear 1",
-         at_place(&P::normal));
+         at_place(&ContactPoint::normal));
   q.number("diameter_mm", "diameter of contact", "", "per gear; null for a rack",
-           at_place([](const P& p) {
+           at_place([](const ContactPoint& p) {
              return ValueList{Value(p.diameter[0]), p.rack ? Value() : Value(p.diameter[1])};
            }))
       .per_gear();
   q.number("rack_height_mm", "height of contact on the rack", "", "above the datum line",
-           at_place([](const P& p) { return p.diameter[1]; }))
+           at_place([](const ContactPoint& p) { return p.diameter[1]; }))
       .when(is_rack);
   q.number("height_mm", "height of contact", "z",
            "per gear, from the middle of its face; for double-helical gears, from the middle of "
            "the face of the half",
-           at_place(&P::height))
+           at_place(&ContactPoint::height))
       .per_gear();
   q.number("rack_angle_deg", "normal angle of the rack", "θ",
            "of the rack that cut gear 1, at the point of contact; equal to α_n on an involute",
-           &P::rack_angle);
+           &ContactPoint::rack_angle);
   q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; k1 = 0 for a line; null at an edge or a ridge",
-         &P::gap_curvature)
+         &ContactPoint::gap_curvature)
       .list({2});
   q.record<ellipse_quantities>("ellipse",
                                "contour on which the gap equals the thickness of the marking "
                                "compound [T8.16]; null at an edge or a ridge",
-                               &P::ellipse);
-  q.record<ridge_quantities>(
-       "ridge", "growth of the gap on both sides of a ridge; absent for other kinds", &P::ridge)
-      .when([](const P& p) { return p.ridge.has_value(); });
+                               &ContactPoint::ellipse);
+  q.record<ridge_quantities>("ridge",
+                             "growth of the gap on both sides of a ridge; absent for other kinds",
+                             &ContactPoint::ridge)
+      .when([](const ContactPoint& p) { return p.ridge.has_value(); });
   q.number("line_mm", "contact line", "", "both ends of the line; null for other kinds",
-           [](const P& p) {
+           [](const ContactPoint& p) {
              return p.line ? Value(ValueList{(*p.line)[0], (*p.line)[1]}) : Value();
            })
       .list({2, 3});
@@ -149,20 +149,21 @@ const Quantities<ContactResult>& non_working_quantities() {
     const auto each = [](auto get) {
       return [get](const R& r) {
         ValueList list;
-        for (const P& p : r.positions)
+        for (const ContactPoint& p : r.positions)
           list.push_back(touches(p) ? Value(std::invoke(get, p)) : Value());
         return list;
       };
     };
     q.term("transmission_error_arcsec", "at each position",
-           each([](const P& p) { return p.te.arcsec(); }))
+           each([](const ContactPoint& p) { return p.te.arcsec(); }))
         .when(is_gear)
         .doors(kJson);
     q.term("transmission_error_um", "at each position",
-           each([](const P& p) { return travel_um(p.rack, p.te); }))
+           each([](const ContactPoint& p) { return travel_um(p.rack, p.te); }))
         .when(is_rack)
         .doors(kJson);
-    q.term("kind", "at each position", each([](const P& p) { return to_string(p.kind); }))
+    q.term("kind", "at each position",
+           each([](const ContactPoint& p) { return to_string(p.kind); }))
         .doors(kJson);
     q.term("peak_to_peak_arcsec", "over the positions with contact", &R::peak_to_peak)
         .words("transmission error of the non-working flanks, peak to peak")
@@ -179,7 +180,7 @@ const Quantities<ContactResult>& non_working_quantities() {
 
 // Derivatives of the transmission error and of the contact point at every position, in the units of
 // the keys.
-Value sensitivities(const V& v) {
+Value sensitivities(const ContactView& v) {
   ValueMap all;
   const RackTravel rack = v.driving.rack;
   const double unit = rack ? kUmPerMm * rack.radius : kArcsecPerRad;
@@ -240,10 +241,12 @@ const Quantities<RasterView>& raster_quantities() {
   });
 }
 
-const Quantities<V>& pattern_quantities() {
-  return define("contact.pattern", [](Quantities<V>& q) {
+const Quantities<ContactView>& pattern_quantities() {
+  return define("contact.pattern", [](Quantities<ContactView>& q) {
     const auto gear = [](std::size_t i) {
-      return [i](const V& v) { return raster_quantities().of({&(*v.pattern)[i], v.marking}); };
+      return [i](const ContactView& v) {
+        return raster_quantities().of({&(*v.pattern)[i], v.marking});
+      };
     };
     q.record<raster_quantities>("gear1", "the flank of gear 1", gear(0));
     q.record<raster_quantities>("gear2", "the flank of gear 2; absent for a rack", gear(1))
@@ -251,16 +254,18 @@ const Quantities<V>& pattern_quantities() {
   });
 }
 
-const Quantities<V>& map_quantities() {
-  return define("contact.map", [](Quantities<V>& q) {
-    q.word("x", "error of x", "key of [errors]", [](const V& v) { return v.map_axes[0]; });
+const Quantities<ContactView>& map_quantities() {
+  return define("contact.map", [](Quantities<ContactView>& q) {
+    q.word("x", "error of x", "key of [errors]",
+           [](const ContactView& v) { return v.map_axes[0]; });
     q.number("x_values", "values of x", "", "in the unit of the key",
-             [](const V& v) { return v.map->x; });
-    q.word("y", "error of y", "key of [errors]", [](const V& v) { return v.map_axes[1]; });
+             [](const ContactView& v) { return v.map->x; });
+    q.word("y", "error of y", "key of [errors]",
+           [](const ContactView& v) { return v.map_axes[1]; });
     q.number("y_values", "values of y", "", "in the unit of the key",
-             [](const V& v) { return v.map->y; });
+             [](const ContactView& v) { return v.map->y; });
     q.term("peak_to_peak_arcsec", "one row for each y; null if no teeth touch",
-           [](const V& v) {
+           [](const ContactView& v) {
              ValueList rows;
              for (const auto& row : v.map->value) {
                ValueList line;
@@ -275,29 +280,29 @@ const Quantities<V>& map_quantities() {
   });
 }
 
-void add_all(Quantities<V>& q) {
+void add_contact_results(Quantities<ContactView>& q) {
   q.record<position_quantities>(
        "positions", "one entry for each rotation, in the given order",
-       [](const V& v) -> const auto& { return v.driving.positions; })
+       [](const ContactView& v) -> const auto& { return v.driving.positions; })
       .doors(kJson);
   q.under(kContact);
   q.term("peak_to_peak_arcsec", "over the positions with contact",
-         [](const V& v) { return v.driving.peak_to_peak; })
+         [](const ContactView& v) { return v.driving.peak_to_peak; })
       .when(of_gear)
       .doors(kJson);
   q.term("peak_to_peak_um", "over the positions with contact, along the rack",
-         [](const V& v) { return travel_um(v.driving.rack, v.driving.peak_to_peak); })
+         [](const ContactView& v) { return travel_um(v.driving.rack, v.driving.peak_to_peak); })
       .when(of_rack)
       .doors(kJson);
   q.term("continuous_peak_to_peak_arcsec",
          "difference between the extremes of the curve [T14.11]; it does not depend on the "
          "computed positions; null if contact is lost at some rotation",
-         &V::continuous_span)
+         &ContactView::continuous_span)
       .otherwise("contact is lost")
       .when(of_gear);
   q.term("continuous_peak_to_peak_um",
          "as `continuous_peak_to_peak_arcsec`, but for the travel of a rack",
-         [](const V& v) {
+         [](const ContactView& v) {
            return v.continuous_span ? Value(travel_um(v.driving.rack, *v.continuous_span))
                                     : Value();
          })
@@ -305,18 +310,18 @@ void add_all(Quantities<V>& q) {
       .when(of_rack);
   q.number("mean_slope", "mean slope of the transmission error", "",
            "least-squares slope over the rotation of gear 1, rad per rad",
-           [](const V& v) { return v.driving.mean_slope; })
+           [](const ContactView& v) { return v.driving.mean_slope; })
       .or_null()
       .when(of_gear)
       .doors(kJson);
   q.term("harmonics_arcsec",
          "amplitudes at orders 1, 2, … of the mesh frequency, at most 20 and at most as many as "
          "`positions` can resolve [T8.18]; empty if `rotation1_deg` is given or contact is lost",
-         [](const V& v) { return v.driving.harmonics; })
+         [](const ContactView& v) { return v.driving.harmonics; })
       .when(of_gear)
       .doors(kJson);
   q.term("harmonics_um", "as `harmonics_arcsec`, but for the travel of a rack",
-         [](const V& v) {
+         [](const ContactView& v) {
            ValueList list;
            for (const Angle h : v.driving.harmonics) list.push_back(travel_um(v.driving.rack, h));
            return list;
@@ -324,23 +329,25 @@ void add_all(Quantities<V>& q) {
       .when(of_rack)
       .doors(kJson);
   q.term("contact_lost", "true if no tooth pair touches at some position",
-         [](const V& v) { return v.driving.contact_lost; });
+         [](const ContactView& v) { return v.driving.contact_lost; });
   q.record<non_working_quantities>(
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
-       &V::other)
+       &ContactView::other)
       .always();
   q.number(
        "least_play_deg", "minimum angular backlash of gear 2", "",
        "least play, over all positions, from contact of the working flanks to contact of the "
        "non-working flanks; negative if the gears jam; null if one of these flanks never touches",
-       &V::min_play)
+       &ContactView::min_play)
       .when(of_gear)
       .digits(6);
   q.number("least_play_mm", "minimum backlash along the rack", "",
            "least play, over all positions, from contact of the working flanks to contact of the "
            "non-working flanks; negative if pinion and rack jam; null if one of these flanks never "
            "touches",
-           [](const V& v) { return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value(); })
+           [](const ContactView& v) {
+             return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value();
+           })
       .when(of_rack);
   q.add(Type::map, "sensitivity", "sensitivities", "",
         "exact derivatives [T8.10] with respect to each error and each modification of the spec, "
@@ -348,41 +355,41 @@ void add_all(Quantities<V>& q) {
         "positions, `transmission_error_arcsec` and `point_mm`. Their values are null where no "
         "teeth touch, and `point_mm` is also null for line contact",
         sensitivities)
-      .when([](const V& v) { return v.halves.empty(); })
+      .when([](const ContactView& v) { return v.halves.empty(); })
       .doors(kJson);
   q.number("axial_float_um", "axial movement of the floating gear", "Δz",
            "axial movement of gear 1 relative to gear 2 at each position; it makes both halves of "
            "a double-helical pair share the load; null without contact [T8.27]",
-           [](const V& v) {
+           [](const ContactView& v) {
              ValueList list;
              for (const double mm : v.float_axial)
                list.push_back(std::isnan(mm) ? Value() : Value(mm * kUmPerMm));
              return list;
            })
-      .when([](const V& v) { return !v.float_axial.empty(); })
+      .when([](const ContactView& v) { return !v.float_axial.empty(); })
       .doors(kJson);
   q.number("axial_float_peak_to_peak_um", "axial movement of the floating gear, peak to peak", "",
            "over the positions with contact",
-           [](const V& v) { return kUmPerMm * peak_to_peak(v.float_axial); })
+           [](const ContactView& v) { return kUmPerMm * peak_to_peak(v.float_axial); })
       .or_null()
-      .when([](const V& v) { return !v.float_axial.empty(); });
+      .when([](const ContactView& v) { return !v.float_axial.empty(); });
   q.record<contact_quantities>(
        "halves",
        "contact of the two halves of a double-helical pair, in the order z > 0, z < 0; all other "
        "numbers describe the whole gears, whose `positions` contain no point of contact",
-       &V::halves)
+       &ContactView::halves)
       .list({2})
-      .when([](const V& v) { return !v.halves.empty(); })
+      .when([](const ContactView& v) { return !v.halves.empty(); })
       .doors(kJson);
   q.record<pattern_quantities>(
        "pattern",
        "pattern of both flanks; only with `pattern = true`; for double-helical pairs it is in "
        "`halves`")
-      .when([](const V& v) { return v.pattern.has_value(); })
+      .when([](const ContactView& v) { return v.pattern.has_value(); })
       .doors(kJson);
   q.record<map_quantities>("map",
                            "peak-to-peak transmission error over the two errors of [contact.map]")
-      .when([](const V& v) { return v.map.has_value(); })
+      .when([](const ContactView& v) { return v.map.has_value(); })
       .doors(kJson);
 }
 
@@ -392,6 +399,8 @@ const Quantities<ContactPoint>& position_quantities() {
   return define<add_position>("contact.positions");
 }
 
-const Quantities<ContactView>& contact_quantities() { return define<add_all>("contact"); }
+const Quantities<ContactView>& contact_quantities() {
+  return define<add_contact_results>("contact");
+}
 
 }  // namespace gearwright

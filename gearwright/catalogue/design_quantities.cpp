@@ -18,21 +18,19 @@ double tidy_degrees(Angle angle) {
 
 namespace {
 
-using V = DesignView;
-
 constexpr unsigned kColumns = 0;  // for quantities in CSV and Parquet only
 constexpr int kFewDigits = 3;     // decimals of ratios and thicknesses in the page's table
 
-bool is_crossed(const V& v) { return v.problem->crossed(); }
-bool is_parallel(const V& v) { return !is_crossed(v); }
+bool is_crossed(const DesignView& v) { return v.problem->crossed(); }
+bool is_parallel(const DesignView& v) { return !is_crossed(v); }
 
 // The value of an objective in the unit of the result.
-Value objective_value(const V& v, Objective o) {
+Value objective_value(const DesignView& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
   return c ? Value(seeks_greatest(o) ? -*c : *c) : Value();
 }
 
-Value objective(const V& v) {
+Value objective(const DesignView& v) {
   const auto& objectives = v.problem->objectives;
   if (objectives.size() == 1) return objective_value(v, objectives.front());
   ValueMap all;
@@ -41,100 +39,102 @@ Value objective(const V& v) {
   return all;
 }
 
-const Quantities<V>& region_quantities() {
-  return define("search.designs region", [](Quantities<V>& q) {
+const Quantities<DesignView>& region_quantities() {
+  return define("search.designs region", [](Quantities<DesignView>& q) {
     q.add(Type::map, "edges", "edges of the region", "",
           "edges in counter-clockwise order, each {constraint, points}; a straight edge has two "
           "points (x1, x2), and a curved edge has 25 or more",
-          [](const V& v) { return v.edges(); })
+          [](const DesignView& v) { return v.edges(); })
         .list({0})
-        .when([](const V& v) { return static_cast<bool>(v.edges); });
-    q.number("lo", "middle of the region at the least Σx", "", "[x1, x2]", [](const V& v) {
+        .when([](const DesignView& v) { return static_cast<bool>(v.edges); });
+    q.number("lo", "middle of the region at the least Σx", "", "[x1, x2]", [](const DesignView& v) {
        return v.row->lo;
      }).column("lo_x#");
-    q.number("hi", "middle of the region at the greatest Σx", "", "[x1, x2]", [](const V& v) {
-       return v.row->hi;
-     }).column("hi_x#");
-    q.term("area", "modules²", [](const V& v) { return v.row->area; }).column("area");
+    q.number("hi", "middle of the region at the greatest Σx", "", "[x1, x2]",
+             [](const DesignView& v) { return v.row->hi; })
+        .column("hi_x#");
+    q.term("area", "modules²", [](const DesignView& v) { return v.row->area; }).column("area");
     q.number("shift_sum", "sums of the profile shifts", "Σx", "[least, greatest]",
-             [](const V& v) { return v.row->sums; })
+             [](const DesignView& v) { return v.row->sums; })
         .ends()
         .column("shift_sum_#");
   });
 }
 
-void add_numbers(Quantities<V>& q) {
+void add_numbers(Quantities<DesignView>& q) {
   q.add(Type::index, "trial", "number of the trial", "", "in the order of the search",
-        [](const V& v) { return v.row->trial.index; })
+        [](const DesignView& v) { return v.row->trial.index; })
       .column("trial")
       .doors(kJson);
-  q.number("module_mm", "normal module", "m_n", "", [](const V& v) { return v.row->trial.module; })
+  q.number("module_mm", "normal module", "m_n", "",
+           [](const DesignView& v) { return v.row->trial.module; })
       .column("module_mm")
       .digits(3);
   q.term("teeth", "[z1, z2]; negative for an internal gear",
-         [](const V& v) {
+         [](const DesignView& v) {
            return std::array{v.row->trial.z1, v.row->trial.z2};
          })
       .per_gear()
       .column("z#");
   q.term("helix_angle_deg", "> 0 right hand",
-         [](const V& v) {
+         [](const DesignView& v) {
            const auto& helix = v.row->trial.helix;
            return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
          })
       .per_gear()
       .column("helix#_deg")
       .digits(kFewDigits)
-      .shown([](const V& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
+      .shown([](const DesignView& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
   q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
-          [](const V& v) { return v.row->trial.rack + 1; })
+          [](const DesignView& v) { return v.row->trial.rack + 1; })
       .column("rack")
-      .when([](const V& v) { return v.problem->racks.size() > 1; });
+      .when([](const DesignView& v) { return v.problem->racks.size() > 1; });
 }
 
-void add_place(Quantities<V>& q) {
-  q.term("profile_shift", "[x1, x2]", [](const V& v) { return v.row->shift; })
+void add_place(Quantities<DesignView>& q) {
+  q.term("profile_shift", "[x1, x2]", [](const DesignView& v) { return v.row->shift; })
       .per_gear()
       .column("x#")
       .digits(4);
   q.word("point", "position of the profile shifts in the region",
          "`eq11` is a point on the line of Eq. 11, away from the borders of the region; `lo_hi` is "
          "a point in the middle of the region, used if the line misses the region",
-         [](const V& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
+         [](const DesignView& v) { return v.row->balanced ? "eq11" : "lo_hi"; })
       .one_of({"eq11", "lo_hi"})
       .column("point")
       .greater_first();
-  q.term("center_distance_mm", "centre distance of the design as mounted", [](const V& v) {
+  q.term("center_distance_mm", "centre distance of the design as mounted", [](const DesignView& v) {
      return v.row->center_distance;
    }).column("center_distance_mm");
-  q.number("ratio", "gear ratio", "u", "z2/z1", [](const V& v) { return v.row->ratio; })
+  q.number("ratio", "gear ratio", "u", "z2/z1", [](const DesignView& v) { return v.row->ratio; })
       .column("ratio")
       .digits(4);
   q.number("ratio_error", "gear ratio minus its target", "Δu", "the target is `target_ratio`",
-           [](const V& v) { return v.row->ratio - v.problem->target_ratio; })
+           [](const DesignView& v) { return v.row->ratio - v.problem->target_ratio; })
       .digits(4);
 }
 
-void add_contact(Quantities<V>& q) {
+void add_design_contact(Quantities<DesignView>& q) {
   q.number("contact_ratio", "transverse contact ratio", "ε_α",
            "by Eq. 10, or for crossed axes AE/p_bn",
-           [](const V& v) { return v.row->contact_ratio; })
+           [](const DesignView& v) { return v.row->contact_ratio; })
       .column("contact_ratio")
       .greater_first()
       .digits(kFewDigits);
   q.number("contact_ratio_true", "effective transverse contact ratio", "ε_α,eff",
            "for the part of the path on the usable flanks, which begin at ρ_F of [T9.1]; for "
            "crossed gears, the limits of the faces are ignored",
-           [](const V& v) { return v.row->contact_ratio_true; })
+           [](const DesignView& v) { return v.row->contact_ratio_true; })
       .column("contact_ratio_true")
       .greater_first()
       .digits(kFewDigits);
-  q.term("overlap_ratio", "0 on crossed axes", [](const V& v) { return v.row->overlap_ratio; })
+  q.term("overlap_ratio", "0 on crossed axes",
+         [](const DesignView& v) { return v.row->overlap_ratio; })
       .column("overlap_ratio")
       .greater_first()
       .digits(kFewDigits)
-      .shown([](const V& v) { return is_parallel(v) && v.row->overlap_ratio != 0.0; });
-  const auto angle = [](const V& v) { return tidy_degrees(v.row->working_angle); };
+      .shown([](const DesignView& v) { return is_parallel(v) && v.row->overlap_ratio != 0.0; });
+  const auto angle = [](const DesignView& v) { return tidy_degrees(v.row->working_angle); };
   q.term("working_normal_pressure_angle_deg", "crossed axes only", angle)
       .when(is_crossed)
       .digits(kFewDigits);
@@ -147,29 +147,29 @@ void add_contact(Quantities<V>& q) {
       .doors(kColumns);
 }
 
-void add_limits(Quantities<V>& q) {
+void add_limits(Quantities<DesignView>& q) {
   q.number("backlash_normal_mm", "normal backlash, shortest distance of the flanks", "j_bn",
            "`backlash.normal_base_mm` of the pair",
-           [](const V& v) { return v.row->backlash_normal; })
+           [](const DesignView& v) { return v.row->backlash_normal; })
       .column("backlash_normal_mm");
   q.term("backlash_mm",
          "[least, greatest] at the ends of the tolerances; only for designs with thickness "
          "allowances or with a tolerance of the centre distance",
-         [](const V& v) { return v.row->backlash_ends; })
+         [](const DesignView& v) { return v.row->backlash_ends; })
       .ends()
       .column("backlash_#_mm")
-      .when([](const V& v) {
+      .when([](const DesignView& v) {
         return v.problem->allowances.thin_teeth() || v.problem->allowances.distance_tolerance;
       })
       .digits(kFewDigits);
   q.number("tip_thickness_mm", "normal tip tooth thickness", "s_an", "per gear",
-           [](const V& v) { return v.row->tip_thickness; })
+           [](const DesignView& v) { return v.row->tip_thickness; })
       .per_gear()
       .column("tip_thickness#_mm")
       .greater_first()
       .digits(kFewDigits);
   q.term("tip_clearance_mm", "per gear, from its tip to the root of the mating gear",
-         [](const V& v) { return v.row->tip_clearance; })
+         [](const DesignView& v) { return v.row->tip_clearance; })
       .per_gear()
       .column("tip_clearance#_mm")
       .greater_first()
@@ -178,62 +178,64 @@ void add_limits(Quantities<V>& q) {
            "per gear, distance from the start of its flank to the tip of the mating gear; negative "
            "for interference; null for an internal gear, because the start of its flank depends on "
            "the cutter",
-           [](const V& v) { return v.row->form_clearance; })
+           [](const DesignView& v) { return v.row->form_clearance; })
       .per_gear()
       .column("form_clearance_path#_mm")
       .doors(kJson);
   q.number("tip_alteration_mm", "tip alteration", "k m_n",
            "applied tip alteration; 0 without `shorten_tips`",
-           [](const V& v) { return v.row->tip_alteration; })
+           [](const DesignView& v) { return v.row->tip_alteration; })
       .column("tip_alteration_mm")
-      .shown([](const V& v) { return v.row->tip_alteration != 0.0; });
-  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`", [](const V& v) {
+      .shown([](const DesignView& v) { return v.row->tip_alteration != 0.0; });
+  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`", [](const DesignView& v) {
      return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
    }).doors(kJson);
   for (const std::size_t gear : {0, 1}) {
     for (const std::size_t end : {0, 1}) {
       const std::string name = "sliding" + std::to_string(gear + 1) + (end == 0 ? "_A" : "_E");
       q.number(name.c_str(), "specific sliding", "ζ", "",
-               [gear, end](const V& v) { return v.row->sliding[gear][end]; })
+               [gear, end](const DesignView& v) { return v.row->sliding[gear][end]; })
           .column(name)
           .doors(kColumns);
     }
   }
   q.number("sliding_max", "maximum specific sliding", "ζ_max",
            "at the ends of the path of contact; null if a flank reaches its base tangent point",
-           [](const V& v) { return v.row->max_sliding(); })
+           [](const DesignView& v) { return v.row->max_sliding(); })
       .column("sliding_max")
       .doors(kPage)
-      .expected([](const V&) { return true; })
+      .expected([](const DesignView&) { return true; })
       .digits(kFewDigits);
   q.flag("interference", "interference",
          "true if a tip passes the start of the flank of the mating gear",
-         [](const V& v) { return v.row->interference; })
+         [](const DesignView& v) { return v.row->interference; })
       .column("interference")
-      .shown([](const V& v) { return v.row->interference; });
+      .shown([](const DesignView& v) { return v.row->interference; });
 }
 
-void add_strength(Quantities<V>& q) {
-  const auto rated = [](const V& v) { return v.problem->rating.has_value(); };
+void add_strength(Quantities<DesignView>& q) {
+  const auto rated = [](const DesignView& v) { return v.problem->rating.has_value(); };
   q.term("S_H", "as in `rate`; only for a rated search",
-         [](const V& v) { return v.row->flank_safety; })
+         [](const DesignView& v) { return v.row->flank_safety; })
       .per_gear()
       .column("S_H#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
   q.term("S_F", "as in `rate`; only for a rated search",
-         [](const V& v) { return v.row->root_safety; })
+         [](const DesignView& v) { return v.row->root_safety; })
       .per_gear()
       .column("S_F#")
       .when(rated)
       .greater_first()
       .digits(kFewDigits);
-  const auto weighed = [](const V& v) { return v.problem->weighs(); };
-  const auto wide = [](const V& v) { return v.problem->weighs() || v.problem->sizes_faces(); };
+  const auto weighed = [](const DesignView& v) { return v.problem->weighs(); };
+  const auto wide = [](const DesignView& v) {
+    return v.problem->weighs() || v.problem->sizes_faces();
+  };
   q.number("face_width_mm", "face width", "b",
            "common width of both gears; only if safeties, masses or a band of widths are requested",
-           [wide](const V& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
+           [wide](const DesignView& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)
       .digits(kFewDigits);
@@ -241,61 +243,63 @@ void add_strength(Quantities<V>& q) {
            "mass of solid cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
            "mass of the ring between the mean diameter and the diameter d_f + 5 m_n; only for a "
            "rated search or with `objective` = `mass` or `cost`",
-           [](const V& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
+           [](const DesignView& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
       .digits(kFewDigits);
 }
 
-void add_ranks(Quantities<V>& q) {
+void add_ranks(Quantities<DesignView>& q) {
   q.term("efficiency",
          "with gear 1 driving and with flank friction only [T4.27]; only with "
          "`friction_coefficient` or `objective` = `efficiency`; null if the contact ratio is less "
          "than 1 or gear 1 cannot drive",
-         [](const V& v) { return v.row->efficiency; })
+         [](const DesignView& v) { return v.row->efficiency; })
       .column("efficiency")
-      .when([](const V& v) { return v.problem->flank_friction().has_value(); })
+      .when([](const DesignView& v) { return v.problem->flank_friction().has_value(); })
       .greater_first()
       .digits(5);
   q.number(
        "balance", "balance of the load reserves", "R_max/R_min",
        "greatest load reserve divided by the least; the reserves are (S_H/S_Hmin)² for the flanks "
        "and S_F/S_Fmin for the root of each gear [T9.17]; only with `objective` = `balance`",
-       [](const V& v) { return load_balance(*v.problem, *v.row); })
+       [](const DesignView& v) { return load_balance(*v.problem, *v.row); })
       .column("balance")
-      .when([](const V& v) { return v.problem->ranks_by(Objective::balance); })
+      .when([](const DesignView& v) { return v.problem->ranks_by(Objective::balance); })
       .digits(kFewDigits);
   q.number("relative_cost", "relative cost", "",
            "mass in kg times (b/d_1)^`cost_exponent` [T9.18], for comparisons of designs of one "
            "kind; only with `objective` = `cost`",
-           [](const V& v) { return relative_cost(*v.problem, *v.row); })
+           [](const DesignView& v) { return relative_cost(*v.problem, *v.row); })
       .or_null()
       .column("relative_cost")
-      .when([](const V& v) { return v.problem->ranks_by(Objective::cost); })
+      .when([](const DesignView& v) { return v.problem->ranks_by(Objective::cost); })
       .digits(kFewDigits);
   q.number("noise_um", "estimated transmission error under load, peak to peak", "δ_pp",
            "variation of the deflection of perfect teeth under the torque of `[rating]`; every mm "
            "of contact line is assumed to have the same stiffness [T9.16]; 0 if a contact ratio "
            "ε_α or ε_β is a whole number; only with `objective` = `noise`",
-           [](const V& v) { return v.row->noise; })
+           [](const DesignView& v) { return v.row->noise; })
       .column("noise_um")
-      .when([](const V& v) { return v.problem->ranks_by(Objective::noise); })
+      .when([](const DesignView& v) { return v.problem->ranks_by(Objective::noise); })
       .digits(kFewDigits);
 }
 
-void add_all(Quantities<V>& q) {
+void add_design(Quantities<DesignView>& q) {
   add_numbers(q);
   add_place(q);
-  add_contact(q);
+  add_design_contact(q);
   add_limits(q);
   add_strength(q);
   add_ranks(q);
-  q.term("area", "modules²", [](const V& v) { return v.row->area; })
+  q.term("area", "modules²", [](const DesignView& v) { return v.row->area; })
       .doors(kPage)
       .greater_first()
       .digits(4)
-      .shown([](const V& v) { return v.row->area > 0.0; });  // with an exact centre distance, the
-                                                             // region is a line
+      .shown([](const DesignView& v) {
+        return v.row->area > 0.0;
+      });  // with an exact centre distance, the
+           // region is a line
   q.record<region_quantities>("region", "profile shifts that satisfy every limit").doors(kJson);
   q.add(Type::map, "objective", "objective", "",
         "value of the objective, or one value for each of several objectives", objective)
@@ -323,7 +327,7 @@ void add_point(Quantities<ShiftPoint>& q) {
 
 }  // namespace
 
-const Quantities<DesignView>& design_quantities() { return define<add_all>("search.designs"); }
+const Quantities<DesignView>& design_quantities() { return define<add_design>("search.designs"); }
 
 const Quantities<ShiftPoint>& point_quantities() { return define<add_point>("search.points"); }
 

@@ -141,7 +141,7 @@ void add_power(Quantities<Drive>& q) {
         [](const Drive& d) { return flows(d) ? Value(d.flow->circulating) : Value(); });
 }
 
-void add_all(Quantities<Drive>& q) {
+void add_drive(Quantities<Drive>& q) {
   q.groups({kMotion, kPower, kGeometry});
   add_motion(q);
   add_power(q);
@@ -392,7 +392,7 @@ const Quantities<Drive>& coaxial_quantities() {
   });
 }
 
-const Quantities<Drive>& drive_quantities() { return define<add_all>("drive"); }
+const Quantities<Drive>& drive_quantities() { return define<add_drive>("drive"); }
 
 std::optional<ValueRecord> mesh_rating(const Drive& drive, std::size_t mesh) {
   const auto& made = drive.ratings[mesh];

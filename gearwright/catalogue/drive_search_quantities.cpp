@@ -149,7 +149,7 @@ ValueMap counts(const std::array<std::string_view, N>& names, const std::array<T
   return map;
 }
 
-void add_search(Quantities<DriveSearchView>& q) {
+void add_drive_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
   q.word("kind", "kind", "kind of the drives",
          [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
@@ -203,7 +203,7 @@ void add_search(Quantities<DriveSearchView>& q) {
 const Quantities<FoundDrive>& found_drive_quantities() { return define<add_found>("search.drive"); }
 
 const Quantities<DriveSearchView>& drive_search_quantities() {
-  return define<add_search>("search.drives");
+  return define<add_drive_search>("search.drives");
 }
 
 }  // namespace gearwright

@@ -108,8 +108,6 @@ const KeyTable& error_keys() {
 
 namespace {
 
-using Range = KeyRange;
-
 std::vector<std::string_view> error_words() {
   std::vector<std::string_view> words;
   for (const ErrorEntry& e : error_entries()) words.push_back(e.key);
@@ -147,20 +145,20 @@ const KeyTable& contact_keys() {
   static const KeyTable table{
       "contact",
       "Settings of the contact computation",
-      {Key::number("positions", "", Range::between(4, 100'000), &ContactInput::positions, "64",
+      {Key::number("positions", "", KeyRange::between(4, 100'000), &ContactInput::positions, "64",
                    "positions per pitch of gear 1"),
-       Key::number("pitches", "", Range::between(1, 10'000), &ContactInput::pitches, "1",
+       Key::number("pitches", "", KeyRange::between(1, 10'000), &ContactInput::pitches, "1",
                    "number of pitches in the result; every pitch repeats the results of the first. "
                    "Positions times pitches must be at most 10⁶"),
-       Key::number("marking_mm", "δ", Range::above(0, 1, ", usually 0.003 to 0.01"),
+       Key::number("marking_mm", "δ", KeyRange::above(0, 1, ", usually 0.003 to 0.01"),
                    &ContactInput::marking, "0.00635",
                    "thickness of the marking compound for ellipses and pattern"),
-       Key::number("driver", "", Range::between(1, 2), &ContactInput::driver, "1",
+       Key::number("driver", "", KeyRange::between(1, 2), &ContactInput::driver, "1",
                    "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
                    "the trailing flanks touch"),
        Key::flag("pattern", &ContactInput::pattern, "false",
                  "if true, the result has the marking pattern of both flanks"),
-       Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &ContactInput::rotations, "",
+       Key::number("rotation1_deg", "", KeyRange::between(-1e6, 1e6), &ContactInput::rotations, "",
                    "rotations of gear 1, instead of positions and pitches")
            .with_list(KeyList{1, 100'000})
            .with_fields({"rotations"}),
@@ -184,7 +182,7 @@ const KeyTable& contact_map_keys() {
        Key::number("y_range", "", {}, range(1), kRequired,
                    "the least and the greatest value, in the unit of the key")
            .with_list(kErrorRange),
-       Key::number("points", "", Range::between(2, 1000), &ContactMapInput::points, "[21, 21]",
+       Key::number("points", "", KeyRange::between(2, 1000), &ContactMapInput::points, "[21, 21]",
                    "numbers of values along x and along y, including the ends")
            .with_list(KeyList{2, 2})},
       check_map};

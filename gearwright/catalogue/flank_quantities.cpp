@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
+double flank_degrees(double rad) { return Angle::radians(rad).deg(); }
 
 // Adds the quantities of one end of the active flank: the point at the root or at the tip at
 // which contact with the mating gear ends.
@@ -27,7 +27,7 @@ void add_active(Quantities<EvaluationRanges>& q, const std::string& end, const c
            [at](const R& r) { return (*r.active.*at).length; })
       .when(mounted);
   q.number(key("_roll_angle_deg").c_str(), at_it("roll angle").c_str(), "", "[T10.22]",
-           [at](const R& r) { return deg((*r.active.*at).angle); })
+           [at](const R& r) { return flank_degrees((*r.active.*at).angle); })
       .when(mounted);
 }
 
@@ -81,7 +81,8 @@ const Quantities<EvaluationRanges>& range_quantities() {
     const auto place = [&](const char* length, const char* angle, const char* words,
                            const char* roll, const char* symbol, RollPlace R::*at) {
       q.number(length, words, symbol, "[T10.22]", [at](const R& r) { return (r.*at).length; });
-      q.number(angle, roll, "", "[T10.22]", [at](const R& r) { return deg((r.*at).angle); });
+      q.number(angle, roll, "", "[T10.22]",
+               [at](const R& r) { return flank_degrees((r.*at).angle); });
     };
     place("root_form_roll_length_mm", "root_form_roll_angle_deg", "roll length at d_Ff",
           "roll angle at d_Ff", "L_Ff", &R::root_form);

@@ -12,8 +12,6 @@ namespace gearwright {
 
 namespace {
 
-using Range = KeyRange;
-
 // Limits that do not depend on other keys. They are also in gear/gear.cpp, and a test compares
 // them.
 constexpr double kMaxTeeth = 100'000;
@@ -88,11 +86,11 @@ const KeyTable& gear_keys() {
            "number of teeth, for example 17; negative for an internal gear, for example -61")
            .with_also({"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}),
        Key::number(
-           "normal_module_mm", "m_n", Range::between(kMinModule, kMaxModule), {}, "",
+           "normal_module_mm", "m_n", KeyRange::between(kMinModule, kMaxModule), {}, "",
            "normal module; this key, `normal_diametral_pitch_per_in`, `transverse_module_mm` or "
            "`basic` is required; if several are given, they must agree to 1e-9")
            .with_also({"module", "modul", "m", "reference_diameter", "pitch_diameter", "d"}),
-       Key::number("normal_diametral_pitch_per_in", "", Range::between(kMinPitch, kMaxPitch), {},
+       Key::number("normal_diametral_pitch_per_in", "", KeyRange::between(kMinPitch, kMaxPitch), {},
                    "", "normal diametral pitch, 25.4 mm / m_n")
            .with_alias({"normal_module_mm", [](double pitch, double) { return 25.4 / pitch; }})
            .with_also({"diametral_pitch", "dp", "pitch", "pd"}),
@@ -101,29 +99,29 @@ const KeyTable& gear_keys() {
                         [](double m_t, double cos_beta) { return m_t * cos_beta; }, true})
            .with_also({"mt"}),
        Key::number("normal_pressure_angle_deg", "α_n",
-                   Range::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
+                   KeyRange::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
                    "normal pressure angle; `transverse_pressure_angle_deg` can replace it")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
-                   Range::inside(0, 90, ", usually 14.5 to 30"), {}, "",
+                   KeyRange::inside(0, 90, ", usually 14.5 to 30"), {}, "",
                    "transverse pressure angle")
            .with_alias({"normal_pressure_angle_deg", normal_of_transverse, true}),
        Key::number(
            "helix_angle_deg", "β",
-           Range::between(-kMaxHelix, kMaxHelix, ", > 0 for right hand and < 0 for left hand"), {},
-           "0",
+           KeyRange::between(-kMaxHelix, kMaxHelix, ", > 0 for right hand and < 0 for left hand"),
+           {}, "0",
            "helix angle, > 0 right hand, < 0 left hand, also for an internal gear; "
            "`lead_angle_deg` with `hand` can replace it")
            .with_also({"helix", "spiral_angle", "skew_angle"}),
-       Key::number("lead_angle_deg", "90° − |β|", Range::above(0, 90, " (spur)"), {}, "",
+       Key::number("lead_angle_deg", "90° − |β|", KeyRange::above(0, 90, " (spur)"), {}, "",
                    "lead angle, given together with `hand`")
            .with_fields({"helix_angle"}),
        Key::word("hand", {"right", "left"}, {}, "",
                  "hand of the teeth, given together with `lead_angle_deg`")
            .with_also({"helix_hand", "helix_direction", "direction"}),
        Key::number(
-           "profile_shift", "x", Range::between(-kMaxShift, kMaxShift), &GearInput::profile_shift,
-           "see *Shift and centre distance*",
+           "profile_shift", "x", KeyRange::between(-kMaxShift, kMaxShift),
+           &GearInput::profile_shift, "see *Shift and centre distance*",
            "profile shift in normal modules; > 0 thickens the tooth, also for an internal gear")
            .with_also({"shift", "profile_shift_coefficient", "addendum_modification",
                        "addendum_modification_coefficient", "correction"}),
@@ -236,9 +234,9 @@ const KeyTable& basic_keys() {
        Key::number("base_tooth_thickness_mm", "s_bt", {}, &BasicInput::base_tooth_thickness,
                    kRequired, "transverse tooth thickness (arc) on the base cylinder"),
        Key::number("base_helix_angle_deg", "β_b",
-                   Range::inside(-kMaxHelix, kMaxHelix,
-                                 "; for a steeper helix, no rack with a pressure angle of 1° or "
-                                 "more describes the gear"),
+                   KeyRange::inside(-kMaxHelix, kMaxHelix,
+                                    "; for a steeper helix, no rack with a pressure angle of 1° or "
+                                    "more describes the gear"),
                    &BasicInput::base_helix_angle, "0",
                    "base helix angle, > 0 right hand, < 0 left hand"),
        Key::positive("root_diameter_mm", "d_f", &BasicInput::root_diameter, "as cut by `rack`",
@@ -259,7 +257,7 @@ const KeyTable& root_fillet_keys() {
       {only_kind(),
        Key::number(
            "offset_mm", "",
-           Range::not_negative(", because the fillet begins at the undercut limit or beyond it"),
+           KeyRange::not_negative(", because the fillet begins at the undercut limit or beyond it"),
            &RootFilletSpec::offset, "0",
            "distance of the start of the fillet from the undercut limit l_F, so that l_C = "
            "max(l_F, 0) + offset; the fillet is centred in the tooth space")}};
@@ -278,7 +276,7 @@ const KeyTable& tip_fillet_keys() {
                    "position along the flank of the rack at which the fillet begins")
            .with_excludes({"radius_mm"}),
        Key::number("clearance_mm", "",
-                   Range::not_negative(
+                   KeyRange::not_negative(
                        ", because the tip would otherwise cut into the root of the mating gear"),
                    &GearInput::tip_clearance, "0.2 m_n + 0.05",
                    "tip clearance to the root of the mating gear, on parallel axes [T6.7]")
@@ -317,9 +315,9 @@ const KeyTable& double_helical_keys() {
       "double_helical",
       "Two halves of opposite hands on one body; `helix_angle_deg` is the angle of the half at z > "
       "0, and `face_width_mm` includes both halves and the gap",
-      {Key::number("gap_mm", "", Range::not_negative(" (0 for herringbone teeth)"), &D::gap, "0",
+      {Key::number("gap_mm", "", KeyRange::not_negative(" (0 for herringbone teeth)"), &D::gap, "0",
                    "gap between the halves"),
-       Key::number("stagger_pitches", "s", Range::inside(-1, 1), &D::stagger_pitches, "0",
+       Key::number("stagger_pitches", "s", KeyRange::inside(-1, 1), &D::stagger_pitches, "0",
                    "offset of the teeth at z < 0 relative to the teeth at z > 0, in transverse "
                    "pitches; the mating gear must have the same offset"),
        Key::positive("groove_diameter_mm", "", &D::groove_diameter,
@@ -330,7 +328,7 @@ const KeyTable& double_helical_keys() {
        Key::positive("hob_diameter_mm", "d_a0", &D::hob_diameter, "no run-out is computed",
                      "outer diameter of the hob; if its run-out needs a wider gap, there is a "
                      "warning [T2.43]"),
-       Key::number("hob_lead_angle_deg", "γ_0", Range::between(0, 30), &D::hob_lead_angle, "0",
+       Key::number("hob_lead_angle_deg", "γ_0", KeyRange::between(0, 30), &D::hob_lead_angle, "0",
                    "lead angle of the hob")
            .with_needs({"hob_diameter_mm"}),
        Key::not_negative("hob_half_length_mm", "l_0", &D::hob_half_length, "0",

@@ -103,14 +103,12 @@ const Bore* keyway(const Gear& g) {
   return g.bore && g.bore->keyway_width > 0.0 ? &*g.bore : nullptr;
 }
 
-using G = Gear;
-
-void add_reference_data(Quantities<G>& q) {
+void add_reference_data(Quantities<Gear>& q) {
   auto of_reference = q.part(reference_of);
   auto of_involute_gear = q.part(involute_gear);
-  auto of_cutter = q.part(maybe<&G::cut_by>);
+  auto of_cutter = q.part(maybe<&Gear::cut_by>);
   q.under(kTeeth);
-  q.term("teeth", "negative for an internal gear", [](const G& g) { return g.spec.teeth; });
+  q.term("teeth", "negative for an internal gear", [](const Gear& g) { return g.spec.teeth; });
   q.word("kind", "kind of teeth",
          "`generated` if the spec has `cut_by`; for `circular_arc` teeth, pressure angles, base "
          "quantities and profile shifts are null",
@@ -126,47 +124,48 @@ void add_reference_data(Quantities<G>& q) {
                    &PinionCutting::distance);
   q.under(kTeeth);
   q.term("normal_module_mm", "as in the spec, or as computed from other keys",
-         [](const G& g) { return g.spec.normal_module; });
-  q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β", &G::transverse_module)
+         [](const Gear& g) { return g.spec.normal_module; });
+  q.number("transverse_module_mm", "transverse module", "m_t", "m_n/cos β",
+           &Gear::transverse_module)
       .doors(kPeople);
   q.number("normal_diametral_pitch_per_in", "normal diametral pitch", "P_nd", "25.4 mm/m_n",
-           [](const G& g) { return kMmPerInch / g.spec.normal_module; })
+           [](const Gear& g) { return kMmPerInch / g.spec.normal_module; })
       .doors(kPeople)
       .in_inch();
   of_involute_gear.term("normal_pressure_angle_deg", "of the basic rack",
-                        [](const G& g) { return g.spec.normal_pressure_angle; });
+                        [](const Gear& g) { return g.spec.normal_pressure_angle; });
   of_reference.number("transverse_pressure_angle_deg", "transverse pressure angle", "α_t",
                       "at the reference cylinder", angle(&Reference::transverse_pressure_angle));
   q.term("helix_angle_deg", "at the reference cylinder, > 0 right hand",
-         [](const G& g) { return g.spec.helix_angle; });
+         [](const Gear& g) { return g.spec.helix_angle; });
   q.word("hand_of_helix", "hand of helix", "right, left or spur", hand).doors(kPeople);
   of_reference.number("base_helix_angle_deg", "base helix angle", "β_b", "> 0 right hand",
                       angle(&Reference::base_helix_angle));
   of_involute_gear.term("profile_shift",
                         "in normal modules; > 0 thickens the tooth, also of an internal gear",
-                        [](const G& g) { return g.spec.profile_shift; });
+                        [](const Gear& g) { return g.spec.profile_shift; });
   of_reference.term("generating_profile_shift", "including the thickness allowance",
                     &Reference::generating_profile_shift);
   q.term("face_width_mm", "as in the spec, or 10 m_n",
-         [](const G& g) { return g.spec.face_width; });
-  q.number("lead_mm", "lead", "p_z", "> 0 right hand; null for spur gears", [](const G& g) {
+         [](const Gear& g) { return g.spec.face_width; });
+  q.number("lead_mm", "lead", "p_z", "> 0 right hand; null for spur gears", [](const Gear& g) {
      return g.lead == 0.0 ? Value() : Value(g.lead);
    }).expected(has_involutes);
 }
 
-void add_sizes(Quantities<G>& q) {
+void add_sizes(Quantities<Gear>& q) {
   auto of_reference = q.part(reference_of);
   q.under(kDiameters);
-  q.term("reference_diameter_mm", "z m_t", &G::reference_diameter);
+  q.term("reference_diameter_mm", "z m_t", &Gear::reference_diameter);
   of_reference.number("base_diameter_mm", "base diameter", "d_b", "of the involute",
                       &Reference::base_diameter);
-  q.term("tip_diameter_mm", "of the blank", &G::tip_diameter);
+  q.term("tip_diameter_mm", "of the blank", &Gear::tip_diameter);
   q.number("root_diameter_mm", "root diameter", "d_f",
-           "negative if the rack passes through the axis", &G::root_diameter);
+           "negative if the rack passes through the axis", &Gear::root_diameter);
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
            "diameter at the start of the usable flank, that is at its intersection with the root "
            "as cut, or at point C of a circular root fillet",
-           [](const G& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
+           [](const Gear& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
       .expected(has_involutes);
   q.number("tip_form_diameter_mm", "tip form diameter", "d_Fa",
            "diameter at the end of the usable flank, that is at point J of a circular tip fillet, "
@@ -177,8 +176,8 @@ void add_sizes(Quantities<G>& q) {
        "finished_tip_diameter_mm", "finished tip diameter", "",
        "diameter at the actual end of the tooth, that is at the tip of the blank, at the bottom "
        "land of the cutter or at the point where the flanks meet; d_a for an internal gear",
-       [](const G& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
-      .shown([](const G& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
+       [](const Gear& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
+      .shown([](const Gear& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.under(kTooth);
   of_reference.number("base_tooth_thickness_mm", "transverse base tooth thickness", "s_bt",
                       "extrapolated for an internal gear, so that the value can be negative",
@@ -187,7 +186,7 @@ void add_sizes(Quantities<G>& q) {
          "at the reference cylinder, including the thickness allowance", reference_thickness);
   q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
            "allowance that is included in s_n; < 0 thins the tooth",
-           [](const G& g) { return g.spec.thickness_allowance; })
+           [](const Gear& g) { return g.spec.thickness_allowance; })
       .doors(kPage);
   of_reference
       .number("reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",
@@ -195,17 +194,17 @@ void add_sizes(Quantities<G>& q) {
               &Reference::reference_tooth_thickness_transverse)
       .doors(kPage);
   q.number("tip_tooth_thickness_normal_mm", "normal tip tooth thickness", "s_an",
-           "of the finished tooth", &G::tip_tooth_thickness_normal)
+           "of the finished tooth", &Gear::tip_tooth_thickness_normal)
       .expected(has_involutes);
   q.under(kDiameters);
   q.number("pointed_diameter_mm", "diameter of the pointed tooth", "",
            "diameter at which the two flanks would meet (for an internal gear, inside the tip) "
            "[T2.13]; null if they do not meet",
-           &G::pointed_diameter)
+           &Gear::pointed_diameter)
       .expected(has_involutes);
 }
 
-void add_flank_limits(Quantities<G>& q) {
+void add_flank_limits(Quantities<Gear>& q) {
   auto of_reference = q.part(reference_of);
   auto of_arcs = q.part(arcs_of_gear);
   auto of_involute_gear = q.part(involute_gear);
@@ -216,8 +215,8 @@ void add_flank_limits(Quantities<G>& q) {
   q.flag("undercut", "undercut",
          "true if x_E is less than the minimum profile shift and no circular fillet replaces the "
          "root",
-         &G::undercut)
-      .shown([](const G& g) { return !g.internal(); });
+         &Gear::undercut)
+      .shown([](const Gear& g) { return !g.internal(); });
   of_arcs
       .number("flank_begin_rack_angle_deg", "rack angle at the start of the flank", "τ",
               "normal angle at which the flank arc of the cutter begins; only for circular arcs",
@@ -233,31 +232,31 @@ void add_flank_limits(Quantities<G>& q) {
   of_involute_gear
       .number("undercut_free_profile_shift", "minimum profile shift coefficient", "x_Emin",
               "the least x_E without undercut, signed; null for a gear that is not cut by a rack",
-              &G::undercut_free_shift)
+              &Gear::undercut_free_shift)
       .expected();
   q.flag("pointed", "pointed",
          "true if the flanks meet before the tip (for an internal gear, outside the tip diameter)",
-         &G::pointed)
+         &Gear::pointed)
       .doors(kJson);
   q.flag("severed", "cut through by undercut",
          "true if the root fillets of both flanks meet, so that there is no tooth",
-         [](const G& g) { return g.tooth && g.tooth->severed; })
+         [](const Gear& g) { return g.tooth && g.tooth->severed; })
       .doors(kJson);
   q.flag("through_axis", "cutter passes the axis",
          "true if the cutter passes through the axis, so that there is no tooth",
-         [](const G& g) { return g.tooth && g.tooth->through_axis; })
+         [](const Gear& g) { return g.tooth && g.tooth->through_axis; })
       .doors(kJson);
   q.flag("tip_cut_by_rack", "tip cut by the rack",
          "true if the bottom land of the cutter limits the tooth instead of the blank",
-         [](const G& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
+         [](const Gear& g) { return g.tooth && g.tooth->tip_cut_by_rack; })
       .doors(kJson);
 }
 
-void add_fillets_and_body(Quantities<G>& q) {
+void add_fillets_and_body(Quantities<Gear>& q) {
   auto of_teeth = q.part(involute_of);
   auto of_root = q.part(fillet<&GeneratedTooth::root_fillet>);
   auto of_tip = q.part(fillet<&GeneratedTooth::tip_fillet>);
-  auto of_bulge = q.part(maybe<&G::tip_bulge>);
+  auto of_bulge = q.part(maybe<&Gear::tip_bulge>);
   auto of_keyway = q.part(keyway);
   q.under(kRootFillet);
   of_root.number("root_fillet_radius_mm", "radius", "r_r", "null without a circular root fillet",
@@ -312,7 +311,7 @@ void add_fillets_and_body(Quantities<G>& q) {
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);
-  q.part(maybe<&G::bore>)
+  q.part(maybe<&Gear::bore>)
       .number("bore_diameter_mm", "bore diameter", "", "in the CAD files; null without a bore",
               &Bore::diameter);
   of_keyway.number("keyway_width_mm", "keyway width", "", "null without a keyway",
@@ -321,7 +320,7 @@ void add_fillets_and_body(Quantities<G>& q) {
                    &Bore::keyway_depth);
 }
 
-void add_all(Quantities<G>& q) {
+void add_gear(Quantities<Gear>& q) {
   q.groups({kTeeth, kDiameters, kTooth, kUndercut, kRootFillet, kTipFillet, kCutter});
   add_reference_data(q);
   add_sizes(q);
@@ -331,7 +330,7 @@ void add_all(Quantities<G>& q) {
 
 }  // namespace
 
-const Quantities<Gear>& gear_quantities() { return define<add_all>("gear"); }
+const Quantities<Gear>& gear_quantities() { return define<add_gear>("gear"); }
 
 const Quantities<Warning>& warning_quantities() {
   return define("warning", [](Quantities<Warning>& q) {

@@ -12,7 +12,8 @@ namespace gearwright {
 namespace {
 
 // The units at the end of keys. The names of members do not contain units.
-constexpr std::array<std::string_view, 6> kKeyUnits{"mm", "deg", "um", "per_in", "arcsec", "rpm"};
+constexpr std::array<std::string_view, 6> kUnitEndings{"mm",     "deg",    "um",
+                                                       "per_in", "arcsec", "rpm"};
 constexpr std::array<std::string_view, 8> kStrengthUnits{"kW", "Nm", "C",         "MPa",
                                                          "HV", "m2", "m2K_per_W", "kg_per_m3"};
 
@@ -64,7 +65,7 @@ std::string KeyRange::sentence(double value) const {
 }
 
 std::string_view key_unit(std::string_view key) {
-  for (const std::string_view unit : kKeyUnits)
+  for (const std::string_view unit : kUnitEndings)
     if (ends_with_unit(key, unit)) return unit;
   return {};
 }

@@ -88,7 +88,7 @@ const Key* called(const KeyTable& table, const Word& word, Sure sure, bool table
   });
 }
 
-std::string joined(std::string_view path, std::string_view key) {
+std::string joined_path(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
@@ -106,7 +106,7 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
       for (const auto part : key.tables) {
         const bool known = std::any_of(list.begin(), list.end(),
                                        [&](const Place& p) { return p.table == &part(); });
-        if (!known) list.push_back({&part(), joined(at.path, key.key)});
+        if (!known) list.push_back({&part(), joined_path(at.path, key.key)});
       }
     }
   }
@@ -235,7 +235,7 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))
-        return nearest(fmt::format("{} in [{}]", inside->key, joined(path, here->key)));
+        return nearest(fmt::format("{} in [{}]", inside->key, joined_path(path, here->key)));
     }
     return nearest(here->key);
   }

@@ -49,7 +49,7 @@ ValueList numbers(const Eigen::VectorXd& all) {
 
 const LoadedPosition* position_of(const P& p) { return p.position; }
 
-void add_position(Quantities<P>& q) {
+void add_load_position(Quantities<P>& q) {
   auto of_position = q.part(position_of);
   q.term("torque_Nm", "on gear 1", [](const P& p) { return newton_metres(p.torque->torque); });
   q.term("rotation1_deg", "clockwise seen from +z",
@@ -318,7 +318,7 @@ const Quantities<LoadedPair>& load_point_quantities() {
 }
 
 const Quantities<LoadPositionView>& load_position_quantities() {
-  return define<add_position>("load.positions");
+  return define<add_load_position>("load.positions");
 }
 
 const Quantities<LoadTorqueView>& load_torque_quantities() {

@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
+double measured_degrees(double rad) { return Angle::radians(rad).deg(); }
 
 constexpr const char* kSpan = "Span measurement";
 constexpr const char* kBalls = "Balls in opposite spaces";
@@ -152,7 +152,7 @@ const Quantities<ChordMeasure>& chord_quantities() {
              [](const C& c) { return c.chord.tip_to_chord; });
     q.number("caliper_angle_deg", "angle of the calliper to the transverse plane", "",
              "signed in the same way as β [T5.7]",
-             [](const C& c) { return deg(c.chord.caliper_angle); })
+             [](const C& c) { return measured_degrees(c.chord.caliper_angle); })
         .digits(3);
   });
 }
@@ -178,9 +178,9 @@ const Quantities<ThicknessAt>& thickness_quantities() {
     q.number("transverse_mm", "transverse tooth thickness", "s_yt", "arc [T2.11]", &T::transverse);
     q.number("normal_mm", "normal tooth thickness", "s_yn", "s_yt cos β_y", &T::normal);
     q.number("half_angle_deg", "half angle of the tooth", "ψ_y", "s_yt/d_y",
-             [](const T& t) { return deg(t.half_angle); });
+             [](const T& t) { return measured_degrees(t.half_angle); });
     q.number("helix_angle_deg", "helix angle", "β_y", "> 0 right hand [T2.12]",
-             [](const T& t) { return deg(t.helix); });
+             [](const T& t) { return measured_degrees(t.helix); });
   });
 }
 
@@ -236,9 +236,9 @@ const Quantities<ReferenceInput<double>>& as_rack_quantities() {
     q.under(kRack);
     q.term("normal_module_mm", "of the requested rack", &R::normal_module).digits(6);
     q.term("normal_pressure_angle_deg", "of the requested rack",
-           [](const R& r) { return deg(r.normal_pressure_angle); });
+           [](const R& r) { return measured_degrees(r.normal_pressure_angle); });
     q.term("helix_angle_deg", "at the reference cylinder for the requested rack",
-           [](const R& r) { return deg(r.helix_angle); });
+           [](const R& r) { return measured_degrees(r.helix_angle); });
     q.term("profile_shift", "including the thickness allowance", &R::profile_shift);
     q.term("reference_diameter_mm", "of the requested rack", [](const R& r) {
       return r.normal_module / std::cos(r.helix_angle) * std::abs(r.teeth);

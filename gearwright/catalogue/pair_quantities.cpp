@@ -12,27 +12,25 @@ namespace gearwright {
 
 namespace {
 
-using V = Pair;
-
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
 // The pair as this kind, or null if it is another kind.
 template <class Kind>
-const Kind* as(const V& v) {
+const Kind* as(const Pair& v) {
   return v.as<Kind>();
 }
 template <class Kind>
-bool is(const V& v) {
+bool is(const Pair& v) {
   return v.as<Kind>() != nullptr;
 }
-bool double_helical(const V& v) { return v.gear(1).gap.has_value(); }
-const InternalMargins* margins_of(const V& v) {
+bool double_helical(const Pair& v) { return v.gear(1).gap.has_value(); }
+const InternalMargins* margins_of(const Pair& v) {
   const ParallelPair* p = v.parallel();
   return p && p->margins ? &*p->margins : nullptr;
 }
 
-const Efficiency* efficiency_of(const V& v) {
+const Efficiency* efficiency_of(const Pair& v) {
   const InvolutePair* p = v.involute();
   return p && p->efficiency ? &*p->efficiency : nullptr;
 }
@@ -40,10 +38,10 @@ const Efficiency* efficiency_of(const V& v) {
 // A getter that has one function for each kind of pair.
 template <class... Of>
 auto by_kind(Of... of) {
-  return [get = Overloaded{of...}](const V& v) { return v.visit(get); };
+  return [get = Overloaded{of...}](const Pair& v) { return v.visit(get); };
 }
 
-bool flanks_meet(const V& v) {
+bool flanks_meet(const Pair& v) {
   const InvolutePair* p = v.involute();
   return p && p->flanks_meet();
 }
@@ -54,34 +52,34 @@ Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
   return degrees({sides[0].*angle, sides[1].*angle});
 }
 
-std::array<double, 2> working_pitch_diameter(const V& v) {
+std::array<double, 2> working_pitch_diameter(const Pair& v) {
   return v.visit([](const auto& p) { return p.working_pitch_diameter(); });
 }
 
-bool has_speed(const V& v) { return v.mounted().speed_rpm.has_value(); }
+bool has_speed(const Pair& v) { return v.mounted().speed_rpm.has_value(); }
 
 // v_t = π d_w n/60 in m/s, with d_w in mm and n in 1/min. Gear 2 rotates at n_1/|u|. Source: ISO
 // 6336-1.
-std::array<double, 2> pitch_line_velocity(const V& v) {
+std::array<double, 2> pitch_line_velocity(const Pair& v) {
   const auto d = working_pitch_diameter(v);
   const double turns_1 = v.mounted().speed_rpm.value() / 60.0;
   const double turns_2 = turns_1 / std::abs(v.gear_ratio());
   return {std::numbers::pi * d[0] * turns_1 / kMmPerM, std::numbers::pi * d[1] * turns_2 / kMmPerM};
 }
 
-void add_mounting(Quantities<V>& q) {
+void add_mounting(Quantities<Pair>& q) {
   q.under(kMounting);
   auto of_involutes = q.part(as<InvolutePair>);
   q.word("kind", "kind of pair", "position of the axes",
-         [](const V& v) { return to_string(v.kind()); })
+         [](const Pair& v) { return to_string(v.kind()); })
       .one_of({"parallel_external", "parallel_internal", "crossed"})
       .doors(kJson);
-  q.term("gear_ratio", "z2/z1, negative for internal pairs", &V::gear_ratio);
-  q.term("shaft_angle_deg", "0 on parallel axes", &V::shaft_angle).shown(is<CrossedPair>);
-  q.term("center_distance_mm", "as mounted", &V::center_distance);
+  q.term("gear_ratio", "z2/z1, negative for internal pairs", &Pair::gear_ratio);
+  q.term("shaft_angle_deg", "0 on parallel axes", &Pair::shaft_angle).shown(is<CrossedPair>);
+  q.term("center_distance_mm", "as mounted", &Pair::center_distance);
   q.number("reference_center_distance_mm", "reference centre distance", "a_d",
            "computed from the reference diameters",
-           [](const V& v) { return v.mounted().reference_center_distance; });
+           [](const Pair& v) { return v.mounted().reference_center_distance; });
   of_involutes
       .term("backlash_free_center_distance_mm",
             "for the teeth as cut, including allowances [T2.20], and for crossed axes at the given "
@@ -126,7 +124,7 @@ void add_mounting(Quantities<V>& q) {
       .per_gear()
       .when(has_speed);
   q.number("mesh_frequency_hz", "mesh frequency", "f_z", "z_1 n_1/60; only with `speed_rpm`",
-           [](const V& v) {
+           [](const Pair& v) {
              return v.mounted().gears[0].spec.teeth * v.mounted().speed_rpm.value() / 60.0;
            })
       .when(has_speed);
@@ -138,7 +136,7 @@ void add_mounting(Quantities<V>& q) {
 }
 
 // Adds quantities that exist only on crossed axes.
-void add_crossed(Quantities<V>& all) {
+void add_crossed(Quantities<Pair>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
   q.number("min_face_width_mm", "minimum face width for one flank", "f", "per gear [T4.21]",
@@ -165,7 +163,7 @@ void add_crossed(Quantities<V>& all) {
            "if no crowning of this gear alone is sufficient",
            needed_crowning_um)
       .per_gear()
-      .when([](const V& v) { return v.mounted().crossed_inside(); });
+      .when([](const Pair& v) { return v.mounted().crossed_inside(); });
   all.under(kContact);
   q.number("line_offset_mm", "offset of the line of action", "z_L",
            "distance from the centre line to the leading line of action, along the teeth of the "
@@ -185,15 +183,15 @@ void add_crossed(Quantities<V>& all) {
                               &CrossedPair::contact_ratio_range);
 }
 
-void add_contact(Quantities<V>& q) {
+void add_contact(Quantities<Pair>& q) {
   q.under(kContact);
   auto of_involutes = q.part(as<InvolutePair>);
   auto of_crossed = q.part(as<CrossedPair>);
   q.term("contact_ratio",
          "ε_α + ε_β; for crossed axes, AE/p_bn; for circular arcs, ε_β times the number of contact "
          "points per tooth; 0 if the teeth do not touch",
-         &V::contact_ratio)
-      .shown([](const V& v) { return !is<CrossedPair>(v); });
+         &Pair::contact_ratio)
+      .shown([](const Pair& v) { return !is<CrossedPair>(v); });
   // A pair on crossed axes has a single contact ratio. There is no transverse contact ratio to
   // which an overlap ratio could be added.
   of_crossed
@@ -234,12 +232,12 @@ void add_contact(Quantities<V>& q) {
               "gears, the width of one half; only for circular arcs",
               &ArcPair::face_for_contact)
       .when()
-      .shown([](const V& v) { return !double_helical(v); });
+      .shown([](const Pair& v) { return !double_helical(v); });
   q.part(as<ArcPair>)
       .number("whole_face_width_for_contact_mm", "minimum face width for continuous contact", "b",
               "for double-helical gears, including both halves and the gap",
               [](const ArcPair& p) { return p.whole_face(p.face_for_contact); })
-      .when([](const V& v) { return is<ArcPair>(v) && double_helical(v); });
+      .when([](const Pair& v) { return is<ArcPair>(v) && double_helical(v); });
   q.under(kContact);
   q.record<line_quantities>("line_of_action",
                             "line of action, or for circular arcs path of the contact point over "
@@ -261,12 +259,12 @@ void add_contact(Quantities<V>& q) {
        "crossed axes, these are overlaps of tips and roots [T4.33] and, with an internal gear, "
        "also of tip corners and flanks. The list is null if it was not computed (circular arcs of "
        "unequal lead, internal gear without a given cutter)",
-       [](const V& v) -> const auto& { return v.mounted().overlap; })
+       [](const Pair& v) -> const auto& { return v.mounted().overlap; })
       .list({0})
       .doors(kJson);
   q.record<collision_quantities>("beyond_flank",
                                  "contacts of a root or a tip beyond the flank, without overlap",
-                                 [](const V& v) { return v.mounted().beyond_flank; })
+                                 [](const Pair& v) { return v.mounted().beyond_flank; })
       .doors(kJson);
   q.record<interference_quantities>("interference",
                                     "causes of an overlap; if `overlap` was not computed, all "
@@ -275,10 +273,10 @@ void add_contact(Quantities<V>& q) {
       .doors(kJson);
 }
 
-void add_clearances(Quantities<V>& q) {
+void add_clearances(Quantities<Pair>& q) {
   q.under(kClearances);
   q.term("tip_clearance_mm", "per gear, from its tip to the root of the mating gear",
-         [](const V& v) { return v.mounted().tip_clearance; })
+         [](const Pair& v) { return v.mounted().tip_clearance; })
       .per_gear();
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
@@ -313,14 +311,14 @@ void add_clearances(Quantities<V>& q) {
       .when();
 }
 
-void add_sliding(Quantities<V>& q) {
+void add_sliding(Quantities<Pair>& q) {
   q.under(kContact);
   add_sliding(q,
               "sliding distance [at A, at E] per mm that the contact travels on the flank. On "
               "parallel axes [T2.22], the value is negative where the mating gear drags the flank "
               "and null at and beyond a base tangent point. On crossed axes [T4.25], it is the "
               "ratio of the magnitudes of the velocities",
-              [](const V& v) -> std::optional<SlidingAtEnds> {
+              [](const Pair& v) -> std::optional<SlidingAtEnds> {
                 const InvolutePair* p = v.involute();
                 if (!p) return std::nullopt;
                 const auto &a = p->sliding_A, &e = p->sliding_E;
@@ -329,7 +327,7 @@ void add_sliding(Quantities<V>& q) {
 }
 
 // Adds quantities that exist only on parallel axes.
-void add_parallel(Quantities<V>& all) {
+void add_parallel(Quantities<Pair>& all) {
   auto q = all.part(as<ParallelPair>);
   all.under(kFace);
   q.record<needed_face_quantities>(
@@ -354,14 +352,14 @@ void add_parallel(Quantities<V>& all) {
            axial_force)
       .per_gear()
       .when(is<InvolutePair>)
-      .shown([](const V& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
+      .shown([](const Pair& v) { return v.gear(1).spec.helix_angle.rad() != 0.0; });
   all.under(kBacklash);
   q.number("backlash_per_center_distance", "circumferential backlash per centre distance", "",
            "[T6.16]; null on crossed axes", backlash_per_distance)
       .when(is<InvolutePair>);
 }
 
-void add_friction(Quantities<V>& q) {
+void add_friction(Quantities<Pair>& q) {
   q.under(kContact);
   auto of_involutes = q.part(as<InvolutePair>);
   of_involutes
@@ -374,7 +372,7 @@ void add_friction(Quantities<V>& q) {
   add_efficiency(q, efficiency_of);
 }
 
-void add_all(Quantities<V>& q) {
+void add_pair(Quantities<Pair>& q) {
   q.groups({kMounting, kContact, kBacklash, kClearances, kFace});
   add_mounting(q);
   add_crossed(q);
@@ -401,6 +399,6 @@ void add_all(Quantities<V>& q) {
 
 }  // namespace
 
-const Quantities<Pair>& pair_quantities() { return define<add_all>("pair"); }
+const Quantities<Pair>& pair_quantities() { return define<add_pair>("pair"); }
 
 }  // namespace gearwright

@@ -20,7 +20,7 @@ const Quantities<Resultant>& resultant_quantities() {
   });
 }
 
-const char* words_of(PhasingClass kind) {
+const char* phasing_words(PhasingClass kind) {
   switch (kind) {
     case PhasingClass::in_phase: return "in_phase";
     case PhasingClass::sequential: return "sequential";
@@ -82,7 +82,7 @@ const Quantities<PlanetSet>& phasing_quantities() {
   using P = PlanetSet;
   return define("drive.phasing", [](Quantities<P>& q) {
     q.word("class", "class of phasing", "for the first harmonic [T13.19]", [](const P& p) {
-       return words_of(p.phasing.kind);
+       return phasing_words(p.phasing.kind);
      }).one_of({"in_phase", "sequential", "counter", "mixed"});
     q.number("sun_phase", "phases of the sun's meshes", "γ",
              "phase by which each mesh follows the first mesh, in periods [T13.16]",

@@ -15,6 +15,12 @@ const QuantityInfo* QuantityTable::find(std::string_view key) const {
   return it == list.end() ? nullptr : *it;
 }
 
+QuantityInfo info_of(Type type, const char* key, const char* words, const char* symbol,
+                     const char* meaning) {
+  const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+  return {key, words, symbol, unit, {}, meaning, type};
+}
+
 int digits_of(const QuantityInfo& info) { return info.digits.value_or(unit_digits(info.unit)); }
 
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units) {

@@ -187,16 +187,31 @@ std::function<Value(const S&)> getter(Unit unit, G get) {
   using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
   if constexpr (HasAngles<R>::value) {
     return [unit, get](const S& s) { return angles_in(unit, std::invoke(get, s)); };
+  } else if constexpr (std::is_empty_v<G> && std::is_default_constructible_v<G>) {
+    // All lambdas without captures become the same type, for which std::function is compiled once.
+    return +[](const S& s) -> Value { return G()(s); };
   } else {
     return get;
   }
 }
+
+/// The description of a quantity without its shape. The ending of the key gives the unit.
+QuantityInfo info_of(Type type, const char* key, const char* words, const char* symbol,
+                     const char* meaning);
 
 /// The functions that add an entry of S to `Self`. Each function adds one quantity. The ending of
 /// the key gives the unit of the quantity. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:
+  template <class G>
+  auto& add(Type type, const char* key, const char* words, const char* symbol, const char* meaning,
+            G get) {
+    QuantityInfo info = info_of(type, key, words, symbol, meaning);
+    self().template shape<std::remove_cvref_t<std::invoke_result_t<G, const S&>>>(info);
+    auto found = getter<S>(info.unit, std::move(get));
+    return self().add(std::move(info), std::move(found));
+  }
   template <class G>
   auto& number(const char* key, const char* words, const char* symbol, const char* meaning, G get) {
     return self().add(Type::number, key, words, symbol, meaning, std::move(get));
@@ -267,13 +282,10 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   /// Sets the heading of the quantities that follow. At first there is no heading.
   void under(const char* group) { group_ = group; }
 
-  template <class G>
-  Quantity<S>& add(Type type, const char* key, const char* words, const char* symbol,
-                   const char* meaning, G get) {
-    const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
-    list_.push_back({{key, words, symbol, unit, group_, meaning, type}, getter<S>(unit, get)});
-    shape<std::remove_cvref_t<std::invoke_result_t<G, const S&>>>(list_.back().info);
-    return list_.back();
+  using QuantityForms<Quantities<S>, S>::add;
+  Quantity<S>& add(QuantityInfo info, std::function<Value(const S&)> get) {
+    info.group = group_;
+    return list_.emplace_back(Quantity<S>{std::move(info), std::move(get)});
   }
   /// Describes the values of a getter that returns R.
   template <class R>
@@ -329,18 +341,14 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
 
   PartQuantities(Quantities<S>& all, Find find) : all_(all), find_(find) {}
 
-  template <class G>
-  Quantity<S>& add(Type type, const char* key, const char* words, const char* symbol,
-                   const char* meaning, G get) {
-    const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+  using QuantityForms<PartQuantities<S, P>, P>::add;
+  Quantity<S>& add(QuantityInfo info, std::function<Value(const P&)> get) {
     Quantity<S>& q =
-        all_.add(type, key, words, symbol, meaning,
-                 [find = find_, get = getter<P>(unit, std::move(get))](const S& subject) {
-                   const P* part = find(subject);
-                   return part ? get(*part) : Value();
-                 });
+        all_.add(std::move(info), [find = find_, get = std::move(get)](const S& subject) {
+          const P* part = find(subject);
+          return part ? get(*part) : Value();
+        });
     q.there = [find = find_](const S& subject) { return find(subject) != nullptr; };
-    shape<std::remove_cvref_t<std::invoke_result_t<G, const P&>>>(q.info);
     return q;
   }
   /// Like Quantities::shape(), but the value may be null, because a subject may lack the part.

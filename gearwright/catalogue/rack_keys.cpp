@@ -9,13 +9,13 @@ namespace gearwright {
 
 namespace {
 
-using Range = KeyRange;
-
 constexpr std::size_t kMaxArcs = 100;  // more than any rack has
 
-Range any_length() { return Range::between(-kMaxModules, kMaxModules); }
-Range some_length() { return Range::above(0, kMaxModules); }
-Range no_or_some_length(const char* reason = "") { return Range::between(0, kMaxModules, reason); }
+KeyRange any_length() { return KeyRange::between(-kMaxModules, kMaxModules); }
+KeyRange some_length() { return KeyRange::above(0, kMaxModules); }
+KeyRange no_or_some_length(const char* reason = "") {
+  return KeyRange::between(0, kMaxModules, reason);
+}
 
 Key kind(std::string_view word, std::string_view meaning, std::string_view fallback = kRequired) {
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
@@ -66,7 +66,7 @@ const KeyTable& straight_rack_keys() {
        Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum,
                    "h_aP* − ρ_1* (1 − sin α_n), or no end if `tip_fillet_radius` is 0",
                    "height above the datum line at which the straight flank of the cutter ends"),
-       Key::number("semi_topping_angle_deg", "", Range::inside(0, 90),
+       Key::number("semi_topping_angle_deg", "", KeyRange::inside(0, 90),
                    &StraightRack::semi_topping_angle, "none",
                    "pressure angle of a ramp that starts at `tool_addendum` and cuts a tip "
                    "chamfer; greater than α_n; instead of `tip_fillet_radius`")
@@ -122,7 +122,7 @@ const KeyTable& double_arc_rack_keys() {
                    kRequired, "height of the centre of the concave arc above the datum line"),
        Key::number("space_width", "e_f*", some_length(), &DoubleArcRack::space_width, kRequired,
                    "width of the tooth space at the contact on the concave arc"),
-       Key::number("pressure_angle_deg", "α", Range::inside(0, 90, ", usually 24"),
+       Key::number("pressure_angle_deg", "α", KeyRange::inside(0, 90, ", usually 24"),
                    &DoubleArcRack::pressure_angle, "24",
                    "pressure angle at the contact with the arcs of the mating gear"),
        Key::number("addendum", "h_a*", some_length(), &DoubleArcRack::addendum, "0.9",

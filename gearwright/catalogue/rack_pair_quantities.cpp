@@ -7,88 +7,88 @@ namespace gearwright {
 
 namespace {
 
-using V = RackPair;
-
 const Quantities<RackPair>& rack_backlash_quantities() {
-  return define("rack_pair.backlash", [](Quantities<V>& q) {
-    q.term("normal_base_mm", "along the common normal", &V::base_backlash);
-    q.term("normal_mm", "j_bn/cos α_n", &V::normal_backlash);
+  return define("rack_pair.backlash", [](Quantities<RackPair>& q) {
+    q.term("normal_base_mm", "along the common normal", &RackPair::base_backlash);
+    q.term("normal_mm", "j_bn/cos α_n", &RackPair::normal_backlash);
     q.term("circumferential_mm", "for the pinion at the reference circle, and along the rack",
-           [](const V& v) {
+           [](const RackPair& v) {
              const double j = v.circumferential_backlash();
              return std::array{j, j};
            })
         .per_gear();
     q.number("rotation_deg", "angular backlash of the pinion", "j_φ",
-             "angular backlash of the pinion with the rack held", [](const V& v) {
+             "angular backlash of the pinion with the rack held", [](const RackPair& v) {
                return Angle::radians(2 * v.circumferential_backlash() / v.pinion.reference_diameter)
                    .deg();
              });
   });
 }
 
-void add_mounting(Quantities<V>& q) {
+void add_rack_mounting(Quantities<RackPair>& q) {
   q.under(kMounting);
   q.word("kind", "kind of pair", "for a pinion and a rack",
-         [](const V&) { return "rack_and_pinion"; })
+         [](const RackPair&) { return "rack_and_pinion"; })
       .one_of({"rack_and_pinion"})
       .doors(kJson);
-  q.term("gear_ratio", "null, because a rack does not turn", [](const V&) {
+  q.term("gear_ratio", "null, because a rack does not turn", [](const RackPair&) {
      return Value();
    }).doors(kJson);
   q.term("center_distance_mm",
          "distance from the pinion axis to the datum line of the rack [T2.36]",
-         &V::center_distance);
+         &RackPair::center_distance);
   q.number("mounting_distance_mm", "mounting distance", "",
-           "distance from the pinion axis to the back of the rack", &V::mounting_distance);
+           "distance from the pinion axis to the back of the rack", &RackPair::mounting_distance);
   q.term("backlash_free_center_distance_mm", "for the teeth as cut, including allowances [T2.36]",
-         &V::backlash_free_center_distance);
+         &RackPair::backlash_free_center_distance);
   q.number("travel_mm_per_turn", "travel per turn of the pinion", "", "π m_t z",
-           &V::travel_per_turn)
+           &RackPair::travel_per_turn)
       .unit(Unit::mm);
   q.term("working_normal_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
-         [](const V& v) { return v.pinion.spec.normal_pressure_angle; });
+         [](const RackPair& v) { return v.pinion.spec.normal_pressure_angle; });
   q.term("working_transverse_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
-         [](const V& v) { return Angle::radians(v.pinion.reference().transverse_pressure_angle); });
+         [](const RackPair& v) {
+           return Angle::radians(v.pinion.reference().transverse_pressure_angle);
+         });
   q.number("working_pitch_diameter_mm", "working pitch diameter of the pinion", "d_w",
            "equal to the reference diameter of the pinion at every centre distance",
-           [](const V& v) { return v.pinion.reference_diameter; });
+           [](const RackPair& v) { return v.pinion.reference_diameter; });
   q.term("pitch_line_velocity_m_per_s", "equal to the speed of the rack; only with `speed_rpm`",
-         [](const V& v) { return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM; })
-      .when([](const V& v) { return v.speed_rpm.has_value(); });
+         [](const RackPair& v) { return v.travel_per_turn * *v.speed_rpm / 60.0 / kMmPerM; })
+      .when([](const RackPair& v) { return v.speed_rpm.has_value(); });
 }
 
-void add_contact(Quantities<V>& q) {
+void add_rack_contact(Quantities<RackPair>& q) {
   q.under(kContact);
   q.term("contact_ratio", "ε_α + ε_β",
-         [](const V& v) { return v.transverse_contact_ratio() + v.overlap_ratio; });
+         [](const RackPair& v) { return v.transverse_contact_ratio() + v.overlap_ratio; });
   q.term("transverse_contact_ratio",
          "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
-         &V::transverse_contact_ratio);
+         &RackPair::transverse_contact_ratio);
   q.term("contact_ratio_true", "for the part of the path on the usable flanks [T2.39]",
-         [](const V& v) { return v.true_contact_ratio() + v.overlap_ratio; });
-  q.term("overlap_ratio", "over the common face", &V::overlap_ratio);
+         [](const RackPair& v) { return v.true_contact_ratio() + v.overlap_ratio; });
+  q.term("overlap_ratio", "over the common face", &RackPair::overlap_ratio);
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
-         [](const V& v) { return v.approach / v.base_pitch; });
+         [](const RackPair& v) { return v.approach / v.base_pitch; });
   q.term("recess_contact_ratio", "contact ratio after the pitch point, with the pinion driving",
-         [](const V& v) { return v.recess / v.base_pitch; });
+         [](const RackPair& v) { return v.recess / v.base_pitch; });
   add_sliding(q,
               "sliding distance [at A, at E] per mm that the contact travels on the flank [T2.41]; "
               "null for the pinion at and beyond the base tangent point",
-              [](const V& v) {
+              [](const RackPair& v) {
                 const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
                 return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
               });
   add_efficiency(
-      q, +[](const V& v) { return v.efficiency ? &*v.efficiency : nullptr; });
+      q, +[](const RackPair& v) { return v.efficiency ? &*v.efficiency : nullptr; });
 }
 
-void add_all(Quantities<V>& q) {
+void add_rack_pair(Quantities<RackPair>& q) {
   q.groups({kMounting, kContact, kBacklash, kClearances});
-  add_mounting(q);
-  add_contact(q);
+  add_rack_mounting(q);
+  add_rack_contact(q);
   q.under(kBacklash);
   q.record<rack_backlash_quantities>(
       "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]");
@@ -96,13 +96,13 @@ void add_all(Quantities<V>& q) {
   q.term("tip_clearance_mm",
          "for the pinion from its tip to the root of the rack, for the rack from its tip to the "
          "root of the pinion [T2.40]",
-         &V::tip_clearance)
+         &RackPair::tip_clearance)
       .per_gear();
   q.number("contact_root_diameter_mm", "active root diameter of the pinion", "d_Nf",
            "diameter at which contact starts; null if contact starts beyond the base tangent point",
-           &V::contact_root_diameter);
+           &RackPair::contact_root_diameter);
   q.number("form_clearance_mm", "form clearance at the root of the pinion", "c_F",
-           "(d_Nf − d_Ff)/2; null if d_Nf or d_Ff is null", &V::form_clearance);
+           "(d_Nf − d_Ff)/2; null if d_Nf or d_Ff is null", &RackPair::form_clearance);
 }
 
 }  // namespace
@@ -135,6 +135,6 @@ const Quantities<RackGeometry>& rack_quantities() {
   });
 }
 
-const Quantities<RackPair>& rack_pair_quantities() { return define<add_all>("rack_pair"); }
+const Quantities<RackPair>& rack_pair_quantities() { return define<add_rack_pair>("rack_pair"); }
 
 }  // namespace gearwright

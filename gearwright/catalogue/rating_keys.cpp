@@ -13,22 +13,19 @@ namespace gearwright {
 
 namespace {
 
-using Range = KeyRange;
-using R = RatingTable;
-
 constexpr double kMaxFactor = 100.0;
 
 // A key for a factor that replaces the formula of the standard.
 Key factor(std::string_view key, std::string_view symbol, double RatingInput::*member,
            std::string_view fallback, std::string_view meaning) {
-  return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
-                     meaning);
+  return Key::number(key, symbol, KeyRange::between(1, kMaxFactor), {&RatingTable::input, member},
+                     fallback, meaning);
 }
 Key factor(std::string_view key, std::string_view symbol,
            std::optional<double> RatingInput::*member, std::string_view fallback,
            std::string_view meaning) {
-  return Key::number(key, symbol, Range::between(1, kMaxFactor), {&R::input, member}, fallback,
-                     meaning);
+  return Key::number(key, symbol, KeyRange::between(1, kMaxFactor), {&RatingTable::input, member},
+                     fallback, meaning);
 }
 
 // K_γ. The reader of drives reads the table and the word (spec/read_drive.hpp).
@@ -44,7 +41,7 @@ Key mesh_load_factor() {
 }
 
 // A key for two numbers, one for each gear. A single number applies to both gears.
-Key of_both(std::string_view key, std::string_view symbol, Range range, KeyPlace place,
+Key of_both(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
   return Key::number(key, symbol, std::move(range), std::move(place), fallback, meaning)
       .with_list(KeyList{2, 2, true})
@@ -132,80 +129,86 @@ const KeyTable& rating_keys() {
       "rating",
       "Strength by ISO 6336, method B",
       {Key::word("standard", {"ISO 6336:2006", "ISO 6336:2019", "VDI 2736:2014"},
-                 {&R::input, &RatingInput::edition}, "\"ISO 6336:2006\"",
+                 {&RatingTable::input, &RatingInput::edition}, "\"ISO 6336:2006\"",
                  "edition of ISO 6336-1, -2 and -3, or the guideline for plastics")
            .with_fields({"edition"})
            .with_also({"norm", "edition", "method"}),
-       Key::positive("power_kW", "P", &R::power, "from `torque_Nm`",
+       Key::positive("power_kW", "P", &RatingTable::power, "from `torque_Nm`",
                      "power through the mesh; can be given instead of `torque_Nm`")
            .with_needs({"speed_rpm"})
            .with_also({"power", "p", "kw"}),
-       Key::positive("torque_Nm", "T_1", &R::torque, "from `power_kW`",
+       Key::positive("torque_Nm", "T_1", &RatingTable::torque, "from `power_kW`",
                      "torque on gear 1; can be given instead of `power_kW`")
            .with_also({"torque", "moment", "t"}),
-       Key::positive("speed_rpm", "n_1", {&R::input, &RatingInput::speed},
+       Key::positive("speed_rpm", "n_1", {&RatingTable::input, &RatingInput::speed},
                      "the speed can be absent only if `dynamic_factor` is given", "speed of gear 1")
            .with_also({"speed", "rpm", "n"}),
        factor(
            "application_factor", "K_A", &RatingInput::application_factor, "1",
            "application factor K_A for additional loads from the driving and the driven machine"),
        mesh_load_factor(),
-       Key::positive("life_h", "L_h", {&R::input, &RatingInput::life_h}, "life factors are 1",
-                     "required life in hours at this load")
+       Key::positive("life_h", "L_h", {&RatingTable::input, &RatingInput::life_h},
+                     "life factors are 1", "required life in hours at this load")
            .with_needs({"speed_rpm"})
            .with_also({"life", "hours", "service_life"}),
        Key::flag(
-           "reversed", {&R::input, &RatingInput::reversed}, "false",
+           "reversed", {&RatingTable::input, &RatingInput::reversed}, "false",
            "if true, the teeth bend in both directions, as in an idler, and σ_FG is multiplied "
            "by 0.7")
            .with_also({"idler", "alternating"}),
-       Key::number("lubricant_viscosity_40C_mm2_s", "ν_40", Range::between(1, 5000),
-                   {&R::input, &RatingInput::viscosity}, "Z_L = 1", "viscosity of the oil at 40 °C")
+       Key::number("lubricant_viscosity_40C_mm2_s", "ν_40", KeyRange::between(1, 5000),
+                   {&RatingTable::input, &RatingInput::viscosity}, "Z_L = 1",
+                   "viscosity of the oil at 40 °C")
            .with_fields({"viscosity"})
            .with_also({"viscosity", "oil", "iso_vg", "lubricant"}),
-       of_both("quality", "Q", Range::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
-               KeyPlace::by<R, std::array<double, 2>>(set_quality),
+       of_both("quality", "Q", KeyRange::between(kBestGrade, kWorstGrade, ", grades of ISO 1328-1"),
+               KeyPlace::by<RatingTable, std::array<double, 2>>(set_quality),
                "`quality` of the gears; not required if the dynamic and transverse load factors "
                "are given",
                "accuracy grades of ISO 1328-1; the edition of 1995 applies if `standard` is `\"ISO "
                "6336:2006\"`, otherwise the edition of 2013")
            .with_form("one whole number, or a list of two whole numbers for gear 1 and gear 2")
            .with_also({"accuracy", "grade", "iso1328"}),
-       of_both("flank_roughness_um", "Rz_H", Range::between(0.01, 1000),
-               {&R::input, &RatingInput::flank_roughness}, "Z_R = 1",
+       of_both("flank_roughness_um", "Rz_H", KeyRange::between(0.01, 1000),
+               {&RatingTable::input, &RatingInput::flank_roughness}, "Z_R = 1",
                "mean peak-to-valley roughness Rz of the flanks, about 6 Ra")
            .with_also({"roughness", "rz", "flank_rz"}),
-       of_both("root_roughness_um", "Rz_F", Range::between(0.01, 1000),
-               {&R::input, &RatingInput::root_roughness}, "Y_RrelT = 1", "Rz of the root fillets")
+       of_both("root_roughness_um", "Rz_F", KeyRange::between(0.01, 1000),
+               {&RatingTable::input, &RatingInput::root_roughness}, "Y_RrelT = 1",
+               "Rz of the root fillets")
            .with_also({"root_rz"}),
        Key::not_negative(
-           "tip_relief_um", "C_a", {&R::input, &RatingInput::tip_relief},
+           "tip_relief_um", "C_a", {&RatingTable::input, &RatingInput::tip_relief},
            "the tip relief that running-in produces; no relief for grade 6 and coarser grades",
            "tip relief, for the dynamic factor of grades 0 to 5"),
-       of_both("rim_thickness_mm", "s_R", Range::positive(),
-               KeyPlace::by<R, std::array<double, 2>>(set_rims), "the rim is thick",
+       of_both("rim_thickness_mm", "s_R", KeyRange::positive(),
+               KeyPlace::by<RatingTable, std::array<double, 2>>(set_rims), "the rim is thick",
                "thickness of the rim under the teeth, for Y_B and, together with the web, for c'")
            .with_also({"rim"}),
-       Key::positive("web_thickness_mm", "b_s", &R::web_thickness, "the gear is a solid disc",
+       Key::positive("web_thickness_mm", "b_s", &RatingTable::web_thickness,
+                     "the gear is a solid disc",
                      "thickness of the web that carries the rim, for c'")
            .with_needs({"rim_thickness_mm"})
            .with_also({"web"}),
-       Key::flag("limited_pitting",
-                 KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.limited_pitting; }),
+       Key::flag("limited_pitting", KeyPlace::within<RatingTable>([](auto& r) -> auto& {
+                   return r.input.life.limited_pitting;
+                 }),
                  "false",
                  "if true, some pitting is permitted and Z_NT follows the corresponding line of "
                  "the standard"),
-       Key::number("life_factor_end", "", Range::between(0.85, 1),
-                   KeyPlace::within<R>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
-                   "0.85",
-                   "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
-                   "manufacture and lubrication"),
+       Key::number(
+           "life_factor_end", "", KeyRange::between(0.85, 1),
+           KeyPlace::within<RatingTable>([](auto& r) -> auto& { return r.input.life.at_10_10; }),
+           "0.85",
+           "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
+           "manufacture and lubrication"),
        factor(
            "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
            "from `[rating.mounting]` or the shafts of the gears; 1.4 in a search that has neither",
            "face load factor of the flank, which replaces the computed value"),
        Key::not_negative(
-           "misalignment_um", "f_ma", {&R::input, &RatingInput::misalignment}, "√(f_Hβ1² + f_Hβ2²)",
+           "misalignment_um", "f_ma", {&RatingTable::input, &RatingInput::misalignment},
+           "√(f_Hβ1² + f_Hβ2²)",
            "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
               "face load factor of the root, which replaces the computed value"),
@@ -217,13 +220,13 @@ const KeyTable& rating_keys() {
        factor("transverse_load_factor_root", "K_Fα", &RatingInput::transverse_load_factor_root,
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
-       Key::positive("safety_flank_min", "S_Hmin", &R::safety_flank_min,
+       Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
                      "no required value; 1 is used", "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
-       Key::positive("safety_root_min", "S_Fmin", &R::safety_root_min,
+       Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
                      "no required value; 1 is used", "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
-       Key::flag("tooth_contact", &R::tooth_contact, "false",
+       Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
                  "also computed, as in `load`, with the positions, slices and accuracy of `[load]` "
                  "(takes a few seconds)")
@@ -234,16 +237,16 @@ const KeyTable& rating_keys() {
             KeyList{
                 .most = kMaxLoadBins,
                 .must = "must be a list of 1 to {} tables [[rating.spectrum]], one for each step"},
-        .place = &R::spectrum,
+        .place = &RatingTable::spectrum,
         .tables = {load_bin_keys},
         .fallback = "one load for the whole life",
         .meaning = "steps of the load with their hours, each in a table; safeties are computed by "
                    "Miner's rule with K_A = 1"},
-       Key::part("material", material_keys, &R::material,
+       Key::part("material", material_keys, &RatingTable::material,
                  "material of gears without a table `material`"),
-       Key::part("mounting", rating_mounting_keys, {&R::input, &RatingInput::mounting},
+       Key::part("mounting", rating_mounting_keys, {&RatingTable::input, &RatingInput::mounting},
                  "position of the pinion between the bearings, for K_Hβ"),
-       Key::part("plastic", rating_plastic_keys, {&R::input, &RatingInput::plastic},
+       Key::part("plastic", rating_plastic_keys, {&RatingTable::input, &RatingInput::plastic},
                  "temperatures of plastic teeth, for VDI 2736")},
       complete_rating};
   return table;
@@ -254,14 +257,14 @@ const KeyTable& rating_plastic_keys() {
   static const KeyTable table{
       "rating_plastic",
       "Temperatures of plastic teeth, for VDI 2736",
-      {of_both("flank_temperature_C", "ϑ_Fla", Range::between(-100, 400), &P::flank_temperature,
+      {of_both("flank_temperature_C", "ϑ_Fla", KeyRange::between(-100, 400), &P::flank_temperature,
                "computed from the friction", "temperature of the flanks"),
-       of_both("root_temperature_C", "ϑ_Fu", Range::between(-100, 400), &P::root_temperature,
+       of_both("root_temperature_C", "ϑ_Fu", KeyRange::between(-100, 400), &P::root_temperature,
                "computed from the friction", "temperature of the roots"),
-       Key::number("ambient_temperature_C", "ϑ_0", Range::between(-100, 400),
+       Key::number("ambient_temperature_C", "ϑ_0", KeyRange::between(-100, 400),
                    &P::ambient_temperature, "", "temperature of the air or oil around the gears")
            .with_also({"ambient"}),
-       Key::number("friction_coefficient", "μ", Range::between(0, 1), &P::friction, "",
+       Key::number("friction_coefficient", "μ", KeyRange::between(0, 1), &P::friction, "",
                    "coefficient of friction of the flanks")
            .with_fields({"friction"})
            .with_also({"friction", "mu"}),
@@ -272,7 +275,7 @@ const KeyTable& rating_plastic_keys() {
            .with_needs({"housing_area_m2"}),
        Key::positive("housing_area_m2", "A_G", &P::housing_area, "",
                      "surface of the housing that gives off heat"),
-       Key::number("duty", "ED", Range::between(0, 1), &P::duty, "1",
+       Key::number("duty", "ED", KeyRange::between(0, 1), &P::duty, "1",
                    "running time as a share of ten minutes"),
        Key::not_negative("heat_transfer_flank", "k_ϑ,Fla", &P::flank_heat_transfer,
                          "9000 for two plastic gears, 6300 with a metal gear",

@@ -9,10 +9,9 @@ namespace gearwright {
 
 namespace {
 
-using V = RatingAnswer;
 using R = Rating;
 
-constexpr const char* kLoad = "Load";
+constexpr const char* kRatedLoad = "Load";
 constexpr const char* kMaterial = "Material";
 constexpr const char* kGeneral = "General influence, ISO 6336-1";
 constexpr const char* kFlank = "Flank, ISO 6336-2";
@@ -32,7 +31,7 @@ const Factor* one(const R& r) {
   return &(r.*member);
 }
 template <auto member>
-const Factor* maybe(const R& r) {
+const Factor* factor_of(const R& r) {
   const auto& f = r.*member;
   return f ? &*f : nullptr;
 }
@@ -66,11 +65,11 @@ constexpr Unit kStiff = Unit::newton_per_mm_um;
 
 const std::vector<FactorEntry>& entries() {
   static const std::vector<FactorEntry> kAll{
-      {kLoad, "F_t_N", "tangential load", "F_t", Unit::newton, 1, one<&R::F_t>},
-      {kLoad, "v_m_per_s", "pitch line velocity", "v", Unit::m_per_s, 3, maybe<&R::v>},
-      {kLoad, "N_L", "load cycles", "N_L", kNone, 0, nullptr, cycles},
-      {kLoad, "K_A", "application factor", "K_A", kNone, 3, one<&R::K_A>},
-      {kLoad, "K_gamma", "mesh load factor", "K_γ", kNone, 3, one<&R::K_gamma>},
+      {kRatedLoad, "F_t_N", "tangential load", "F_t", Unit::newton, 1, one<&R::F_t>},
+      {kRatedLoad, "v_m_per_s", "pitch line velocity", "v", Unit::m_per_s, 3, factor_of<&R::v>},
+      {kRatedLoad, "N_L", "load cycles", "N_L", kNone, 0, nullptr, cycles},
+      {kRatedLoad, "K_A", "application factor", "K_A", kNone, 3, one<&R::K_A>},
+      {kRatedLoad, "K_gamma", "mesh load factor", "K_γ", kNone, 3, one<&R::K_gamma>},
       {kGeneral, "c_th_prime", "theoretical single stiffness", "c'_th", kStiff, 5,
        of_stiffness<&Stiffness::c_th>},
       {kGeneral, "c_prime", "single stiffness", "c'", kStiff, 5, of_stiffness<&Stiffness::c_prime>},
@@ -78,10 +77,10 @@ const std::vector<FactorEntry>& entries() {
        of_stiffness<&Stiffness::c_gamma_alpha>},
       {kGeneral, "c_gamma_beta", "mesh stiffness for the face load factor", "c_γβ", kStiff, 5,
        of_stiffness<&Stiffness::c_gamma_beta>},
-      {kGeneral, "m_red", "reduced mass", "m_red", Unit::kg_per_mm, 5, maybe<&R::m_red>},
+      {kGeneral, "m_red", "reduced mass", "m_red", Unit::kg_per_mm, 5, factor_of<&R::m_red>},
       {kGeneral, "n_E1_rpm", "resonance speed of the pinion", "n_E1", Unit::per_minute, 1,
-       maybe<&R::n_E1>},
-      {kGeneral, "N", "resonance ratio", "N", kNone, 4, maybe<&R::N>},
+       factor_of<&R::n_E1>},
+      {kGeneral, "N", "resonance ratio", "N", kNone, 4, factor_of<&R::N>},
       {kGeneral, "K_v", "dynamic factor", "K_v", kNone, 4, one<&R::K_v>},
       {kGeneral, "f_sh_um", "misalignment by deflection", "f_sh", Unit::um, 2,
        of_face<&FaceLoad::f_sh>},
@@ -114,7 +113,7 @@ const std::vector<FactorEntry>& entries() {
       {kFlank, "S_H", term_of("S_H").words, "S_H", kNone, 3, nullptr, per<&R::S_H>},
       {kRoot, "Y_F", "form factor", "Y_F", kNone, 4, nullptr, per<&R::Y_F>},
       {kRoot, "Y_S", "stress correction factor", "Y_S", kNone, 4, nullptr, per<&R::Y_S>},
-      {kRoot, "Y_epsilon", "contact ratio factor", "Y_ε", kNone, 4, maybe<&R::Y_epsilon>},
+      {kRoot, "Y_epsilon", "contact ratio factor", "Y_ε", kNone, 4, factor_of<&R::Y_epsilon>},
       {kRoot, "Y_beta", "helix angle factor", "Y_β", kNone, 4, nullptr, per<&R::Y_beta>},
       {kRoot, "Y_B", "rim thickness factor", "Y_B", kNone, 4, nullptr, per<&R::Y_B>},
       {kRoot, "Y_DT", "deep tooth factor", "Y_DT", kNone, 4, nullptr, per<&R::Y_DT>},
@@ -137,53 +136,53 @@ const std::vector<FactorEntry>& entries() {
 
 Value number(const Factor* f) { return f && is_there(*f) ? Value(f->value) : Value(); }
 
-Value section(const V& v, double CriticalSection::*member, double scale = 1.0) {
+Value section(const RatingAnswer& v, double CriticalSection::*member, double scale = 1.0) {
   return std::array{std::abs(v.rating.section[0].*member) * scale,
                     std::abs(v.rating.section[1].*member) * scale};
 }
 
 // The strengths of both materials. A strength is null for a plastic whose strength depends on
 // temperature.
-Value strengths(const V& v, double Material::*member) {
+Value strengths(const RatingAnswer& v, double Material::*member) {
   ValueList values;
   for (const Material& m : v.input.materials)
     values.push_back(m.*member > 0.0 ? Value(m.*member) : Value());
   return values;
 }
 
-Value tolerance(const V& v, double Tolerances::*member) {
+Value tolerance(const RatingAnswer& v, double Tolerances::*member) {
   if (!v.rating.tolerance) return {};
   return std::array{(*v.rating.tolerance)[0].*member, (*v.rating.tolerance)[1].*member};
 }
 
-double speed(const V& v) { return v.input.speed.value_or(0.0); }
+double speed(const RatingAnswer& v) { return v.input.speed.value_or(0.0); }
 
 // The magnitude of the gear ratio, |z_2/z_1|.
-double ratio(const V& v) {
+double ratio(const RatingAnswer& v) {
   const auto& gears = v.pair.gears;
   return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
 }
 
-void add_inputs(Quantities<V>& q) {
+void add_inputs(Quantities<RatingAnswer>& q) {
   q.word("standard", "standard", "standard with its edition",
-         [](const V& v) { return name(v.rating.edition); });
-  q.under(kLoad);
-  q.term("power_kW", "null without a speed", [](const V& v) {
+         [](const RatingAnswer& v) { return name(v.rating.edition); });
+  q.under(kRatedLoad);
+  q.term("power_kW", "null without a speed", [](const RatingAnswer& v) {
     const double power = v.input.torque * speed(v) * 2 * std::numbers::pi / 60.0 / 1000.0;
     return power > 0 ? Value(power) : Value();
   });
   q.number("torque_Nm", "torque", "T", "torque on each gear under the nominal load",
-           [](const V& v) {
+           [](const RatingAnswer& v) {
              return std::array{v.input.torque, v.input.torque * ratio(v)};
            })
       .per_gear();
-  q.term("speed_rpm", "null if no speed is given", [](const V& v) {
+  q.term("speed_rpm", "null if no speed is given", [](const RatingAnswer& v) {
      return speed(v) > 0 ? Value(std::array{speed(v), speed(v) / ratio(v)}) : Value();
    }).per_gear();
   q.under(kMaterial);
   q.add(Type::text, "material", "material", "",
         "name of the material, or its kind if it has no name",
-        [](const V& v) {
+        [](const RatingAnswer& v) {
           ValueList names;
           for (const Material& m : v.input.materials)
             names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
@@ -192,77 +191,77 @@ void add_inputs(Quantities<V>& q) {
       .per_gear();
   q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
            "value of the reference test gears",
-           [](const V& v) { return strengths(v, &Material::sigma_Hlim); })
+           [](const RatingAnswer& v) { return strengths(v, &Material::sigma_Hlim); })
       .per_gear()
       .digits(0);
   q.number("sigma_Flim_MPa", "allowable bending stress number", "σ_Flim",
            "value of the reference test gears",
-           [](const V& v) { return strengths(v, &Material::sigma_Flim); })
+           [](const RatingAnswer& v) { return strengths(v, &Material::sigma_Flim); })
       .per_gear()
       .digits(0);
   q.under(kGeneral);
   q.number("f_pb_um", "base pitch deviation", "f_pb",
            "deviation that belongs to the accuracy grade",
-           [](const V& v) { return tolerance(v, &Tolerances::f_pb); })
+           [](const RatingAnswer& v) { return tolerance(v, &Tolerances::f_pb); })
       .per_gear()
       .digits(1);
   q.number("f_falpha_um", "profile form deviation", "f_fα",
            "deviation that belongs to the accuracy grade",
-           [](const V& v) { return tolerance(v, &Tolerances::f_falpha); })
+           [](const RatingAnswer& v) { return tolerance(v, &Tolerances::f_falpha); })
       .per_gear()
       .digits(1);
 }
 
-void add_section(Quantities<V>& q) {
+void add_section(Quantities<RatingAnswer>& q) {
   using C = CriticalSection;
   q.under(kRoot);
   q.number("h_F_mm", "bending moment arm", "h_F", "distance of the load from the critical section",
-           [](const V& v) { return section(v, &C::h_F); })
+           [](const RatingAnswer& v) { return section(v, &C::h_F); })
       .per_gear()
       .digits(3);
   q.number("s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section",
-           [](const V& v) { return section(v, &C::s_Fn); })
+           [](const RatingAnswer& v) { return section(v, &C::s_Fn); })
       .per_gear()
       .digits(3);
   q.number("rho_F_mm", "fillet radius at the critical section", "ρ_F", "",
-           [](const V& v) { return section(v, &C::rho_F); })
+           [](const RatingAnswer& v) { return section(v, &C::rho_F); })
       .per_gear()
       .digits(3);
   q.number("alpha_Fen_deg", "direction of the load", "α_Fen",
            "at the outer point of single pair contact",
-           [](const V& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
+           [](const RatingAnswer& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
       .per_gear()
       .digits(3);
   q.number("d_en_mm", "diameter of the point of load", "d_en", "diameter on the virtual spur gear",
-           [](const V& v) { return section(v, &C::d_en); })
+           [](const RatingAnswer& v) { return section(v, &C::d_en); })
       .per_gear()
       .digits(3);
 }
 
-Value of_spectrum(const V& v, std::array<double, 2> SpectrumRating::*member) {
+Value of_spectrum(const RatingAnswer& v, std::array<double, 2> SpectrumRating::*member) {
   return v.spectrum ? Value((*v.spectrum).*member) : Value();
 }
 
-void add_spectrum(Quantities<V>& q) {
+void add_spectrum(Quantities<RatingAnswer>& q) {
   using S = SpectrumRating;
   q.under(kWhole);
   q.number("damage_flank", "damage of the flanks", "U_H",
            "damage sum by Miner's rule; 1 means failure; null without a spectrum, or if a step "
            "exceeds the static strength",
-           [](const V& v) { return of_spectrum(v, &S::damage_flank); })
+           [](const RatingAnswer& v) { return of_spectrum(v, &S::damage_flank); })
       .per_gear()
       .digits(4);
   q.number("damage_root", "damage of the roots", "U_F", "as `damage_flank`, but for the roots",
-           [](const V& v) { return of_spectrum(v, &S::damage_root); })
+           [](const RatingAnswer& v) { return of_spectrum(v, &S::damage_root); })
       .per_gear()
       .digits(4);
   q.number("S_H_spectrum", "safety against pitting", "S_H", "least safety for the whole spectrum",
-           [](const V& v) { return of_spectrum(v, &S::S_H); })
+           [](const RatingAnswer& v) { return of_spectrum(v, &S::S_H); })
       .per_gear()
       .digits(3);
   q.number("S_F_spectrum", "safety against root breakage", "S_F",
            "least safety for the whole spectrum",
-           [](const V& v) { return of_spectrum(v, &S::S_F); })
+           [](const RatingAnswer& v) { return of_spectrum(v, &S::S_F); })
       .per_gear()
       .digits(3);
   q.under(kSizing);
@@ -270,11 +269,11 @@ void add_spectrum(Quantities<V>& q) {
       "torque_holding_Nm", "greatest torque", "T_1",
       "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque",
-      &V::torque_holding);
+      &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width for the same safeties, up to 40 modules; null if there is no such "
            "face width",
-           &V::face_holding)
+           &RatingAnswer::face_holding)
       .digits(2);
 }
 
@@ -283,11 +282,11 @@ Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }
 
-const ToothContact* contact_of(const V& v) { return v.contact ? &*v.contact : nullptr; }
+const ToothContact* contact_of(const RatingAnswer& v) { return v.contact ? &*v.contact : nullptr; }
 
-void add_contact(Quantities<V>& q) {
+void add_rated_contact(Quantities<RatingAnswer>& q) {
   auto of_contact = q.part(contact_of);
-  const auto asked = [](const V& v) { return v.contact.has_value(); };
+  const auto asked = [](const RatingAnswer& v) { return v.contact.has_value(); };
   q.under(kBeside);
   of_contact
       .number("contact_torque_Nm", "torque on the teeth", "T_1",
@@ -300,7 +299,7 @@ void add_contact(Quantities<V>& q) {
       .when();
   q.number("contact_pressure_over_sigma_H",
            "greatest Hertz pressure divided by the contact stress of the standard", "p_H/σ_H", "",
-           [](const V& v) {
+           [](const RatingAnswer& v) {
              return over({v.contact->pressure, v.contact->pressure}, v.rating.sigma_H);
            })
       .per_gear()
@@ -313,7 +312,7 @@ void add_contact(Quantities<V>& q) {
       .when();
   q.number("contact_root_stress_over_sigma_F",
            "greatest root stress divided by the root stress of the standard", "σ_1/σ_F", "",
-           [](const V& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
+           [](const RatingAnswer& v) { return over(v.contact->root_stress, v.rating.sigma_F); })
       .per_gear()
       .digits(3)
       .when(asked);
@@ -327,11 +326,11 @@ void add_contact(Quantities<V>& q) {
 
 // True for VDI 2736. Only plastics have temperatures, so a rating by ISO 6336 does not have these
 // rows and keys.
-bool by_vdi(const V& v) { return v.rating.edition == RatingEdition::vdi_2736; }
+bool by_vdi(const RatingAnswer& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
-void add_temperatures(Quantities<V>& q) {
+void add_temperatures(Quantities<RatingAnswer>& q) {
   const auto of = [](FactorPair ToothTemperatures::*member) {
-    return [member](const V& v) {
+    return [member](const RatingAnswer& v) {
       const FactorPair& t = (*v.rating.temperature).*member;
       return ValueList{number(&t[0]), number(&t[1])};
     };
@@ -348,9 +347,9 @@ void add_temperatures(Quantities<V>& q) {
       .when(by_vdi);
 }
 
-void add_factor(Quantities<V>& q, const FactorEntry& e) {
+void add_factor(Quantities<RatingAnswer>& q, const FactorEntry& e) {
   q.under(e.group);
-  auto& quantity = q.number(e.key, e.words, e.symbol, "", [&e](const V& v) {
+  auto& quantity = q.number(e.key, e.words, e.symbol, "", [&e](const RatingAnswer& v) {
     if (e.of) return number(e.of(v.rating));
     return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
   });
@@ -359,8 +358,8 @@ void add_factor(Quantities<V>& q, const FactorEntry& e) {
   if (std::string_view(e.key) == "Y_epsilon") quantity.when(by_vdi);
 }
 
-void add_all(Quantities<V>& q) {
-  q.groups({"", kLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing, kBeside});
+void add_rating(Quantities<RatingAnswer>& q) {
+  q.groups({"", kRatedLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing, kBeside});
   add_inputs(q);
   add_temperatures(q);
   for (const FactorEntry& e : entries()) {
@@ -369,11 +368,11 @@ void add_all(Quantities<V>& q) {
     add_factor(q, e);
   }
   add_spectrum(q);
-  add_contact(q);
+  add_rated_contact(q);
   q.add(Type::map, "formulas", "formulas", "",
         "for each factor, the clause of the standard and the branch of the formula, as {key: "
         "{formula, branch}}",
-        [](const V& v) {
+        [](const RatingAnswer& v) {
           ValueMap all;
           for (const FactorSource& s : factor_sources(v.rating)) {
             ValueList branches(s.branches.begin(), s.branches.end());
@@ -388,7 +387,7 @@ void add_all(Quantities<V>& q) {
 
 }  // namespace
 
-const Quantities<RatingAnswer>& rating_quantities() { return define<add_all>("rating"); }
+const Quantities<RatingAnswer>& rating_quantities() { return define<add_rating>("rating"); }
 
 std::vector<FactorSource> factor_sources(const Rating& rating) {
   std::vector<FactorSource> all;

@@ -8,8 +8,6 @@ namespace gearwright {
 
 namespace {
 
-using S = ScatterInput;
-
 constexpr const char* kRange =
     "[least, greatest] for a uniform distribution, or a table with `range` and `distribution`";
 
@@ -26,7 +24,7 @@ Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& ra
           .meaning = meaning};
 }
 
-std::optional<KeyFault> check_scatter(S& s, const KeyGiven&) {
+std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
   if ((s.samples & (s.samples - 1)) != 0)
     return KeyFault{"samples",
                     "must be a power of two, for example 1024 or 2048, because another number of "
@@ -55,48 +53,49 @@ const KeyTable& scatter_keys() {
       "Effect of tolerances on the pair; the values of every range are added to the value in the "
       "spec. The tooth thickness and the centre distance vary within the tolerances of [gearN] and "
       "[pair], unless [scatter] gives a range",
-      {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &S::samples, "1024",
-                   "number of samples of each replicate, a power of two"),
-       Key::number("replicates", "R", KeyRange::between(1, 1024), &S::replicates, "8",
+      {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &ScatterInput::samples,
+                   "1024", "number of samples of each replicate, a power of two"),
+       Key::number("replicates", "R", KeyRange::between(1, 1024), &ScatterInput::replicates, "8",
                    "number of independent replicates, from which the error of every result is "
                    "estimated; samples times replicates must be at most 524 288"),
-       Key::number("seed", "", KeyRange::between(0, kMaxWholeInput), &S::seed, "1",
+       Key::number("seed", "", KeyRange::between(0, kMaxWholeInput), &ScatterInput::seed, "1",
                    "seed of the random numbers; the same seed always gives the same samples"),
-       Key::word("sampling", {"sobol", "random"}, &S::sampling, "\"sobol\"",
+       Key::word("sampling", {"sobol", "random"}, &ScatterInput::sampling, "\"sobol\"",
                  "kind of the sample points, which are scrambled Sobol points [T14.5] or plain "
                  "random numbers"),
-       Key::number("percentiles", "", KeyRange::inside(0, 100), &S::percentiles, "[5, 50, 95]",
-                   "percentiles that are computed for each quantity")
+       Key::number("percentiles", "", KeyRange::inside(0, 100), &ScatterInput::percentiles,
+                   "[5, 50, 95]", "percentiles that are computed for each quantity")
            .with_list(KeyList{.most = 100, .single = true}),
-       Key::number("confidence", "", KeyRange::inside(0, 1), &S::confidence, "0.95",
+       Key::number("confidence", "", KeyRange::inside(0, 1), &ScatterInput::confidence, "0.95",
                    "confidence level of the intervals"),
-       Key::flag("indices", &S::indices, "false",
+       Key::flag("indices", &ScatterInput::indices, "false",
                  "if true, first-order and total Sobol indices of each input are computed "
                  "[T14.10], which multiplies the computing time by (inputs + 2)"),
-       Key::flag("worst_case", &S::worst_case, "false",
+       Key::flag("worst_case", &ScatterInput::worst_case, "false",
                  "if true, the greatest peak-to-peak transmission error and the least play within "
                  "all ranges are found by a search [T14.15]"),
-       Key::flag("loosening", &S::loosening, "false",
+       Key::flag("loosening", &ScatterInput::loosening, "false",
                  "if true, the result contains the tolerance to tighten first and, for each "
                  "tolerance, the factor by which it can grow before the greatest of `percentiles` "
                  "of the peak-to-peak transmission error grows by 5 % [T14.19]"),
-       Key::flag("pattern", &S::pattern, "false",
+       Key::flag("pattern", &ScatterInput::pattern, "false",
                  "if true, the result contains the density of the contact pattern on both flanks. "
                  "At each point of a flank, the density is the share of samples in which the "
                  "marking compound of [contact] shows contact. It is computed from the first 256 / "
                  "`replicates` samples of each replicate [T14.27]"),
        Key::flag(
-           "loaded", &S::loaded, "false",
+           "loaded", &ScatterInput::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
            "first samples of each replicate, under the torques and at the positions of [load] (by "
            "default 16 positions); pitch deviations have no effect on these quantities [T14.24]"),
        Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
-                   &S::loaded_samples, "256",
+                   &ScatterInput::loaded_samples, "256",
                    "greatest number of samples under load, for all replicates together. The number "
                    "of samples of each replicate is the greatest power of two that this limit and "
                    "`samples` allow, but at least one"),
        Key::number(
-           "quality", "A", KeyRange::between(0, 12), &S::quality, "`[gearN.tolerance] quality`",
+           "quality", "A", KeyRange::between(0, 12), &ScatterInput::quality,
+           "`[gearN.tolerance] quality`",
            "grade of ISO 1328 for both gears, or two grades. The grade determines all tolerances "
            "that are not given in the tables of [scatter]: f_Hα, f_Hβ, the waves of f_fα and f_fβ "
            "and the pitches of each gear, and the axes by ISO/TR 10064-3 [T14.23]")
@@ -121,7 +120,7 @@ const KeyTable& scatter_keys() {
                    "{ between = [\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = "
                    "0.5 }; inputs without a correlation are independent. The worst case does not "
                    "depend on correlations [T14.30]"},
-       Key::part("robust", scatter_robust_keys, &S::robust,
+       Key::part("robust", scatter_robust_keys, &ScatterInput::robust,
                  "corrections that minimise a percentile of the peak-to-peak transmission error")},
       check_scatter};
   return table;

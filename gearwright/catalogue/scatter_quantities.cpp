@@ -6,8 +6,6 @@ namespace gearwright {
 
 namespace {
 
-using V = ScatterView;
-
 Value shown(const SpreadEntry& entry, const std::optional<double>& value) {
   return value ? Value(entry.shown(*value)) : Value();
 }
@@ -59,9 +57,9 @@ const Quantities<IndexEstimates>& index_quantities() {
   });
 }
 
-const Quantities<V>& indices_quantities() {
-  return define("scatter.indices", [](Quantities<V>& q) {
-    q.text("groups", "inputs or groups in the order of the lists", [](const V& v) {
+const Quantities<ScatterView>& indices_quantities() {
+  return define("scatter.indices", [](Quantities<ScatterView>& q) {
+    q.text("groups", "inputs or groups in the order of the lists", [](const ScatterView& v) {
       ValueList names;
       for (const ToleranceGroup& g : v.task->groups) names.emplace_back(g.name);
       return names;
@@ -70,7 +68,7 @@ const Quantities<V>& indices_quantities() {
       const auto at = static_cast<std::size_t>(entry.quantity);
       q.record<index_quantities>(
           entry.key, "Sobol indices of the quantity; null if the quantity varies only by rounding",
-          [at](const V& v) -> const auto& { return v.scatter->indices[at]; });
+          [at](const ScatterView& v) -> const auto& { return v.scatter->indices[at]; });
     }
   });
 }
@@ -92,13 +90,13 @@ const Quantities<WorstView>& worst_quantities() {
   });
 }
 
-const Quantities<V>& worsts_quantities() {
-  return define("scatter.worst", [](Quantities<V>& q) {
+const Quantities<ScatterView>& worsts_quantities() {
+  return define("scatter.worst", [](Quantities<ScatterView>& q) {
     q.record<worst_quantities>("peak_to_peak_arcsec",
                                "greatest value found by a search; there might be greater values",
-                               &V::worst_peak_to_peak);
+                               &ScatterView::worst_peak_to_peak);
     q.record<worst_quantities>("least_play_deg", "least value found by a search",
-                               &V::worst_least_play);
+                               &ScatterView::worst_least_play);
   });
 }
 
@@ -151,7 +149,7 @@ struct LooseningView {
   const Loosening::Change* change;
 };
 
-const Quantities<LooseningView>& change_quantities() {
+const Quantities<LooseningView>& loosening_change_quantities() {
   using L = LooseningView;
   return define("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return *l.input; });
@@ -166,82 +164,89 @@ const Quantities<LooseningView>& change_quantities() {
   });
 }
 
-const Quantities<V>& loosening_quantities() {
-  return define("scatter.loosening", [](Quantities<V>& q) {
+const Quantities<ScatterView>& loosening_quantities() {
+  return define("scatter.loosening", [](Quantities<ScatterView>& q) {
     q.number("percentile", "percentile", "", "the greatest of `percentiles`",
-             [](const V& v) { return v.scatter->loosening->percent; });
+             [](const ScatterView& v) { return v.scatter->loosening->percent; });
     q.number("percentile_arcsec", "present percentile", "",
              "percentile of the first replicate, whose samples are used for all rows",
-             [](const V& v) { return Angle::radians(v.scatter->loosening->percentile).arcsec(); });
-    q.record<change_quantities>("tolerances", "effect of each tolerance", [](const V& v) {
-      std::vector<LooseningView> list;
-      for (std::size_t i = 0; i < v.inputs.size(); ++i)
-        list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
-      return list;
-    });
+             [](const ScatterView& v) {
+               return Angle::radians(v.scatter->loosening->percentile).arcsec();
+             });
+    q.record<loosening_change_quantities>(
+        "tolerances", "effect of each tolerance", [](const ScatterView& v) {
+          std::vector<LooseningView> list;
+          for (std::size_t i = 0; i < v.inputs.size(); ++i)
+            list.push_back({&v.inputs[i], &v.scatter->loosening->by_tolerance[i]});
+          return list;
+        });
     q.text("tighten_first",
            "input whose tolerance lowers the percentile most when halved; null if no tolerance "
            "lowers it when halved",
-           [](const V& v) {
+           [](const ScatterView& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();
            });
   });
 }
 
-void add_all(Quantities<V>& q) {
-  q.text("inputs", "names of the inputs that vary, in order", &V::inputs);
+void add_scatter(Quantities<ScatterView>& q) {
+  q.text("inputs", "names of the inputs that vary, in order", &ScatterView::inputs);
   q.text("ranges_from", "keys of the spec that give the ranges of the inputs, in order",
-         [](const V& v) {
+         [](const ScatterView& v) {
            ValueList keys;
            for (const ScatterTolerance& t : v.task->tolerances) keys.emplace_back(t.source);
            return keys;
          });
   q.whole("samples", "samples of each replicate", "n", "",
-          [](const V& v) { return v.task->samples; });
-  q.whole("replicates", "replicates", "R", "", [](const V& v) { return v.task->replicates; });
-  q.whole("seed", "seed", "", "", [](const V& v) { return static_cast<long long>(v.task->seed); });
+          [](const ScatterView& v) { return v.task->samples; });
+  q.whole("replicates", "replicates", "R", "",
+          [](const ScatterView& v) { return v.task->replicates; });
+  q.whole("seed", "seed", "", "",
+          [](const ScatterView& v) { return static_cast<long long>(v.task->seed); });
   for (const ScatterEntry& entry : scatter_entries()) {
     const auto at = static_cast<std::size_t>(entry.quantity);
     q.record<spread_quantities>(
-         entry.key, entry.meaning, [at](const V& v) -> const auto& { return v.spread[at]; })
+         entry.key,
+         entry.meaning, [at](const ScatterView& v) -> const auto& { return v.spread[at]; })
         .doors(kJson);
   }
   q.record<probabilities_quantities>(
        "probability", "probabilities of events, with the interval of Clopper and Pearson")
       .doors(kJson);
   q.record<indices_quantities>("indices", "Sobol indices of each quantity; only with `indices`")
-      .when([](const V& v) { return v.task->indices; })
+      .when([](const ScatterView& v) { return v.task->indices; })
       .doors(kJson);
   q.record<worsts_quantities>("worst", "worst values within all ranges; only with `worst_case`")
-      .when([](const V& v) { return v.task->worst_case; })
+      .when([](const ScatterView& v) { return v.task->worst_case; })
       .doors(kJson);
   q.record<loosening_quantities>("loosening",
                                  "factors by which the tolerances can grow; only with `loosening`")
-      .when([](const V& v) { return v.scatter->loosening.has_value(); })
+      .when([](const ScatterView& v) { return v.scatter->loosening.has_value(); })
       .doors(kJson);
   q.record<loaded_spread_quantities>(
-       "loaded", "results under each torque of `[load]`; only with `loaded`", &V::loaded)
-      .when([](const V& v) { return v.task->load.has_value(); })
+       "loaded", "results under each torque of `[load]`; only with `loaded`", &ScatterView::loaded)
+      .when([](const ScatterView& v) { return v.task->load.has_value(); })
       .doors(kJson);
-  q.record<density_quantities>(
-       "pattern", "density of the contact pattern on both flanks; only with `pattern`", &V::density)
-      .when([](const V& v) { return v.task->density.has_value(); })
+  q.record<density_quantities>("pattern",
+                               "density of the contact pattern on both flanks; only with `pattern`",
+                               &ScatterView::density)
+      .when([](const ScatterView& v) { return v.task->density.has_value(); })
       .doors(kJson);
   q.record<robust_quantities>(
-       "robust", "corrections for a percentile; only with `[scatter.robust]`", &V::robust)
-      .when([](const V& v) { return v.robust.has_value(); })
+       "robust", "corrections for a percentile; only with `[scatter.robust]`", &ScatterView::robust)
+      .when([](const ScatterView& v) { return v.robust.has_value(); })
       .doors(kJson);
   q.add(Type::map, "spec", "spec", "",
         "the complete spec with the corrections; only with `[scatter.robust]`",
-        [](const V& v) { return v.robust->spec; })
-      .when([](const V& v) { return v.robust.has_value(); })
+        [](const ScatterView& v) { return v.robust->spec; })
+      .when([](const ScatterView& v) { return v.robust.has_value(); })
       .doors(kJson);
 }
 
 }  // namespace
 
-const Quantities<ScatterView>& scatter_quantities() { return define<add_all>("scatter"); }
+const Quantities<ScatterView>& scatter_quantities() { return define<add_scatter>("scatter"); }
 
 Unit unit_of(const ScatterTolerance& tolerance) {
   return unit_of(coordinate_names({&tolerance, 1}).front());
@@ -279,18 +284,18 @@ const Quantities<SpreadView>& spread_quantities() {
   });
 }
 
-const Quantities<V>& probabilities_quantities() {
-  return define("scatter.probability", [](Quantities<V>& q) {
+const Quantities<ScatterView>& probabilities_quantities() {
+  return define("scatter.probability", [](Quantities<ScatterView>& q) {
     q.record<probability_quantities>(
         "edge_contact", "an edge of a tooth touches at some position",
-        [](const V& v) -> const auto& { return v.scatter->edge_contact; });
+        [](const ScatterView& v) -> const auto& { return v.scatter->edge_contact; });
     q.record<probability_quantities>(
         "jam", "the least play is negative",
-        [](const V& v) -> const auto& { return v.scatter->jam; });
+        [](const ScatterView& v) -> const auto& { return v.scatter->jam; });
     q.record<probability_quantities>(
         "contact_lost",
         "no teeth touch at some position; these samples are not in the distributions",
-        [](const V& v) -> const auto& { return v.scatter->contact_lost; });
+        [](const ScatterView& v) -> const auto& { return v.scatter->contact_lost; });
   });
 }
 

@@ -5,15 +5,13 @@ namespace gearwright {
 namespace {
 
 using D = ScatteredDesign;
-using S = ScatterStudyView;
-
 // The quantities of a pair that distinguish one design from another.
 constexpr ScatterQuantity kShown[] = {ScatterQuantity::peak_to_peak, ScatterQuantity::along_face,
                                       ScatterQuantity::least_play, ScatterQuantity::long_period};
 
 bool computed(const D& d) { return d.scatter != nullptr; }
 
-void add_design(Quantities<D>& q) {
+void add_scattered_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
         "rank of the design in the search; `search --take` with this number prints its spec",
         [](const D& d) { return static_cast<long long>(d.number); });
@@ -61,25 +59,25 @@ void add_design(Quantities<D>& q) {
 }  // namespace
 
 const Quantities<ScatteredDesign>& scattered_design_quantities() {
-  return define<add_design>("scatter_designs.designs");
+  return define<add_scattered_design>("scatter_designs.designs");
 }
 
 const Quantities<ScatterStudyView>& scatter_study_quantities() {
-  return define("scatter_designs", [](Quantities<S>& q) {
+  return define("scatter_designs", [](Quantities<ScatterStudyView>& q) {
     q.number("percentile", "percentile of the ranking", "p", "the greatest of `percentiles`",
-             &S::percent);
-    q.whole("samples", "samples of each replicate", "n", "", &S::samples);
-    q.whole("replicates", "replicates", "R", "", &S::replicates);
-    q.add(Type::index, "seed", "seed", "", "", &S::seed);
+             &ScatterStudyView::percent);
+    q.whole("samples", "samples of each replicate", "n", "", &ScatterStudyView::samples);
+    q.whole("replicates", "replicates", "R", "", &ScatterStudyView::replicates);
+    q.add(Type::index, "seed", "seed", "", "", &ScatterStudyView::seed);
     q.add(Type::index, "count", "number of designs", "", "including the designs in `refused`",
-          &S::count);
+          &ScatterStudyView::count);
     q.record<scattered_design_quantities>(
         "designs",
         "designs in the order of the percentile of their peak-to-peak transmission error, the "
         "least first; designs that lose contact in more than (100 − p) % of the samples are last",
-        [](const S&) { return ValueList(); });
+        [](const ScatterStudyView&) { return ValueList(); });
     q.record<scattered_design_quantities>("refused", "designs whose scatter was not computed",
-                                          [](const S&) { return ValueList(); });
+                                          [](const ScatterStudyView&) { return ValueList(); });
   });
 }
 

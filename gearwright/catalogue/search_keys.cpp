@@ -11,9 +11,6 @@ namespace gearwright {
 
 namespace {
 
-using Range = KeyRange;
-using P = SearchProblem;
-
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
 constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
 constexpr KeyList kNumbers{1, kMaxValues, true};
@@ -66,11 +63,12 @@ namespace {
 
 // A key for a limit, which is a least value, a greatest value or a margin.
 template <class V>
-Key limit(std::string_view key, std::string_view symbol, Range range, V SearchLimits::*member,
+Key limit(std::string_view key, std::string_view symbol, KeyRange range, V SearchLimits::*member,
           std::string_view fallback, std::string_view meaning) {
   const bool end = key.ends_with("_min") || key.ends_with("_max");
   const std::string field = "limits." + std::string(key.substr(0, key.size() - (end ? 4 : 0)));
-  return Key::number(key, symbol, std::move(range), {&P::limits, member}, fallback, meaning)
+  return Key::number(key, symbol, std::move(range), {&SearchProblem::limits, member}, fallback,
+                     meaning)
       .with_fields({field});
 }
 
@@ -89,20 +87,21 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
 
 std::vector<Key> trial_keys() {
   return {
-      Key::number("ratio", "u", {}, &P::ratio, kRequired,
+      Key::number("ratio", "u", {}, &SearchProblem::ratio, kRequired,
                   "band of z2/z1 with z2 ≥ z1, for example [1.9, 2.1]; negative for internal "
                   "pairs, for example [-5, -4]")
           .with_list(kBand)
           .with_form(std::string("a number, z2/z1") + kBandForm),
-      Key::number("pinion_teeth", "z1", Range::between(3, kMaxSearchTeeth), &P::pinion_teeth,
-                  "[12, 40]", "band of z1; wheels with at most 20 000 teeth are possible")
+      Key::number("pinion_teeth", "z1", KeyRange::between(3, kMaxSearchTeeth),
+                  &SearchProblem::pinion_teeth, "[12, 40]",
+                  "band of z1; wheels with at most 20 000 teeth are possible")
           .with_list(kBand)
           .with_form(std::string("a whole number, z1") + kBandForm)
           .with_also({"teeth", "z"}),
       {.key = "modules_mm",
        .symbol = "m_n",
        .words = {"ISO54-I", "ISO54-I+II", "ISO54-II"},
-       .range = Range::between(1e-3, 1e3, " mm"),
+       .range = KeyRange::between(1e-3, 1e3, " mm"),
        .list = kNumbers,
        .form = "\"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a number or a list of numbers in mm",
        .fallback = "`\"ISO54-I\"`",
@@ -111,7 +110,7 @@ std::vector<Key> trial_keys() {
       {.key = "diametral_pitches_per_in",
        .symbol = "P_nd",
        .words = {"coarse", "fine", "coarse+fine"},
-       .range = Range::between(kMmPerInch / 1e3, kMmPerInch * 1e3, " per inch"),
+       .range = KeyRange::between(kMmPerInch / 1e3, kMmPerInch * 1e3, " per inch"),
        .list = kNumbers,
        .form = "\"coarse\", \"fine\", \"coarse+fine\", a number or a list of numbers in 1/in",
        .excludes = {"modules_mm"},
@@ -119,11 +118,11 @@ std::vector<Key> trial_keys() {
            "normal diametral pitches, instead of `modules_mm`; the coarse series is 2 to 16, "
            "and the fine series 20 to 200",
        .fields = {"pitches"}},
-      Key::positive("center_distance_mm", "a", &P::center_distance, "free",
+      Key::positive("center_distance_mm", "a", &SearchProblem::center_distance, "free",
                     "centre distance; a single number is the exact centre distance")
           .with_list(kBand)
           .with_form(std::string("a distance in mm") + kBandForm),
-      Key::number("helix_angle_deg", "β", Range::inside(-89, 89), {},
+      Key::number("helix_angle_deg", "β", KeyRange::inside(-89, 89), {},
                   "helix angle of `[gear1]`, otherwise 0; for crossed axes half the shaft angle",
                   "helix angle of gear 1, or a closed band of helix angles")
           .with_list(kBand)
@@ -132,14 +131,14 @@ std::vector<Key> trial_keys() {
       Key::positive("helix_step_deg", "", {}, "1", "step of a band of helix angles")
           .with_needs({"helix_angle_deg"})
           .with_fields({"helix"}),
-      Key::number("helix_angles_deg", "", Range::inside(-89, 89), {}, "",
+      Key::number("helix_angles_deg", "", KeyRange::inside(-89, 89), {}, "",
                   "list of helix angles, instead of `helix_angle_deg` and `helix_step_deg`")
           .with_list(kNumbers)
           .with_form("a list of angles")
           .with_excludes({"helix_angle_deg"})
           .with_fields({"helix"}),
-      Key::number("shaft_angle_deg", "Σ", Range::inside(-178, 178),
-                  KeyPlace::by<P, double>(set_shaft_angle), "0",
+      Key::number("shaft_angle_deg", "Σ", KeyRange::inside(-178, 178),
+                  KeyPlace::by<SearchProblem, double>(set_shaft_angle), "0",
                   "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "
                   "axes; the helix angle of gear 2 is β2 = Σ − β1"),
       Key::word(
@@ -152,7 +151,8 @@ std::vector<Key> trial_keys() {
 
 std::vector<Key> limit_keys() {
   return {
-      Key::number("profile_shift", "x", {}, KeyPlace::by<P, std::array<double, 2>>(set_shifts),
+      Key::number("profile_shift", "x", {},
+                  KeyPlace::by<SearchProblem, std::array<double, 2>>(set_shifts),
                   "[-1, 1] for drawn designs; otherwise only undercut and tip thickness limit the "
                   "profile shifts",
                   "lower and upper limit of x1 and x2, in addition to undercut and tip thickness")
@@ -162,27 +162,28 @@ std::vector<Key> limit_keys() {
                               "determines the profile shifts"})
           .with_form(std::string("limits of the profile shift") + kBandForm)
           .with_fields({"limits.min_shift", "limits.max_shift"}),
-      Key::number("undercut_depth", "h_F", Range::between(0, 3), {},
+      Key::number("undercut_depth", "h_F", KeyRange::between(0, 3), {},
                   "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, otherwise 1",
                   "depth of the straight edge of the rack in modules, for example 1 for a rounded "
                   "tip and 1.25 for a sharp tip")
           .with_fields({"racks.undercut_depth"}),
-      limit("undercut_margin", "", Range::between(-5, 5), &SearchLimits::undercut_margin, "0",
+      limit("undercut_margin", "", KeyRange::between(-5, 5), &SearchLimits::undercut_margin, "0",
             "least difference between x and its undercut limit"),
-      limit("tip_thickness_min", "s_an", Range::between(0, 1.5), &SearchLimits::tip_thickness,
+      limit("tip_thickness_min", "s_an", KeyRange::between(0, 1.5), &SearchLimits::tip_thickness,
             "0.2", "least normal tip thickness, in modules"),
-      limit("contact_ratio_min", "ε_α", Range::between(0, 10), &SearchLimits::contact_ratio, "1.2",
+      limit("contact_ratio_min", "ε_α", KeyRange::between(0, 10), &SearchLimits::contact_ratio,
+            "1.2",
             "least transverse contact ratio, both by Eq. 10 and for the part of the path on the "
             "usable flanks; for crossed axes, least AE/p_bn"),
-      limit("overlap_ratio_min", "ε_β", Range::between(0, 1000), &SearchLimits::overlap_ratio,
+      limit("overlap_ratio_min", "ε_β", KeyRange::between(0, 1000), &SearchLimits::overlap_ratio,
             "none", "least overlap ratio"),
-      limit("sliding_max", "|ζ|", Range::between(0, 1000), &SearchLimits::sliding,
+      limit("sliding_max", "|ζ|", KeyRange::between(0, 1000), &SearchLimits::sliding,
             "3 for drawn designs, otherwise no limit",
             "greatest specific sliding at A and E; only for parallel axes"),
-      limit("tip_clearance_min", "c", Range::between(-1, 1), &SearchLimits::tip_clearance,
+      limit("tip_clearance_min", "c", KeyRange::between(-1, 1), &SearchLimits::tip_clearance,
             "0.1 for drawn designs, otherwise 0.02; no limit with `interference = \"flag\"`",
             "least tip clearance, in modules"),
-      limit("form_clearance_min", "c_F", Range::between(0, 1), &SearchLimits::form_clearance,
+      limit("form_clearance_min", "c_F", KeyRange::between(0, 1), &SearchLimits::form_clearance,
             "0.02, but 0 with `interference = \"flag\"`",
             "least distance along the line of action from a tip to the start of the mating flank, "
             "in modules [T9.9]"),
@@ -195,17 +196,17 @@ std::vector<Key> limit_keys() {
           "avoid_interference", {}, "value of `interference`",
           "another form of `interference`; true means `\"exclude\"`, and false means `\"flag\"`")
           .with_fields({"limits.avoid_interference"}),
-      limit("safety_flank_min", "S_Hmin", Range::positive(), &SearchLimits::safety_flank,
+      limit("safety_flank_min", "S_Hmin", KeyRange::positive(), &SearchLimits::safety_flank,
             "value of `[rating]` if designs are rated, otherwise no limit",
             "least permitted safety against pitting of both gears at the profile shifts of the "
             "design, "
             "computed as in `rate` with `[rating]` and `[gearN.material]`")
           .with_also({"sh_min", "safety_flank"}),
-      limit("safety_root_min", "S_Fmin", Range::positive(), &SearchLimits::safety_root,
+      limit("safety_root_min", "S_Fmin", KeyRange::positive(), &SearchLimits::safety_root,
             "value of `[rating]` if designs are rated, otherwise no limit",
             "least permitted safety against root breakage of both gears")
           .with_also({"sf_min", "safety_root"}),
-      Key::flag("coprime", &P::coprime, "false",
+      Key::flag("coprime", &SearchProblem::coprime, "false",
                 "if true, only tooth numbers without a common factor (hunting tooth) are allowed")};
 }
 
@@ -216,37 +217,41 @@ std::vector<Key> design_keys() {
                 "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` "
                 "is free of backlash; if this key is given without tolerances and without a band "
                 "of face widths, designs have nominal teeth and are not drawn"),
-      Key::flag("shorten_tips", &P::shorten_tips, "false",
+      Key::flag("shorten_tips", &SearchProblem::shorten_tips, "false",
                 "if true, tips are shortened by the amount by which a backlash-free centre "
                 "distance reduces the tip clearance"),
-      Key::positive("face_width_mm", "b", &P::face_width, "value of `[gear1]`, otherwise 10 m_n",
+      Key::positive("face_width_mm", "b", &SearchProblem::face_width,
+                    "value of `[gear1]`, otherwise 10 m_n",
                     "face width of both gears; within a band, each design takes the least width "
                     "with the required safeties and overlap ratio")
           .with_list(kBand)
           .with_form(std::string("a width in mm") + kBandForm),
-      Key::number("face_width_modules", "b/m_n", Range::between(0.1, 1000), &P::face_modules,
-                  "10 if no other face width is given", "face width in modules")
+      Key::number("face_width_modules", "b/m_n", KeyRange::between(0.1, 1000),
+                  &SearchProblem::face_modules, "10 if no other face width is given",
+                  "face width in modules")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_modules"}),
       Key::number(
-          "face_width_diameters", "b/d_1", Range::between(0.01, 100), &P::face_diameters,
+          "face_width_diameters", "b/d_1", KeyRange::between(0.01, 100),
+          &SearchProblem::face_diameters,
           "[0.2, 1] if a safety is required and no other face width is given, otherwise no limit",
           "face width in reference diameters of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
-      Key::positive("face_width_step_mm", "", &P::face_step, "1",
+      Key::positive("face_width_step_mm", "", &SearchProblem::face_step, "1",
                     "step of the face width; face widths within a band are multiples of this step; "
                     "if the spec is in inch, the default is 0.05 in")
           .with_fields({"face_step"}),
-      Key::text("thickness_series", {&P::allowances, &SearchAllowances::series},
+      Key::text("thickness_series", {&SearchProblem::allowances, &SearchAllowances::series},
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
           .with_fields({"allowances.series"}),
-      Key::number("backlash_mm", "j_n", Range::not_negative(),
-                  {&P::allowances, &SearchAllowances::backlash}, "backlash by `thickness_series`",
+      Key::number("backlash_mm", "j_n", KeyRange::not_negative(),
+                  {&SearchProblem::allowances, &SearchAllowances::backlash},
+                  "backlash by `thickness_series`",
                   "least and greatest backlash of every design in the normal section, j_bn/cos "
                   "α_wn; the teeth are thinned to give this backlash")
           .with_list(kBand)
@@ -254,13 +259,13 @@ std::vector<Key> design_keys() {
           .with_excludes({"thickness_series"})
           .with_fields({"allowances.backlash"}),
       Key::text("center_distance_tolerance",
-                {&P::allowances, &SearchAllowances::distance_tolerance}, "none",
+                {&SearchProblem::allowances, &SearchAllowances::distance_tolerance}, "none",
                 "tolerance of the centre distance by ISO 286, for example `\"JS7\"`")
           .with_fields({"allowances.distance_tolerance"}),
-      Key::number("lambda", "λ", Range::between(-10, 10), &P::lambda, "0.625",
+      Key::number("lambda", "λ", KeyRange::between(-10, 10), &SearchProblem::lambda, "0.625",
                   "λ of the line of Eq. 11 [T2.18a] on which the profile shifts of a design are "
                   "chosen; for internal pairs the pinion has the whole profile shift"),
-      Key::word("objective", objective_words(), &P::objectives, "\"contact_ratio\"",
+      Key::word("objective", objective_words(), &SearchProblem::objectives, "\"contact_ratio\"",
                 "criterion of the ranking: `contact_ratio` (greatest effective contact ratio), "
                 "`ratio` (nearest to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least "
                 "|Σx|), `area` (largest region), `sliding` (least |ζ|), `formula_contact_ratio` "
@@ -276,18 +281,21 @@ std::vector<Key> design_keys() {
                       .noun = "objective",
                       .meant = objective_called})
           .with_fields({"objectives"}),
-      Key::number("target_ratio", "", {}, &P::target_ratio, "the middle of the band `ratio`",
-                  "target of the objective `ratio`"),
+      Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
+                  "the middle of the band `ratio`", "target of the objective `ratio`"),
       Key::number("friction_coefficient", "μ",
-                  Range{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
-                  &P::friction, "0.05 for the objective `efficiency`, otherwise no efficiency",
+                  KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
+                  &SearchProblem::friction,
+                  "0.05 for the objective `efficiency`, otherwise no efficiency",
                   "coefficient of friction of the flanks, for the efficiency")
           .with_also({"friction"}),
-      Key::number("cost_exponent", "e", Range::between(0, 3), &P::cost_exponent, "0.5",
+      Key::number("cost_exponent", "e", KeyRange::between(0, 3), &SearchProblem::cost_exponent,
+                  "0.5",
                   "exponent of the factor (b/d_1)^e by which the objective `cost` multiplies the "
                   "mass, where b is the face width and d_1 the reference diameter of the pinion; "
                   "0 gives the mass"),
-      Key::number("shift_step", "", Range::between(kMinShiftStep, 1), &P::shift_step, "none",
+      Key::number("shift_step", "", KeyRange::between(kMinShiftStep, 1), &SearchProblem::shift_step,
+                  "none",
                   "step of a grid of profile shifts; the feasible points of the grid are written "
                   "to `points.parquet`")};
 }

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kElement = 0.5;     // modules: length of an element along the face
+constexpr double kTableElement = 0.5;  // modules: length of an element along the face
 constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
                                      // cause equal displacements
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
@@ -61,7 +61,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   const ToothSection& s = *section_;
   const int side = s.mesh.side_teeth;
   count_step(request.progress);
-  const Face face(s.modes.matrices, request.face_width, kElement);
+  const Face face(s.modes.matrices, request.face_width, kTableElement);
   count_step(request.progress);
   const Index r = face.mode_count();
   const Index nodes = face.node_count();

@@ -12,11 +12,11 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kFlat = 1e-12;     // rad; a search ends if T at the extreme differs by less
-constexpr double kLastStep = 1e-6;  // last way to a handover, in steps; its change of T is added
-constexpr double kClose = 1e-7;     // rad, margin for tooth pairs that may lead at a handover
-constexpr int kMostRounds = 30;     // two are usual
-constexpr int kNewton = 5;          // rounds with Newton steps
+constexpr double kFlatLane = 1e-12;  // rad; a search ends if T at the extreme differs by less
+constexpr double kLastStep = 1e-6;   // last way to a handover, in steps; its change of T is added
+constexpr double kClose = 1e-7;      // rad, margin for tooth pairs that may lead at a handover
+constexpr int kMostRounds = 30;      // two are usual
+constexpr int kNewton = 5;           // rounds with Newton steps
 
 // T between two positions, from the values and slopes at both. t is counted in steps from the first
 // position.
@@ -180,8 +180,8 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       const double rest = -here.value / bend;
       const bool low = (here.value > 0.0) == (c.lo.value > 0.0);
       const double far = std::abs(here.value * ((low ? c.hi : c.lo).t - c.t));
-      const bool close = alike && std::abs(here.value * rest) < kFlat;
-      c.done = c.other ? std::abs(rest) < kLastStep : far < kFlat || close;
+      const bool close = alike && std::abs(here.value * rest) < kFlatLane;
+      c.done = c.other ? std::abs(rest) < kLastStep : far < kFlatLane || close;
       c.before = here;
       c.narrow(low, here);
       c.t += rest;

@@ -67,7 +67,7 @@ struct Seen {
 // Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
 // the next patch.
 constexpr int kMaxPlaceSteps = 8;
-constexpr double kNear = 1e-4;  // relative to a patch; the series is accurate for shorter steps
+constexpr double kNearPatch = 1e-4;  // of the patch; the series is accurate for shorter steps
 
 class Rasterer {
  public:
@@ -249,8 +249,8 @@ class Rasterer {
       const double dZ = Z - j.Z.v;
       const double ds = (du * j.Z.z - dZ * j.u.z) / det;
       const double dz = (dZ * j.u.s - du * j.Z.s) / det;
-      if (std::abs(ds) <= kNear * (patch->s_hi - patch->s_lo) &&
-          std::abs(dz) <= kNear * (patch->z_hi - patch->z_lo)) {
+      if (std::abs(ds) <= kNearPatch * (patch->s_hi - patch->s_lo) &&
+          std::abs(dz) <= kNearPatch * (patch->z_hi - patch->z_lo)) {
         const double t = j.t.v + j.t.s * ds + j.t.z * dz +
                          0.5 * (j.t.ss * ds * ds + 2 * j.t.sz * ds * dz + j.t.zz * dz * dz);
         return gap_of(j, t, pieces(one, two));

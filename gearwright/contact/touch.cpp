@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kLastStep = 1e-7;    // scaled; the remaining error is the square of this length
 constexpr double kLongestStep = 0.6;  // greatest step, relative to half the patch
-constexpr double kFlat = 1e-14;  // rad, scaled: smaller slopes and curvatures are rounding errors
+constexpr double kFlatTouch = 1e-14;  // rad, scaled: smaller slopes are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
-constexpr int kMaxSteps = 80;
+constexpr int kMaxTouchSteps = 80;
 constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it violates a bound by more
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
@@ -48,7 +48,7 @@ bool make_concave(detail::StepProblem& p) {
   }
   const double g_big = e_s * p.g_s + e_z * p.g_z;
   double g_small = -e_z * p.g_s + e_s * p.g_z;
-  const bool flat = std::abs(small) < kFlat && std::abs(g_small) < kFlat;
+  const bool flat = std::abs(small) < kFlatTouch && std::abs(g_small) < kFlatTouch;
   if (flat) g_small = 0.0;
   if (!flat && big < 0.0 && small < 0.0) return false;
   const auto bend = [](double h) {
@@ -133,7 +133,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
   double d_s = 0.0;  // the last step, scaled
   double d_z = 0.0;
   GapJet at{};
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxTouchSteps; ++i) {
     at = field_.at(t.s, t.z, t.s2);
     ++t.evaluations;
     ++count_.evaluations;

@@ -9,7 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr int kMaxSteps = 12;    // limit of the search for an exact ridge; two or three are usual
+// Limit of the search for an exact ridge. Two or three steps are usual.
+constexpr int kMaxCrestSteps = 12;
 constexpr double kRidge = 1e-9;  // step of φ, rad, that changes T by less than 1e-17
 constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, per amplitude
 constexpr double kMargin = 0.1;  // greatest error of T between two nodes, per amplitude
@@ -81,7 +82,7 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
   // On involutes, the s of the ridge changes by the angle by which gear 1 turns.
   const double way = field.rotation_sign() * one_.profile.side();
   double s2 = s2_;
-  for (int i = 0; i < kMaxSteps; ++i) {
+  for (int i = 0; i < kMaxCrestSteps; ++i) {
     field.set_rotation(phi);
     const GapJet j = field.at(s, z, s2);
     const double step = way * j.t.s / j.t.ss;

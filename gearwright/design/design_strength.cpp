@@ -151,21 +151,21 @@ void set_face_width(const ShiftGraph& graph, DesignRow& row, double width) {
   row.mass = mass_of(graph, row);
 }
 
-struct Safeties {
+struct LeastSafeties {
   std::array<std::optional<double>, 2> flank{}, root{};
   std::optional<double> deflection{};  // µm, teeth under the rated torque
 };
 
 // The safety factors for one state of the teeth. A state is the nominal design, or the pair at one
 // combination of tolerance ends. `input` contains the gear body of the nominal design.
-Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
+LeastSafeties safeties_of(const RatedPair& pair, const RatingInput& input) {
   const auto rating = rate(pair, input);
   if (!rating) return {};
   // Far outside the limits of the standard, a factor may have no value.
   const auto number = [](const Factor& f) {
     return std::isfinite(f.value) ? std::optional(f.value) : std::nullopt;
   };
-  Safeties found;
+  LeastSafeties found;
   for (const std::size_t i : {0, 1}) {
     found.flank[i] = number(rating->S_H[i]);
     found.root[i] = number(rating->S_F[i]);
@@ -177,7 +177,7 @@ Safeties safeties_of(const RatedPair& pair, const RatingInput& input) {
 // The smallest ratio of a safety factor to its limit; 0 if a safety factor has no value. If
 // drawings are checked, a limit that is not given counts as 1, because the verdict requires safety
 // factors of at least 1.
-double share_of(const SearchProblem& problem, const Safeties& found) {
+double share_of(const SearchProblem& problem, const LeastSafeties& found) {
   double share = std::numeric_limits<double>::infinity();
   const auto keep = [&](const std::optional<double>& safety, std::optional<double> least) {
     if (!least && problem.draw) least = 1.0;
@@ -200,7 +200,7 @@ double required_share(const SearchProblem& problem, const std::vector<RatedPair>
   for (std::size_t k = 0; k < states.size(); ++k) {
     const RatedPair wide = with_face_width(states[k], row.face_width);
     if (k == 0 && asked.web) input.body = rated_body(wide, *asked.web, *asked.rim);
-    const Safeties found = safeties_of(wide, input);
+    const LeastSafeties found = safeties_of(wide, input);
     if (k == 0) {
       row.flank_safety = found.flank;
       row.root_safety = found.root;

@@ -26,7 +26,7 @@ constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fille
 constexpr double kSameRatio = 0.02;
 // Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
 // 0.001.
-constexpr double kSameSum = 1e-6;
+constexpr double kSameGivenSum = 1e-6;
 // Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;
 // Relative amount by which the least centre distance exceeds the sum of the base radii.
@@ -41,7 +41,7 @@ struct Rank {
   double ratio, sum;  // contact ratio and |x1 + x2|, as whole numbers of steps
 
   static Rank of(double ratio, double shift_sum) {
-    return {std::floor(ratio / kSameRatio), std::round(std::abs(shift_sum) / kSameSum)};
+    return {std::floor(ratio / kSameRatio), std::round(std::abs(shift_sum) / kSameGivenSum)};
   }
   bool is_better_than(const Rank& other) const {
     return ratio != other.ratio ? ratio > other.ratio : sum < other.sum;
@@ -49,7 +49,7 @@ struct Rank {
 };
 
 // The last check that a candidate reached, and the condition that rejected the candidate.
-struct Verdict {
+struct DesignVerdict {
   int stage = 0;
   double shortfall =
       0.0;  // amount by which the check failed; among candidates that failed at the same check, the
@@ -58,7 +58,7 @@ struct Verdict {
   std::optional<FewTeethDesign> design;
 };
 
-Verdict stopped(int stage, std::string limit, double shortfall = 0.0) {
+DesignVerdict stopped(int stage, std::string limit, double shortfall = 0.0) {
   return {stage, shortfall, std::move(limit), std::nullopt};
 }
 
@@ -72,7 +72,7 @@ struct Cut {
 // A pair of shifts with its verdict and, if the gears can be mounted, its rank.
 struct Candidate {
   double x1, x2;
-  Verdict verdict;
+  DesignVerdict verdict;
   std::optional<Rank> rank;
 };
 
@@ -88,7 +88,7 @@ class FewTeethSearch {
  public:
   explicit FewTeethSearch(const FewTeethProblem& p) : p_(p), side_(side_of(p.teeth[1])) {}
 
-  Verdict best;
+  DesignVerdict best;
   int tried = 0;
 
   void run() {
@@ -169,7 +169,7 @@ class FewTeethSearch {
     }
   }
 
-  bool got_further(const Verdict& v) const {
+  bool got_further(const DesignVerdict& v) const {
     return v.stage > best.stage || (v.stage == best.stage && v.shortfall < best.shortfall);
   }
 
@@ -257,14 +257,14 @@ class FewTeethSearch {
   }
 
   // Cuts the gears of a candidate. If they cannot be cut, the reason is stored in `verdict`.
-  std::optional<Cut> cut_gears(double x1, double x2, Verdict& verdict) const {
+  std::optional<Cut> cut_gears(double x1, double x2, DesignVerdict& verdict) const {
     auto made = candidate(x1, x2);
     if (auto* cut = std::get_if<Cut>(&made)) return std::move(*cut);
-    verdict = std::get<Verdict>(std::move(made));
+    verdict = std::get<DesignVerdict>(std::move(made));
     return std::nullopt;
   }
 
-  using Made = std::variant<Verdict, Cut>;
+  using Made = std::variant<DesignVerdict, Cut>;
 
   Made candidate(double x1, double x2) const {
     const auto beta = helix_of(x1, x2);
@@ -334,7 +334,7 @@ class FewTeethSearch {
     return Cut{pinion, spec, *g1, *g2, distance, mounted};
   }
 
-  Verdict mounted(Cut cut) const {
+  DesignVerdict mounted(Cut cut) const {
     auto pair = mount_as<ParallelPair>(std::move(cut.gear_1), std::move(cut.gear_2), {cut.mounted});
     if (!pair) return stopped(11, pair.error().quoted());
     if (!pair->interference.empty())
@@ -345,8 +345,8 @@ class FewTeethSearch {
     return made(cut.pinion, cut.cutter, std::move(pair).take(), cut.distance, cut.mounted);
   }
 
-  Verdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, ParallelPair pair,
-               double distance, double mounted) const {
+  DesignVerdict made(CylindricalSpec pinion, const CylindricalSpec& cutter, ParallelPair pair,
+                     double distance, double mounted) const {
     const auto needed = face_width_for_total(pair, p_.contact_ratio);
     double face = p_.face_width.value_or(0.0);
     if (!needed)

@@ -67,7 +67,7 @@ constexpr double kMinBeside = 1e-10;
 constexpr double kInset = 1e-7;
 // Tolerance, modules, within which the end of a piece counts as the end of the whole range. The
 // two ends are computed separately, so they may differ by rounding errors.
-constexpr double kSameEnd = 1e-9;
+constexpr double kSameRegionEnd = 1e-9;
 // Adds those sums between l and r at which the edge of the side changes. at_l and at_r are the
 // edges at l and r.
 void find_changes(const ShiftGraph& graph, Side side, double l, ShiftEdge at_l, double r,
@@ -273,7 +273,7 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
     const auto across = [&](double sum, bool lower) {
       const ShiftSlice s = end_slice(graph, sum);
       if (!(s.hi - s.lo > kTouching)) return;
-      const bool at_range = std::abs(sum - (lower ? range.lo : range.hi)) <= kSameEnd;
+      const bool at_range = std::abs(sum - (lower ? range.lo : range.hi)) <= kSameRegionEnd;
       const ShiftEdge edge = at_range ? (lower ? range.lo_edge : range.hi_edge)
                                       : graph.sum_margin(graph.place(sum), sum).edge;
       const double from = lower ? s.lo : s.hi;

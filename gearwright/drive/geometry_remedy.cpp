@@ -18,7 +18,7 @@ constexpr int kMostTeeth = 40;
 constexpr double kMostDistance = 10.0;  // m_n
 
 // True for a mesh of two gears whose tooth data are known.
-bool has_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
+bool meshes_teeth(const DriveGraph& graph, const DriveMesh& mesh) {
   return graph.gear(mesh, 0).spec && graph.gear(mesh, 1).spec && !graph.gear(mesh, 1).rack;
 }
 
@@ -34,7 +34,7 @@ bool is_possible(const DriveGraph& graph) {
   const DriveGeometry made = drive_geometry(graph);
   if (!made.faults.empty()) return false;
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
-    if (has_teeth(graph, graph.meshes[m]) &&
+    if (meshes_teeth(graph, graph.meshes[m]) &&
         !(can_mesh(made.pairs[m]) && no_problem(made.pairs[m]->warnings())))
       return false;
   return true;
@@ -167,7 +167,8 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
 
 void add_remedy(const DriveGraph& graph, DriveGeometry& made) {
   std::size_t m = 0;
-  while (m < graph.meshes.size() && (!has_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
+  while (m < graph.meshes.size() &&
+         (!meshes_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
     ++m;
   if (m == graph.meshes.size()) return;
   const std::string changes = changes_for(graph, m);

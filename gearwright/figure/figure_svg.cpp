@@ -21,9 +21,10 @@ constexpr double kEdge = 12.0;  // px of margin around everything
 constexpr double kHead = 34.0;  // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;  // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column of names beside the plot
-                                                  // without the names, and gap before the names
-constexpr double kLeaderGap = 19.0;               // px between the names of a column
+constexpr double kColumn = 24.0,
+                 kBesidePlot = 12.0;          // px: width of a column of names beside the plot
+                                              // without the names, and gap before the names
+constexpr double kLeaderGap = 19.0;           // px between the names of a column
 constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
@@ -210,7 +211,7 @@ class Writer {
     }
     const std::vector<double> placed = spread(wanted, kLeaderGap, 12.0, at_.height - 10.0);
     const double out = side == Anchor::start ? 1.0 : -1.0;
-    const double x = (side == Anchor::start ? at_.right : at_.left) + out * kBeside;
+    const double x = (side == Anchor::start ? at_.right : at_.left) + out * kBesidePlot;
     for (std::size_t i = 0; i < ones.size(); ++i) {
       const Vec2 from = px(ones[i]->at);
       svg_.polyline({from, {x - 8 * out, placed[i]}, {x, placed[i]}}, "leader");

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
 // If the gears are drawn side by side: the distance from the edge of gear 1 to the axis of gear 2,
 // divided by the radius of gear 2.
-constexpr double kBeside = 1.12;
+constexpr double kBesideTooth = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }
 
@@ -26,7 +26,7 @@ bool meshing(const MeshScene& s) { return s.pair && !s.pair->crossed(); }
 Vec2 axis_of(const MeshScene& s, std::size_t i) {
   if (i == 0) return Vec2::Zero();
   if (meshing(s)) return {s.pair->center_distance, 0.0};
-  return {drawn_radius(*s.gears[0]) + kBeside * drawn_radius(*s.gears[1]), 0.0};
+  return {drawn_radius(*s.gears[0]) + kBesideTooth * drawn_radius(*s.gears[1]), 0.0};
 }
 
 // Directions of the x axes of the gears in the picture, degrees counter-clockwise.

@@ -17,8 +17,8 @@ namespace {
 // µm.
 constexpr std::array<std::string_view, 11> kSeries{"a", "ab", "b", "bc", "c", "cd",
                                                    "d", "e",  "f", "g",  "h"};
-constexpr std::array kDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
-                                1600., 2500., 4000., 6300., 10000.};
+constexpr std::array kSeriesDiameters{10.,   50.,   125.,  280.,  560.,  1000.,
+                                      1600., 2500., 4000., 6300., 10000.};
 constexpr std::array<std::array<int, 11>, 11> kAllowance{{
     {100, 85, 70, 58, 48, 40, 33, 22, 10, 5, 0},
     {135, 110, 95, 75, 65, 54, 44, 30, 14, 7, 0},
@@ -124,8 +124,8 @@ Result<std::array<double, 2>> thickness_allowances(std::string_view series,
                  "must be a series of DIN 3967 (a, ab, b, bc, c, cd, d, e, f, g or h) with a "
                  "tolerance series from 21 to 30, for example cd25"};
   }
-  const std::size_t row = row_of(kDiameters, reference_diameter);
-  if (row == kDiameters.size())
+  const std::size_t row = row_of(kSeriesDiameters, reference_diameter);
+  if (row == kSeriesDiameters.size())
     return Error{"series", std::string(series),
                  fmt::format("DIN 3967 covers reference diameters of at most 10000 mm, but the "
                              "reference diameter of this gear is {} mm",

@@ -130,7 +130,7 @@ std::string load_factor_sentence(const Drive& drive) {
                      fixed_decimals(*rated, 3), fixed_decimals(*computed, 3));
 }
 
-std::string load_listing(const Drive& drive, UnitSystem units) {
+std::string drive_load_listing(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
   std::string out = "\nUnder load\n" + listing_of(units, drive_load_quantities(), drive);
   for (const PlanetShares& shares : drive.loaded->sets) {
@@ -164,8 +164,8 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
 
 std::string drive_listing(const Drive& drive, UnitSystem units) {
   std::string out = listing_of(units, drive_quantities(), drive);
-  out += load_listing(drive, units) + body_listing(drive, units) + mesh_listing(drive, units) +
-         force_listing(drive, units) + shift_listing(drive);
+  out += drive_load_listing(drive, units) + body_listing(drive, units) +
+         mesh_listing(drive, units) + force_listing(drive, units) + shift_listing(drive);
   for (const PlanetSet& set : drive.sets) out += set_listing(set, units);
   return out;
 }
@@ -188,7 +188,7 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
   return answer_of(spec, solve_whole_drive(spec, progress, RateMeshes::yes),
                    [](const Drive& drive, UnitSystem units) {
-                     return load_listing(drive, units) + body_listing(drive, units) +
+                     return drive_load_listing(drive, units) + body_listing(drive, units) +
                             mesh_listing(drive, units);
                    });
 }

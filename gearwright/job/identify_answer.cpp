@@ -76,7 +76,7 @@ std::string tool_text(Reading reading, double tool) {
   }
 }
 
-const char* unit_of(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
+const char* reading_unit(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
 
 // The beginning of a sentence about readings that seem to be given in the other unit.
 const char* group_text(Reading mistake) {
@@ -251,7 +251,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   const Identification& found = answer.found;
   std::string text;
   if (const auto& c = found.contradiction) {
-    const char* const unit = unit_of(c->reading);
+    const char* const unit = reading_unit(c->reading);
     text += fmt::format(
         "\n{}The gears below agree with all other readings.\n",
         sentence_in(units, fmt::format("The {} contradicts the other readings, because it is {}{} "
@@ -277,7 +277,7 @@ std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units) {
   for (std::size_t i = 1; i < answer.notes.front().size(); ++i)
     text += (i == 1 ? "\n" : "") + sentence_in(units, answer.notes.front()[i]) + "\n";
   if (const auto& n = found.next) {
-    const char* const unit = unit_of(n->reading);
+    const char* const unit = reading_unit(n->reading);
     text += sentence_in(units, fmt::format("\nTo decide between candidates 1 and {}, measure the "
                                            "{}, which is {:.3f}{} or {:.3f}{}.\n",
                                            n->rival + 1, tool_text(n->reading, n->tool),

@@ -132,7 +132,7 @@ class Grades {
 
 // Number of positions per pitch, if [contact] does not give it. It is sufficient for the
 // peak-to-peak transmission error.
-constexpr int kPositions = 32;
+constexpr int kScatterPositions = 32;
 
 Distribution distribution_of(const DistributionSpec& spec) {
   auto made = Distribution::of(spec);  // cannot fail, because the reader has checked it
@@ -373,10 +373,11 @@ Result<ScatterAnswer> prepared_scatter(const SolvedJob& job) {
   task.correlations = std::move(inputs.correlations);
   task.groups = std::move(inputs.groups);
   const ContactInput& contact = job.spec.contact;
-  task.member = {job.spec.given.contains("contact.positions") ? contact.positions : kPositions,
-                 contact.driver == 2,
-                 profile_target(*job.pair),
-                 {}};
+  task.member = {
+      job.spec.given.contains("contact.positions") ? contact.positions : kScatterPositions,
+      contact.driver == 2,
+      profile_target(*job.pair),
+      {}};
   if (job.halves[0]) task.member.stagger = job.halves[0]->given.stagger_pitches;
   task.samples = input.samples;
   task.replicates = input.replicates;

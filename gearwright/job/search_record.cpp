@@ -118,7 +118,7 @@ class Packer {
   std::string packed_;
 };
 
-struct Writer {
+struct ColumnWriter {
   Packer* packer;
   void operator()(double v) const {
     std::uint64_t w;
@@ -166,7 +166,7 @@ std::string pack(const ChunkFinds& finds) {
       8 * (2 + finds.designs.size() * kNumbers + finds.points.size() * kPointNumbers);
   Packer packer;
   packer.announce(size);
-  const Writer write{&packer};
+  const ColumnWriter write{&packer};
   write(static_cast<std::int64_t>(finds.designs.size()));
   write(static_cast<std::int64_t>(finds.points.size()));
   for (const DesignRow& row : finds.designs) {

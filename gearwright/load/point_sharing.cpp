@@ -14,10 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMost = 100;
-constexpr int kHalvings = 40;     // greatest number of halvings of a step
-constexpr double kStill = 1e-13;  // greatest last residual, relative to the scale of the gaps and
-                                  // to the moment
+constexpr int kMostRounds = 100;
+constexpr int kHalvings = 40;  // greatest number of halvings of a step
+// Greatest last residual, relative to the scale of the gaps and to the moment.
+constexpr double kStillPoints = 1e-13;
 // The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {
  public:
@@ -87,7 +87,7 @@ PointSharing share_points(const PointProblem& q) {
     return std::max(r.head(n).cwiseAbs().cwiseQuotient(scale).maxCoeff(), std::abs(r[n]));
   };
   VectorXd r = all.residual(x);
-  while (out.iterations < kMost && size(r) > kStill) {
+  while (out.iterations < kMostRounds && size(r) > kStillPoints) {
     ++out.iterations;
     const VectorXd step = solve_linear(all.slope(x), r);
     double part = 1.0;

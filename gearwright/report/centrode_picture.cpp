@@ -13,8 +13,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr double kAspect = 520.0 / 400.0;
+constexpr double kCentrodeWidth = 520.0;
+constexpr double kCentrodeAspect = 520.0 / 400.0;
 constexpr double kMinShift = 0.02;  // m_n; a smaller |a − a_d| is not visible
 
 struct Centrodes {
@@ -42,7 +42,7 @@ double half_height(const InvolutePair& pair, const Centrodes& c) {
 
 Figure with_axes(const std::string& id, const std::string& title, const std::string& description,
                  const Centrodes& c, double half, double a) {
-  const Vec2 I(c.side_1 * c.reference[0], 0.0), corner(half * kAspect, half);
+  const Vec2 I(c.side_1 * c.reference[0], 0.0), corner(half * kCentrodeAspect, half);
   Figure f = plane_figure(id, title, description, {I - corner, I + corner});
   f.line({I - Vec2(corner.x(), 0.0), I + Vec2(corner.x(), 0.0)}, "thin dashdot");
   f.cross({0.0, 0.0});
@@ -57,7 +57,7 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
 // room. Its text is beside it, because the pitch circles pass through the space between the
 // points.
 void add_dimension(Figure& f, double x_1, double x_2, double length) {
-  const double unit = (f.x.hi - f.x.lo) / kWidth;  // mm per px
+  const double unit = (f.x.hi - f.x.lo) / kCentrodeWidth;  // mm per px
   const auto [lo, hi] = std::minmax(x_1, x_2);
   const double y = -60.0 * unit;
   for (const double x : {lo, hi}) f.line({Vec2(x, 0.0), Vec2(x, y - 6.0 * unit)}, "leader");
@@ -120,8 +120,9 @@ std::string centrode_figures(const InvolutePair& pair, UnitSystem units) {
       symbol_html("x_1"), symbol_html("x_2"), fixed(sum, kRatioDigits), symbol_html("a"),
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
-  return "<h3>Centrodes</h3>\n" + side_by_side(figure_html(in_units(units, before), kWidth) +
-                                               figure_html(in_units(units, after), kWidth));
+  return "<h3>Centrodes</h3>\n" +
+         side_by_side(figure_html(in_units(units, before), kCentrodeWidth) +
+                      figure_html(in_units(units, after), kCentrodeWidth));
 }
 
 }  // namespace gearwright

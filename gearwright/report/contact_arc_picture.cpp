@@ -17,7 +17,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kAspect = 640.0 / 460.0;
+constexpr double kArcAspect = 640.0 / 460.0;
 constexpr double kShown = 4.9;  // modules, width of a picture
 
 // The outline of five teeth of a rack, in the frame of the middle tooth of the convex gear's
@@ -51,7 +51,7 @@ std::vector<Vec2> closed(std::vector<Vec2> chain, double depth) {
 // An empty figure of a plane. The middle of the figure is `up` mm above the origin.
 Figure plane_of(const std::string& id, const std::string& title, const std::string& description,
                 double m, double up) {
-  const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kAspect / 2);
+  const Vec2 middle(0.0, up), half(kShown * m / 2, kShown * m / kArcAspect / 2);
   return plane_figure(id, title, description, {middle - half, middle + half});
 }
 

@@ -16,7 +16,7 @@ namespace gearwright {
 
 namespace {
 
-double deg(double rad) { return Angle::radians(rad).deg(); }
+double degrees_of(double rad) { return Angle::radians(rad).deg(); }
 
 // The upper end of the axis of face widths. The axis contains the required and the actual
 // widths. It also contains the curves for ε ≥ 1 up to 1.8 times the greatest of these widths.
@@ -127,7 +127,7 @@ Figure face_width_figure(const CrossedPair& pair) {
     if (!pair.flanks_meet()) break;
     for (const double width : {pair.face_widths.one_flank[i], pair.face_widths.both_flanks[i]}) {
       if (width <= most)
-        f.dot({deg(pair.mesh.rack.normal_pressure_angle), width}, 3.2,
+        f.dot({degrees_of(pair.mesh.rack.normal_pressure_angle), width}, 3.2,
               std::string("mark ") + kInk[i],
               fmt::format("gear {}: {} mm", i + 1, fixed(width, 2)));
     }

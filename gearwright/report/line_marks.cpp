@@ -19,8 +19,8 @@ constexpr double kLetterRoom = 0.04;  // distance between two letters
 constexpr double kCharacter = 0.0155;
 constexpr double kLetterHeight = 0.054;
 
-constexpr double kTouching = 0.003;  // share of the picture's width; nearer lines count as touching
-constexpr double kFar = 3.2;         // path lengths; line_ends() omits points that are farther away
+constexpr double kTouchingLines = 0.003;  // share of the width; nearer lines count as touching
+constexpr double kFar = 3.2;  // path lengths; line_ends() omits points that are farther away
 
 std::vector<PathMark> marks_of(const InvolutePair& pair, bool leading) {
   const Mesh<double>& m = pair.mesh;
@@ -113,8 +113,8 @@ void add_lines_of_action(Figure& f, const InvolutePair& pair,
     const Vec2 other_along = (on_line(!leading, *to) - other_from).normalized();
     for (const PathMark& mark : marks_of(pair, leading)) {
       const Vec2 p = at(mark.rho1);
-      const Vec2 side =
-          letter_side(p, along, other_from, other_along, kTouching * (f.x.hi - f.x.lo), leading);
+      const Vec2 side = letter_side(p, along, other_from, other_along,
+                                    kTouchingLines * (f.x.hi - f.x.lo), leading);
       f.point(p, 3.4, mark.style, symbol_svg(mark.letter), kAside * Vec2(side.x(), -side.y()));
     }
   }

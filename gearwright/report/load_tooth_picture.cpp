@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kWidth = 520.0, kAspect = 520.0 / 360.0;
+constexpr double kLoadToothWidth = 520.0, kLoadToothAspect = 520.0 / 360.0;
 constexpr double kLongest = 0.7;  // normal modules, length of the bar of the greatest stress
 
 struct Fillet {
@@ -60,7 +60,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   const auto [lo, hi] = std::minmax(root, flank);
   // The side in tension is the side y > 0 of the gear frame. It is drawn on the right.
   const Vec2 worst = f.at[f.worst];
-  const double half = 0.5 * kAspect * (hi - lo);
+  const double half = 0.5 * kLoadToothAspect * (hi - lo);
   Figure figure = plane_figure(fmt::format("root-stress{}{}", which + 1, report.part),
                                fmt::format("{}: {} N/mm²", name, fixed(most, 1)),
                                "The tooth in the transverse section. Bars on the fillet in tension "
@@ -82,7 +82,7 @@ std::string fillet_figure(const LoadScene& report, std::size_t which, const std:
   figure.line(ends, "curve c-root-fillet");
   figure.dot(upright(worst), 3.0, "mark");
   figure.text(ends[f.worst], fixed(most, 0) + " N/mm²", Anchor::end, "halo", {-6.0, 4.0});
-  return figure_html(in_units(units, figure), kWidth);
+  return figure_html(in_units(units, figure), kLoadToothWidth);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMeshWidth = 640.0;
 constexpr double kMeshAspect = 640.0 / 560.0;
-constexpr double kWholeWidth = 420.0;
+constexpr double kWholeMeshWidth = 420.0;
 constexpr double kLeastAspect = 420.0 / 360.0, kMostAspect = 420.0 / 120.0;
 
 std::string about_ring(const Gear& gear_2) {
@@ -57,7 +57,7 @@ std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>
   const auto [mesh, whole] = mesh_figures(pair, shapes);
   return "<div class=\"figures mesh\">\n" +
          figure_html(in_units(units, mesh), kMeshWidth, "", turn_control(pair)) + "<div>" +
-         figure_html(in_units(units, whole), kWholeWidth) + below + "</div>\n</div>\n";
+         figure_html(in_units(units, whole), kWholeMeshWidth) + below + "</div>\n</div>\n";
 }
 
 }  // namespace gearwright

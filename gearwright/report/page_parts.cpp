@@ -60,7 +60,7 @@ std::string with_contents(const std::string& sections) {
 
 namespace {
 
-constexpr int kSteps = 120;  // steps per pitch, of the slider and of the arrow keys
+constexpr int kPitchSteps = 120;  // steps per pitch, of the slider and of the arrow keys
 
 }  // namespace
 
@@ -69,7 +69,7 @@ std::string turn_control(const InvolutePair& pair) {
       "<div class=\"turn\" data-pitch=\"{:.12g}\" hidden><button type=\"button\">Turn</button> "
       "<label>Gear 1 <input type=\"range\" min=\"0\" max=\"1\" step=\"{:.9g}\" "
       "value=\"0\"></label> <output>0.00°</output></div>\n",
-      turn_per_pitch(pair, 0), 1.0 / kSteps);
+      turn_per_pitch(pair, 0), 1.0 / kPitchSteps);
 }
 
 }  // namespace gearwright

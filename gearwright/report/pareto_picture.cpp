@@ -17,7 +17,7 @@ namespace {
 enum class Along { objective, distance, ratio };
 
 // A quantity of the designs that is shown along an axis.
-struct Quantity {
+struct PlotAxis {
   FigureAxis axis;
   Along along;
   bool greater = false;  // true if greater values are better
@@ -29,7 +29,7 @@ struct Dot {
   bool front;
 };
 
-Quantity quantity_of(Objective objective) {
+PlotAxis quantity_of(Objective objective) {
   const ObjectiveWords w = words_of(objective);
   FigureAxis axis{std::string(w.name), std::string(w.unit)};
   axis.unit += fmt::format("{}{} values are better", w.unit.empty() ? "" : ", ",
@@ -45,7 +45,7 @@ std::string title_of(const DesignRow& row) {
 
 // The quantity on the second axis if there is a single objective: the centre distance, or the ratio
 // if the centre distance is given.
-Quantity across_one_objective(const SearchProblem& problem) {
+PlotAxis across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
     return {{.words = "gear ratio", .unit = {}, .symbol = "u"}, Along::ratio};
@@ -97,11 +97,11 @@ std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bo
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
                           UnitSystem units) {
   const bool plane = problem.objectives.size() > 1;
-  const Quantity objective = quantity_of(problem.objectives[0]);
-  Quantity across = plane ? objective : across_one_objective(problem);
+  const PlotAxis objective = quantity_of(problem.objectives[0]);
+  PlotAxis across = plane ? objective : across_one_objective(problem);
   std::vector<Dot> dots = dots_of(problem, answer, across.along);
   if (dots.empty()) return {};
-  Quantity upright = plane ? quantity_of(problem.objectives[1]) : objective;
+  PlotAxis upright = plane ? quantity_of(problem.objectives[1]) : objective;
   const TextUnit x(units, across.axis.unit), y(units, upright.axis.unit);
   for (Dot& d : dots) d.value = {x(d.value.x()), y(d.value.y())};
   across.axis.unit = x.text();

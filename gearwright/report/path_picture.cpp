@@ -113,7 +113,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
 }
 
 // Width of a character and of the space around a value, as fractions of the width of the plot.
-constexpr double kCharacter = 0.032, kSpace = 0.05;
+constexpr double kCharacterWidth = 0.032, kSpace = 0.05;
 
 }  // namespace
 
@@ -170,7 +170,7 @@ Figure ratio_figure(const InvolutePair& pair) {
     std::string value() const {
       return fixed(sum(), 3) + (formula - sum() > 1e-9 ? " of " + fixed(formula, 3) : "");
     }
-    double room() const { return kCharacter * static_cast<double>(value().size()) + kSpace; }
+    double room() const { return kCharacterWidth * static_cast<double>(value().size()) + kSpace; }
   };
   const std::array<Bar, 3> bars{{{"transverse", "ε_α", e_true, 0.0, e_alpha},
                                  {"overlap", "ε_β", 0.0, e_beta, e_beta},

@@ -20,7 +20,7 @@ namespace gearwright {
 namespace {
 
 // One of the three quantities: its curve, and its value for the mounted pair.
-struct Quantity {
+struct RangeCurve {
   const char* id;
   FigureAxis axis;
   std::function<double(const CrossedSample&)> value;
@@ -28,7 +28,7 @@ struct Quantity {
   int digits;
 };
 
-std::vector<Quantity> quantities(const CrossedPair& pair) {
+std::vector<RangeCurve> quantities(const CrossedPair& pair) {
   return {{"range-distance",
            {.words = "centre distance", .unit = "mm", .symbol = "a"},
            [](const CrossedSample& s) { return s.place.center_distance; },
@@ -50,7 +50,7 @@ std::vector<Quantity> quantities(const CrossedPair& pair) {
 // mounted pair. If the contact ratio reaches 1 anywhere, only the part of the curve with ε ≥ 1
 // counts.
 std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
-                          const Quantity& q) {
+                          const RangeCurve& q) {
   double lo = q.mounted;
   double hi = q.mounted;
   for (const CrossedSample& s : samples) {
@@ -62,7 +62,7 @@ std::vector<double> shown(const CrossedPair& pair, const std::vector<CrossedSamp
 }
 
 Figure range_panel(const CrossedPair& pair, const std::vector<CrossedSample>& samples,
-                   const Quantity& q) {
+                   const RangeCurve& q) {
   Figure f{q.id,
            "Possible positions of the pair: " + q.axis.words,
            "The " + q.axis.words +
@@ -168,7 +168,7 @@ std::string range_figure(const CrossedPair& pair, UnitSystem units) {
   const bool by_hand = !approximations(pair).empty();
   const std::vector<CrossedSample> samples = crossed_samples(pair);
   std::string panels;
-  for (const Quantity& q : quantities(pair))
+  for (const RangeCurve& q : quantities(pair))
     panels += figure_svg(in_units(units, range_panel(pair, samples, q)), 640.0);
   return captioned(
       panels,

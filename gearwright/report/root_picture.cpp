@@ -15,11 +15,11 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr double kAspect = 1.0;    // width over height of the plot
-constexpr double kMargin = 0.055;  // margin on each side, relative to the height and width of the
-                                   // plot
-constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other
+constexpr double kRootWidth = 520.0;
+constexpr double kRootAspect = 1.0;  // width over height of the plot
+// Margin on each side, relative to the height and width of the plot.
+constexpr double kRootMargin = 0.055;
+constexpr int kFewTeeth = 12;  // with more teeth, a root without undercut looks like any other
 
 const Arc& flank_of(const Gear& gear) {
   const Arc* flank = gear.tooth->outline.find(ArcName::flank);
@@ -71,8 +71,9 @@ std::vector<Vec2> points_shown(const Gear& gear, const std::optional<Gear>& rack
 Bounds window(const Gear& gear, const std::optional<Gear>& rack) {
   Bounds box;
   for (const Vec2& p : points_shown(gear, rack)) box.cover(upright(p));
-  const double tall = std::max(box.size().x() / kAspect, box.size().y()) / (1.0 - 2 * kMargin);
-  const Vec2 middle = (box.lo + box.hi) / 2, half(tall * kAspect / 2, tall / 2);
+  const double tall =
+      std::max(box.size().x() / kRootAspect, box.size().y()) / (1.0 - 2 * kRootMargin);
+  const Vec2 middle = (box.lo + box.hi) / 2, half(tall * kRootAspect / 2, tall / 2);
   return {middle - half, middle + half};
 }
 
@@ -208,7 +209,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
   }
   Figure f = root_of(gear, rack, shape, name);
   f.caption = ". " + words;
-  return figure_html(in_units(units, f), kWidth);
+  return figure_html(in_units(units, f), kRootWidth);
 }
 
 }  // namespace gearwright

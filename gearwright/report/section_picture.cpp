@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPlot = 480.0;                // px, width of the plot without the columns of names
 constexpr double kLow = 220.0, kHigh = 460.0;  // px, limits of the height of the plot
-constexpr int kSteps = 500;                    // number of points on a quarter of an ellipse
+constexpr int kEllipseSteps = 500;             // number of points on a quarter of an ellipse
 
 Bounds box_of_lines(const InvolutePair& pair, Lines lines) {
   Bounds box;
@@ -65,11 +65,11 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
   // mesh is at the bottom of both gears.
   const double up = i == 0 ? pair.side() : -1.0;
   const auto at = [&](int k, double to) {
-    const double angle = up * kHalfPi * (1.0 - to * k / kSteps);
+    const double angle = up * kHalfPi * (1.0 - to * k / kEllipseSteps);
     return Vec2(e.center + Vec2(e.half_width * std::cos(angle), e.half_height * std::sin(angle)));
   };
   std::vector<Vec2> points;
-  for (int k = -kSteps; k <= kSteps; ++k) {
+  for (int k = -kEllipseSteps; k <= kEllipseSteps; ++k) {
     const bool near =
         inside(f, at(k - 1, side)) || inside(f, at(k, side)) || inside(f, at(k + 1, side));
     if (near)
@@ -79,7 +79,7 @@ void add_cylinder(Figure& f, const InvolutePair& pair, std::size_t i, const Name
   }
   f.line(std::move(points), std::string("thin ") + kInk[i] + cut.style);
   std::optional<Vec2> last;
-  for (int k = 0; k <= kSteps; ++k) {
+  for (int k = 0; k <= kEllipseSteps; ++k) {
     if (inside(f, at(k, side)))
       last = at(k, side);
     else if (last)

@@ -11,10 +11,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 640.0;
-constexpr double kAspect = 554.0 / 450.0;
-constexpr double kSmallWidth = 240.0;
-constexpr double kSmallAspect = 200.0 / 170.0;
+constexpr double kRegionWidth = 640.0;
+constexpr double kRegionAspect = 554.0 / 450.0;
+constexpr double kSmallRegionWidth = 240.0;
+constexpr double kSmallRegionAspect = 200.0 / 170.0;
 // If the longer side of the region is at least this fraction of the longer side of the rectangle of
 // shift limits, the whole rectangle is shown.
 constexpr double kFairPart = 0.62;
@@ -62,14 +62,14 @@ std::string caption(const ShiftGraph& graph, const ShiftRegion& region, UnitSyst
 std::string shift_region_figure(const ShiftGraph& graph, const DesignRow& row, UnitSystem units) {
   const ShiftChart chart = shift_chart(graph, design_of(row));
   Figure f = shift_region_figure(
-      chart, region_window(limits_box(graph), chart.around, kAspect, kFairPart));
+      chart, region_window(limits_box(graph), chart.around, kRegionAspect, kFairPart));
   f.title = fmt::format("Where {} is feasible", design_name(row.trial));
   f.description = description(chart.region, row);
   f.caption = caption(graph, chart.region, units);
   f.dot(design_of(row), 7.0, "design-ring");
   f.point(design_of(row), 2.5, "design-dot", "design", {13.0, 0.0});
   f.marks.back().label_style = "halo letter";
-  return figure_html(in_units(units, f), kWidth);
+  return figure_html(in_units(units, f), kRegionWidth);
 }
 
 std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row,
@@ -77,12 +77,13 @@ std::string shift_region_thumbnail(const ShiftGraph& graph, const DesignRow& row
   const ShiftChart chart = shift_chart(graph, design_of(row));
   const std::string name = design_name(row.trial);
   Figure f = small_shift_region(
-      chart, region_window(limits_box(graph), chart.around, kSmallAspect, kSmallFairPart).box);
+      chart,
+      region_window(limits_box(graph), chart.around, kSmallRegionAspect, kSmallFairPart).box);
   f.id = id;
   f.title = "Feasible profile shifts of " + name;
   f.description = description(chart.region, row);
   f.dot(design_of(row), 4.0, "design-small");
-  return captioned(figure_svg(f, kSmallWidth),
+  return captioned(figure_svg(f, kSmallRegionWidth),
                    fmt::format("<strong><a href=\"{}\">{}</a></strong><br>{} {}", row_link, name,
                                symbol_html("ε_α"), fixed(row.contact_ratio, 3)));
 }

@@ -19,8 +19,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kWidth = 520.0;
-constexpr double kAspect = 400.0 / 360.0;  // width over height of the plot
+constexpr double kToothWidth = 520.0;
+constexpr double kToothAspect = 400.0 / 360.0;  // width over height of the plot
 
 std::vector<NamedCircle> circles_of(const Gear& gear) {
   std::vector<NamedCircle> circles;
@@ -45,9 +45,9 @@ Bounds window(const Gear& gear) {
   const double pitch = gear.transverse_module * kPi;
   const double body = std::min(0.9 * m, 0.8 * r_f);
   const double tall = std::abs(r_a - r_f) + body + 0.5 * m;
-  const double height = std::max(tall, 1.5 * pitch / kAspect);
+  const double height = std::max(tall, 1.5 * pitch / kToothAspect);
   const double middle = (r_a + out * 0.5 * m + r_f - out * body) / 2 - out * 0.3 * (height - tall);
-  const Vec2 half(height * kAspect / 2, height / 2);
+  const Vec2 half(height * kToothAspect / 2, height / 2);
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
@@ -86,8 +86,8 @@ constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
 constexpr double kSameShift = 1e-6;  // shifts are equal if they differ by less
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
-constexpr double kMargin = 0.05;  // margin at the sides and at the top, as a fraction of width and
-                                  // height
+// Margin at the sides and at the top, as a fraction of width and height.
+constexpr double kToothMargin = 0.05;
 constexpr double kChords = 1e-3;  // m_n, tolerance of chords: a tenth of a pixel in small pictures
 
 std::vector<Vec2> tooth_points(const Gear& gear) {
@@ -115,9 +115,9 @@ Bounds window(const std::vector<ShiftedTooth>& teeth) {
     if (t.rounded) contain(*t.rounded);
   }
   const double low = box.lo.y() - 0.12 * box.size().y();
-  const double tall = std::max((box.hi.y() - low) / (1.0 - kMargin),
-                               box.size().x() / (1.0 - 2 * kMargin) / kSmallAspect);
-  const double middle = (low + box.hi.y() + kMargin * tall) / 2;
+  const double tall = std::max((box.hi.y() - low) / (1.0 - kToothMargin),
+                               box.size().x() / (1.0 - 2 * kToothMargin) / kSmallAspect);
+  const double middle = (low + box.hi.y() + kToothMargin * tall) / 2;
   const Vec2 half(tall * kSmallAspect / 2, tall / 2);
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
@@ -208,7 +208,7 @@ void lead_circle(Figure& f, double radius, std::string_view symbol, int decimals
 std::string tooth_part(const Gear& gear, const std::string& shape, const std::string& name,
                        UnitSystem units) {
   if (has_outline(gear))
-    return figure_html(in_units(units, tooth_figure(gear, shape, name)), kWidth);
+    return figure_html(in_units(units, tooth_figure(gear, shape, name)), kToothWidth);
   return fmt::format("<p class=\"nopicture\"><strong>{}: there is no picture.</strong> {}</p>\n",
                      name, escaped(why_no_outline(gear)));
 }

@@ -12,7 +12,7 @@ namespace gearwright {
 namespace {
 
 // The least and the greatest value of a number over the corners.
-struct Ends {
+struct PlayEnds {
   double least = kInfinity, greatest = -kInfinity;
 
   void include(double x) {
@@ -26,10 +26,10 @@ struct Ends {
 // The ranges of the parts of a deviation over the corners. Each part is linear in x, so these
 // ranges contain all members.
 struct Extent {
-  Ends distance, crossing, intersecting, axial;
-  std::array<Ends, 2> twist;
+  PlayEnds distance, crossing, intersecting, axial;
+  std::array<PlayEnds, 2> twist;
   // Amounts, by gear, flank and modification.
-  std::array<std::array<std::array<Ends, kModifications.size()>, 2>, 2> amount;
+  std::array<std::array<std::array<PlayEnds, kModifications.size()>, 2>, 2> amount;
 
   void include(const Deviation& d) {
     distance.include(d.errors.center_distance);
@@ -99,7 +99,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
         std::min(roll_length(flank.rho_tip_form, r_b[g]) - roll_length(flank.rho_root_form, r_b[g]),
                  flank.face_width);
     for (std::size_t m = 0; m < kModifications.size(); ++m) {
-      const Ends &right = e.amount[g][0][m], &left = e.amount[g][1][m];
+      const PlayEnds &right = e.amount[g][0][m], &left = e.amount[g][1][m];
       const double varying = std::max(right.half(), left.half());
       const double most = std::max(right.size(), left.size());
       sum += (varying * 4 / L * any + most * 4 / (L * L) * any * any) / lever;

@@ -18,7 +18,7 @@ const Keys kHelices{"helix_angle_deg", "lead_angle_deg"};
 
 // Sets a member of a table. Like the TOML reader, inserts a new member in alphabetic order, so that
 // a spec that is written and read again gives the same tree.
-void put(Json& table, const std::string& key, const Json& value) {
+void put_value(Json& table, const std::string& key, const Json& value) {
   Json::object_t& members = table.get_ref<Json::object_t&>();
   Json::object_t sorted;
   bool there = false;
@@ -60,10 +60,10 @@ bool hand_on_helix(const Json& from, Json& to) {
   if (const auto beta = number(from, "helix_angle_deg")) {
     double turned = ring || *beta == 0.0 ? *beta : -*beta;
     if (own_hand && *beta != 0.0) turned = std::abs(*beta) * (to["hand"] == "left" ? -1.0 : 1.0);
-    put(to, "helix_angle_deg", turned);
+    put_value(to, "helix_angle_deg", turned);
   } else if (const auto lead = number(from, "lead_angle_deg")) {
-    put(to, "lead_angle_deg", *lead);
-    if (!own_hand && hand != from.end()) put(to, "hand", left == ring ? "left" : "right");
+    put_value(to, "lead_angle_deg", *lead);
+    if (!own_hand && hand != from.end()) put_value(to, "hand", left == ring ? "left" : "right");
   }
   return true;
 }
@@ -78,9 +78,9 @@ void hand_on(const Json& from, Json& to, const std::string& key) {
     const KeyAlias& alias = gear_keys().find(way)->alias;
     const auto value = number(from, way);
     if (alias.transverse && value) {
-      put(to, key, alias.value(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
+      put_value(to, key, alias.value(*value, std::cos(Angle::degrees(helix_of(from)).rad())));
     } else {
-      put(to, way, from[way]);
+      put_value(to, way, from[way]);
     }
     return;
   }
@@ -101,11 +101,11 @@ void hand_on_edition(const Json& from, Json& to) {
   if (tolerance == from.end() || !tolerance->is_object() || !tolerance->contains("edition")) return;
   Json own = to.contains("tolerance") ? to["tolerance"] : Json::object();
   if (!own.is_object() || own.contains("edition")) return;
-  put(own, "edition", (*tolerance)["edition"]);
+  put_value(own, "edition", (*tolerance)["edition"]);
   if (to.contains("tolerance")) {
     to["tolerance"] = std::move(own);
   } else {
-    put(to, "tolerance", own);
+    put_value(to, "tolerance", own);
   }
 }
 
@@ -115,8 +115,8 @@ void hand_on_halves(const Json& from, Json& to) {
   if (halves == from.end() || !halves->is_object() || to.contains("double_helical")) return;
   Json own = Json::object();
   for (const char* key : {"gap_mm", "stagger_pitches"})
-    if (halves->contains(key)) put(own, key, (*halves)[key]);
-  put(to, "double_helical", own);
+    if (halves->contains(key)) put_value(own, key, (*halves)[key]);
+  put_value(to, "double_helical", own);
 }
 
 // A rack with straight flanks or with double arcs cuts both gears of a pair. The racks F and P cut
@@ -174,11 +174,11 @@ Inherited inherit(const Json& tree) {
   if (!from || !to) return made;
   if (is_unknown_gear(*to) && !has_module(*from)) return made;
   if (from->contains("material") && !to->contains("material")) {
-    put(*to, "material", (*from)["material"]);
+    put_value(*to, "material", (*from)["material"]);
     made.noted.emplace_back("material");
   }
   if (quality_of(*from) && !quality_of(*to)) {
-    put(*to, "quality", *quality_of(*from));
+    put_value(*to, "quality", *quality_of(*from));
     made.noted.emplace_back("quality");
     hand_on_edition(*from, *to);
   }
@@ -191,7 +191,7 @@ Inherited inherit(const Json& tree) {
   hand_on(*from, *to, "normal_module_mm");
   hand_on(*from, *to, "normal_pressure_angle_deg");
   if (from->contains("rack") && !to->contains("rack") && cuts_both((*from)["rack"]))
-    put(*to, "rack", (*from)["rack"]);
+    put_value(*to, "rack", (*from)["rack"]);
   return made;
 }
 

@@ -17,10 +17,11 @@ namespace gearwright {
 
 namespace {
 
-using Tree = boost::property_tree::ptree;
+using Xml = boost::property_tree::ptree;
 
 constexpr std::string_view kZipped = "PK";  // first bytes of a ZIP archive
-constexpr int kDeepest = 32;  // greatest depth of nested elements; REXS has at most ten levels
+constexpr int kDeepestElement =
+    32;  // greatest depth of nested elements; REXS has at most ten levels
 
 // The parser is recursive, with one call for each level, so the depth is checked before it runs.
 bool too_deep(std::string_view xml) {
@@ -34,7 +35,7 @@ bool too_deep(std::string_view xml) {
     }
     const std::size_t end = xml.find('>', i);
     if (end == std::string_view::npos) return false;  // the parser reports this error
-    if (xml[end - 1] != '/' && ++depth > kDeepest) return true;
+    if (xml[end - 1] != '/' && ++depth > kDeepestElement) return true;
   }
   return false;
 }
@@ -42,8 +43,8 @@ bool too_deep(std::string_view xml) {
 Error no_rexs(std::string rule) { return {"", "", std::move(rule)}; }
 
 // The same tree for JSON as for XML. The elements of a list have no tag.
-Tree tree_of(const Json& json) {
-  Tree tree;
+Xml tree_of(const Json& json) {
+  Xml tree;
   if (json.is_string())
     tree.data() = json.get<std::string>();
   else if (json.is_number() || json.is_boolean())
@@ -54,13 +55,13 @@ Tree tree_of(const Json& json) {
   return tree;
 }
 
-std::string attribute_of(const Tree& element, const char* name) {
+std::string attribute_of(const Xml& element, const char* name) {
   return element.get(std::string("<xmlattr>.") + name, element.get(name, std::string()));
 }
 
 // The elements with a tag in XML, or in the list of this name in JSON.
-std::vector<const Tree*> elements_of(const Tree& owner, const char* list, const char* tag) {
-  std::vector<const Tree*> found;
+std::vector<const Xml*> elements_of(const Xml& owner, const char* list, const char* tag) {
+  std::vector<const Xml*> found;
   for (const auto& [name, element] : owner.get_child(list, owner))
     if (name == tag || (name.empty() && !element.empty())) found.push_back(&element);
   return found;
@@ -68,7 +69,7 @@ std::vector<const Tree*> elements_of(const Tree& owner, const char* list, const 
 
 // The value of an attribute. In JSON, it is a member whose name is the type of the value. The
 // values of an array are in separate elements.
-std::string value_of(const Tree& attribute) {
+std::string value_of(const Xml& attribute) {
   std::string value = attribute.data();
   for (const auto& [type, own] : attribute)
     if (value.empty() && type != "<xmlattr>" && type != "id" && type != "unit")
@@ -76,10 +77,10 @@ std::string value_of(const Tree& attribute) {
   return value;
 }
 
-RexsComponent component_of(const Tree& element) {
+RexsComponent component_of(const Xml& element) {
   RexsComponent c{attribute_of(element, "id"), attribute_of(element, "type"),
                   attribute_of(element, "name")};
-  for (const Tree* a : elements_of(element, "attributes", "attribute")) {
+  for (const Xml* a : elements_of(element, "attributes", "attribute")) {
     const std::string value = value_of(*a);
     // Some programs write false in JSON instead of a text or of a vector.
     if (value.empty() || value == "false") continue;
@@ -89,9 +90,9 @@ RexsComponent component_of(const Tree& element) {
   return c;
 }
 
-RexsRelation relation_of(const Tree& element) {
+RexsRelation relation_of(const Xml& element) {
   RexsRelation r{attribute_of(element, "type")};
-  for (const Tree* ref : elements_of(element, "refs", "ref"))
+  for (const Xml* ref : elements_of(element, "refs", "ref"))
     r.refs.emplace_back(attribute_of(*ref, "role"), attribute_of(*ref, "id"));
   return r;
 }
@@ -267,9 +268,10 @@ Result<RexsModel> read_rexs(std::string_view file) {
   }
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && text[first] == '{';
-  if (json ? json_depth(text) > kDeepest : too_deep(text))
-    return no_rexs(fmt::format("the elements are nested more than {} levels deep", kDeepest));
-  Tree tree;
+  if (json ? json_depth(text) > kDeepestElement : too_deep(text))
+    return no_rexs(
+        fmt::format("the elements are nested more than {} levels deep", kDeepestElement));
+  Xml tree;
   try {
     if (json) {
       tree = tree_of(parse_json(text));
@@ -292,10 +294,10 @@ Result<RexsModel> read_rexs(std::string_view file) {
     return no_rexs(fmt::format(
         "the file has the REXS version \"{}\"; versions 1.0 to 1.7 and 2.0 are supported",
         read.version));
-  const Tree none;
-  for (const Tree* c : elements_of(model->get_child("components", none), "", "component"))
+  const Xml none;
+  for (const Xml* c : elements_of(model->get_child("components", none), "", "component"))
     read.components.push_back(component_of(*c));
-  for (const Tree* r : elements_of(model->get_child("relations", none), "", "relation"))
+  for (const Xml* r : elements_of(model->get_child("relations", none), "", "relation"))
     read.relations.push_back(relation_of(*r));
   return read;
 }
