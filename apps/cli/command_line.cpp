@@ -187,10 +187,16 @@ void CommandLine::add_files() {
                 [&o] { return export_verb(o); });
   spec_argument(files, o);
   files
-      ->add_option("--gear", o.gear,
-                   "Export only this gear, in its own frame; without this option both gears are "
-                   "exported in place")
-      ->check(CLI::Range(1, 2));
+      ->add_option(
+          "--gear", o.part,
+          "Export only this gear, 1 or 2, in its own frame; for a drive, only the part with "
+          "this name, such as planet, on its face. Without this option, all gears are "
+          "exported in place")
+      ->check(CLI::Validator(
+          [](const std::string& name) {
+            return name.empty() ? std::string("must be 1, 2 or the name of a gear") : std::string();
+          },
+          "GEAR"));
   files->add_option("--step", o.step, "STEP solid");
   files->add_option("--stl", o.stl, "STL mesh, binary");
   files->add_option("--glb", o.glb, "GLB (glTF 2.0) mesh");

@@ -110,22 +110,22 @@ int end_export(const Options& o, const Door& door, UnitSystem units,
 
 using WantedFiles = std::vector<std::pair<FileKind, const std::string*>>;
 
-// Writes the requested files of a drive and returns the exit status. Each file contains the whole
-// drive.
+// Writes the requested files of a drive, or of the part that --gear names, and returns the exit
+// status.
 int export_drive(const Options& o, const Door& door, const JobSpec& spec,
                  const WantedFiles& wanted) {
   if (!o.drawing.empty())
     return usage(
         "--drawing is not available for a drive; it writes the drawing of a gear or a pair");
-  if (o.gear)
-    return usage("--gear is not available for a drive, which is always exported as a whole");
+  if (!o.part.empty() && !o.rexs.empty())
+    return usage("--rexs writes the whole drive; leave out --gear");
   const auto job = solve_drive(spec);
   if (!job) return door.fail(job.error());
   std::vector<Result<JobFile>> files;
   std::optional<Result<std::vector<ToothedBody>>> bodies;
   for (const auto& [kind, path] : wanted) {
     if (path->empty()) continue;
-    if (!bodies) bodies = drive_bodies(*job);
+    if (!bodies) bodies = o.part.empty() ? drive_bodies(*job) : drive_part(*job, o.part);
     if (!*bodies) return door.fail(bodies->error());
     files.push_back(make_drive_file(kind, *job, **bodies, *path, file_options(o)));
   }
@@ -188,8 +188,9 @@ int export_verb(const Options& o) {
     return usage(
         "export needs at least one of --step, --stl, --glb, --3mf, --dxf, --svg, --drawing, --rexs "
         "with a file name");
-  if (o.gear && !o.rexs.empty())
-    return usage("--rexs writes both gears of a pair; leave out --gear");
+  std::optional<int> gear;
+  if (o.part == "1" || o.part == "2") gear = o.part == "1" ? 1 : 2;
+  if (gear && !o.rexs.empty()) return usage("--rexs writes both gears of a pair; leave out --gear");
   const auto format = sheet_format(o.drawing);
   if (!o.drawing.empty() && !format)
     return usage("--drawing needs a file name that ends in .pdf, .svg or .dxf, not " + o.drawing);
@@ -200,20 +201,22 @@ int export_verb(const Options& o) {
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
   if (spec->drive) return export_drive(o, door, *spec, wanted);
+  if (!o.part.empty() && !gear)
+    return usage("--gear takes 1 or 2 for a pair; names of gears are for drives");
   // A drawing contains data of the mating gear, so the pair must be solved.
-  const bool alone = o.gear && o.drawing.empty();
+  const bool alone = gear && o.drawing.empty();
   const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
   const int count = job->parts();
-  if (o.gear && *o.gear > count) {
+  if (gear && *gear > count) {
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
   }
   std::vector<ToothedBody> bodies;
   std::vector<int> drawn;
   for (int which = 1; which <= count; ++which) {
-    if (o.gear && *o.gear != which) continue;
+    if (gear && *gear != which) continue;
     if (!(job->rack && which == 2)) drawn.push_back(which);
-    auto body = make_body(*job, which, !o.gear);
+    auto body = make_body(*job, which, !gear);
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
   }

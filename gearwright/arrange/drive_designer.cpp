@@ -86,7 +86,7 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
 }
 
 std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
-  candidate = widest(std::move(candidate));
+  candidate = widest(problem_, std::move(candidate));
   RatedTrain best{candidate, std::vector<Safeties>(candidate.stages.size(), {0.0, 0.0})};
   bool any = false;
   for (GearShifts& shifts : trials(candidate)) {
@@ -122,7 +122,7 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   if (given.all || given.any()) return {candidate.shifts};
   const bool coaxial = is_coaxial(problem_, candidate);
   candidate.shifts.clear();
-  const auto own = drive_of(problem_, widest(std::move(candidate)));
+  const auto own = drive_of(problem_, widest(problem_, std::move(candidate)));
   if (!own) return {};
   std::vector<GearShifts> all = shift_trials(own->graph);
   if (!coaxial) return all;
@@ -138,12 +138,6 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
     shifts = drive_geometry(graph).shift;
   }
   return all;
-}
-
-// The candidate with the greatest face widths, if the search chooses them.
-DriveCandidate DriveDesigner::widest(DriveCandidate candidate) const {
-  if (problem_.face_width) candidate.face_widths = greatest_face_widths(problem_, candidate);
-  return candidate;
 }
 
 // The safeties of the meshes, each the smaller value of its two gears, and infinite for a mesh
@@ -168,7 +162,7 @@ std::optional<std::vector<Safeties>> DriveDesigner::mesh_safeties(
 DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
   candidate = with_modules(problem_, candidate, candidate.stage_modules);
   for (bool grows = true; grows;) {
-    const auto safeties = mesh_safeties(widest(candidate));
+    const auto safeties = mesh_safeties(widest(problem_, candidate));
     if (!safeties) break;
     std::vector<double> modules = candidate.stage_modules;
     grows = false;
@@ -264,7 +258,7 @@ DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   constexpr double kRounding = 1e-9;
   const double below = std::ceil((*problem_.face_width)[0] / task_.face_step - kRounding) - 1.0;
   std::vector<double> greatest;  // in steps
-  for (const double width : greatest_face_widths(problem_, candidate))
+  for (const double width : widest(problem_, candidate).face_widths)
     greatest.push_back(std::floor(width / task_.face_step + kRounding));
   if (*std::min_element(greatest.begin(), greatest.end()) <= below) return DriveFault::safety;
   set_steps(candidate, greatest);

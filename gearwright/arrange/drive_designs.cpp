@@ -46,9 +46,7 @@ class Candidates {
       }
       const TrainStrength strength = strength_of(which, module);
       for (const std::size_t i : which) {
-        DriveCandidate widest = (*all_)[i];
-        if (problem_.face_width) widest.face_widths = greatest_face_widths(problem_, widest);
-        if (!strength.is_hopeless(widest, task_.required)) continue;
+        if (!strength.is_hopeless(widest(problem_, (*all_)[i]), task_.required)) continue;
         made_[i] = State::left_out;
         ++hopeless;
       }
@@ -163,10 +161,14 @@ class Candidates {
                             least.root * std::exp(kRootMargin)};
     const auto modules_of = [&](const DriveCandidate& train, const Safeties& required) {
       std::vector<double> modules;
+      DriveCandidate whole;  // with one module in all stages
+      whole.stages = train.stages;
       for (std::size_t k = 0; k < train.stages.size(); ++k)
-        for (std::size_t j = 0; j < strengths.size() && modules.size() == k; ++j)
-          if (strengths[j].may_hold(widest(train, problem_.modules[j]), k, required))
-            modules.push_back(problem_.modules[j]);
+        for (std::size_t j = 0; j < strengths.size() && modules.size() == k; ++j) {
+          whole.module = problem_.modules[j];
+          if (strengths[j].may_hold(widest(problem_, whole), k, required))
+            modules.push_back(whole.module);
+        }
       return modules;
     };
     std::vector<DriveCandidate> kept;
@@ -187,15 +189,6 @@ class Candidates {
     all_ = &chosen_;
     made_.assign(chosen_.size(), State::open);
     return hopeless;
-  }
-
-  // The train with this module in all stages, and with the greatest face widths.
-  DriveCandidate widest(const DriveCandidate& train, double module) const {
-    DriveCandidate widest;
-    widest.stages = train.stages;
-    widest.module = module;
-    if (problem_.face_width) widest.face_widths = greatest_face_widths(problem_, widest);
-    return widest;
   }
 
   // True if the sliding of one stage of a train exceeds the limit. The sliding of a stage

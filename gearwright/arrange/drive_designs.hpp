@@ -92,7 +92,6 @@ class DriveDesigner {
  private:
   std::vector<GearShifts> trials(DriveCandidate candidate) const;
   bool is_better(const DriveOutcome& a, const DriveOutcome& b) const;
-  DriveCandidate widest(DriveCandidate candidate) const;
   std::optional<std::vector<Safeties>> mesh_safeties(const DriveCandidate& candidate) const;
   DriveOutcome with_stage_modules(DriveCandidate candidate) const;
   std::vector<double> least_steps(DriveCandidate candidate, double below,

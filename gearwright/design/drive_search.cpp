@@ -370,23 +370,22 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
   return set;
 }
 
-std::vector<double> greatest_face_widths(const DriveSearchProblem& problem,
-                                         const DriveCandidate& candidate) {
-  GW_EXPECTS(problem.face_width);
+DriveCandidate widest(const DriveSearchProblem& problem, DriveCandidate candidate) {
+  if (!problem.face_width) return candidate;
   const auto greatest = [&](double module, long long z1, long long z2) {
     const double diameter =
         module * static_cast<double>(std::min(z1, z2)) / cosine_of_helix(problem);
     return std::min((*problem.face_width)[1], problem.face_diameters * diameter);
   };
-  std::vector<double> widths;
+  candidate.face_widths.clear();
   for (std::size_t k = 0; k < candidate.stages.size(); ++k)
-    widths.push_back(
+    candidate.face_widths.push_back(
         greatest(candidate.stage_module(k), candidate.stages[k][0], candidate.stages[k][1]));
   const SetMeshes meshes(candidate.teeth);
   for (std::size_t m = 0; m < meshes.count; ++m)
-    widths.push_back(
+    candidate.face_widths.push_back(
         greatest(candidate.module, meshes.list[m].rider, std::abs(meshes.list[m].central)));
-  return widths;
+  return candidate;
 }
 
 PerMember member_face_widths(const DriveCandidate& candidate) {

@@ -167,10 +167,9 @@ bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
 /// The train with these modules of its stages, and with the size that follows from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);
-/// The greatest face width of each mesh that the search may choose, mm. It is limited by the band of
-/// face widths and by the greatest b/d.
-std::vector<double> greatest_face_widths(const DriveSearchProblem& problem,
-                                         const DriveCandidate& candidate);
+/// The candidate with the greatest face widths that the search may choose. They are limited by the band
+/// of face widths and by the greatest b/d. Unchanged if the search does not size the faces.
+DriveCandidate widest(const DriveSearchProblem& problem, DriveCandidate candidate);
 /// b of the gears of a set, by member. Empty for a train, or if the search does not size the faces.
 PerMember member_face_widths(const DriveCandidate& candidate);
 

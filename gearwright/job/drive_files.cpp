@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/base/printable.hpp"
 #include "gearwright/base/version.hpp"
 #include "gearwright/cad/drive_solids.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
@@ -52,10 +53,35 @@ Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job) {
   return drive_solids(job.drive, *job.layout);
 }
 
+Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::string& name) {
+  auto bodies = drive_bodies(job);
+  if (!bodies) return bodies.error();
+  std::vector<std::string> names;
+  for (const ToothedBody& body : *bodies) {
+    if (body.same_as) continue;
+    bool has_gear = body.name == name || body.name == name + " 1";
+    for (const SolidGear& gear : body.gears()) has_gear = has_gear || gear.body->name == name;
+    if (!has_gear) {
+      names.push_back(body.name.ends_with(" 1") ? body.name.substr(0, body.name.size() - 2)
+                                                : body.name);
+      continue;
+    }
+    ToothedBody alone = body;
+    alone.name = name;
+    std::vector<ToothedBody> part = laid_out({std::move(alone)});
+    part.front().pose.translation().head<2>().setZero();
+    return part;
+  }
+  return Error{"--gear", name,
+               fmt::format("is not a part of the drive; its parts are {}", enumerated(names)),
+               FailureKind::option};
+}
+
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
                                 const std::vector<ToothedBody>& bodies, const fs::path& path,
                                 const FileOptions& options) {
-  const std::size_t planes = job.layout->sections.size();
+  std::size_t planes = job.layout->sections.size();
+  if (bodies.size() == 1) planes = bodies.front().gears().size();
   if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
     return Error{"drive", "",
                  fmt::format("has gears in {} planes, but the outlines in a {} lie in one plane; "

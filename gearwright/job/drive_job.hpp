@@ -73,10 +73,14 @@ Verdict judge(const DriveJob& job);
 /// Errors    a drive without a layout; the errors of drive_solids()
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 
-/// Makes one file of the whole drive with make_file(). In a 3MF file the bodies are laid out for
+/// The first solid with a gear of this name, on the plane z = 0 for printing.
+///
+/// Errors    as drive_bodies(); the option `gear` if there is no such gear
+Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::string& name);
+
+/// Makes one file of these solids with make_file(). In a 3MF file the bodies are laid out for
 /// printing.
 ///
-/// Domain    bodies = drive_bodies(job) (contract)
 /// Errors    `drive` if an outline is requested and the gears lie in several planes; the errors of
 ///           make_file()
 Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,

@@ -2,6 +2,7 @@
 remedy."""
 import json
 import re
+import struct
 import tomllib
 import unittest
 import zipfile
@@ -122,6 +123,28 @@ class Files(unittest.TestCase):
             for k in range(i):
                 b = items[k]
                 self.assertGreater(((a[9] - b[9]) ** 2 + (a[10] - b[10]) ** 2) ** 0.5, tips[i] + tips[k])
+
+    def test_a_part_has_its_own_file(self):
+        """The mesh of a planet alone has the triangles of the same gear of the pair, and lies on z = 0."""
+        part = Run("export", SET, "--gear", "planet", "--stl", "p.stl", "--3mf", "p.3mf", "--dxf", "p.dxf")
+        self.assertEqual(part.status, 0, part.err)
+        pair = Run("drive", SET, "--take", "1")
+        alone = Run("export", pair.out, "--gear", "2", "--stl", "p.stl")
+        planet, gear = ((run.folder / "p.stl").read_bytes() for run in (part, alone))
+        self.assertEqual(len(planet), len(gear))
+        def bounds(stl):
+            points = [struct.unpack_from("<9f", stl, at + 12) for at in range(84, len(stl), 50)]
+            axes = [[p[i + k] for p in points for i in (0, 3, 6)] for k in range(3)]
+            return [max(a) - min(a) for a in axes], min(axes[2])
+        (size, low), (same, _) = bounds(planet), bounds(gear)
+        self.assertAlmostEqual(low, 0, 5)
+        for a, b in zip(size, same):
+            self.assertAlmostEqual(a, b, delta=0.05)  # the tooth that is at the top may differ
+        for name, words in (("moon", "its parts are sun, planet and ring"), ("1", "is not a part of the drive")):
+            run = Run("export", SET, "--gear", name, "--stl", "p.stl")
+            self.assertEqual(run.status, 1)
+            self.assertIn(words, " ".join(run.err.split()))
+        self.assertEqual(Run("export", pair.out, "--gear", "planet", "--stl", "p.stl").status, 2)
 
     def test_export_writes_the_named_files(self):
         r = Run("export", SET, "--step", "s.step", "--3mf", "p.3mf", "--json")
