@@ -11,7 +11,8 @@ namespace {
 
 // The names of Type and of KeyKind, in the order of their enumerators.
 constexpr std::array kTypes{"number", "whole", "index", "flag", "word", "text", "record", "map"};
-constexpr std::array kKinds{"number", "whole", "boolean", "text", "word", "table", "any"};
+constexpr std::array kKinds{"number", "whole",   "boolean", "text",
+                            "word",   "by_name", "table",   "any"};
 
 py::list quantity_list(const QuantityTable& table) {
   py::list list;

@@ -16,7 +16,7 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
   int count = 0;
   for (std::size_t i = 0; i < kErrorCount; ++i) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
-    return KeyFault{error_entries()[i].key,
+    return KeyFault{std::string(error_entries()[i].key),
                     fmt::format("is one range too many; at most {} ranges are possible, because "
                                 "every combination of range ends is computed",
                                 kMaxRanges)};

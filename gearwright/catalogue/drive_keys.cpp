@@ -1,35 +1,36 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 
+#include <cmath>
+
 #include "gearwright/catalogue/gear_keys.hpp"
-#include "gearwright/drive/short_forms.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
 
 namespace gearwright {
 
 namespace {
 
 constexpr double kMostTeeth = 100'000;
-constexpr std::string_view kBodies = "a body or a list of bodies";
-constexpr std::string_view kMembers = "a number, or a table of numbers by member";
-constexpr std::string_view kMeshes = "a number, or a table of numbers by mesh";
+constexpr std::size_t kMostBodies = 1000;
+constexpr const char* kBodies = "a body or a list of bodies";
+constexpr const char* kMembers = "a number, or a table of numbers by member";
+constexpr const char* kMeshes = "a number, or a table of numbers by mesh";
 
 // A key whose value may have several forms. The reader of drives converts the value.
-Key formed(std::string_view key, std::string_view symbol, std::string_view form,
-           std::string_view fallback, std::string_view meaning, KeyRange range = {}) {
-  const bool required = fallback == kRequired;
+Key formed(std::string_view key, std::string_view form, std::string_view fallback,
+           std::string_view meaning) {
   return {.key = key,
-          .symbol = symbol,
           .kind = KeyKind::any,
-          .range = std::move(range),
           .form = std::string(form),
-          .required = required,
-          .fallback = required ? std::string_view() : fallback,
+          .fallback = fallback,
           .meaning = meaning};
 }
 
-Key tables_key(std::string_view key, const KeyTable& (*table)(), std::string_view meaning) {
+Key tables_key(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
+               std::string_view must, std::string_view meaning) {
   return {.key = key,
           .kind = KeyKind::table,
-          .list = KeyList{.least = 1, .most = 1000},
+          .list = KeyList{.most = kMostBodies, .must = must},
+          .place = std::move(place),
           .tables = {table},
           .meaning = meaning};
 }
@@ -43,46 +44,95 @@ Key member(SetMember which, std::string_view meaning, bool ring = false) {
       meaning);
 }
 
-Key fixed_key() {
-  return formed("fixed", "", kBodies, "the ring", "fixed body or list of fixed bodies");
-}
-Key speed_key() {
-  return formed("speed_rpm", "n", "a number, or a list in the order of the inputs", "",
-                "speed of the input");
-}
-Key torque_key() {
-  return formed("torque_Nm", "T", "a number, or a list in the order of the inputs", "",
-                "torque on the input");
+// A key for bodies, which are given by their names.
+Key bodies_key(std::string_view key, KeyPlace place, std::string_view fallback,
+               std::string_view meaning) {
+  return Key::text(key, std::move(place), fallback, meaning)
+      .with_list({.least = 0,
+                  .most = kMostBodies,
+                  .single = true,
+                  .must = "must be the name of a body, or a list of names"})
+      .with_form(kBodies);
 }
 
-Key series_key() {
-  return Key::text("thickness_series", {}, "nominal teeth",
+Key fixed_key(KeyPlace place) {
+  return bodies_key("fixed", std::move(place), "the ring", "fixed body or list of fixed bodies");
+}
+
+constexpr const char* kByInput = "a number, or a list in the order of the inputs";
+
+Key speed_key(KeyPlace place) {
+  return Key::number("speed_rpm", "n", {}, std::move(place), "", "speed of the input")
+      .with_list({.most = kMostBodies, .single = true})
+      .with_form(kByInput);
+}
+Key torque_key(KeyPlace place) {
+  return Key::number("torque_Nm", "T", {}, std::move(place), "", "torque on the input")
+      .with_list({.single = true,
+                  .must = "must be one torque, which determines the torques of the other bodies"})
+      .with_form(kByInput);
+}
+
+// One number, or one number for each of two gears.
+constexpr KeyList kOneOrTwo{.most = 2, .single = true};
+
+template <class T>
+Key series_key(std::string T::*member) {
+  const auto set = [member](T& input, const std::string& name) {
+    input.*member = name == kNoAllowances ? "" : name;
+    return series_fault(name);
+  };
+  return Key::text("thickness_series", KeyPlace::by<T, std::string>(set), "nominal teeth",
                    "thickness allowances of all gears by DIN 3967, for example `\"cd25\"`; each "
                    "allowance is the mean of its two limits; `\"none\"` gives nominal teeth")
       .with_excludes({"thickness_allowance_mm"});
 }
-Key backlash_key(std::string_view form) {
-  return formed("backlash_mm", "j_n", form, "backlash of the thickness allowances",
-                "backlash in the normal section, j_bn/cos α_wn, for which the teeth are thinned; "
-                "for a band, the mean is used",
-                KeyRange::not_negative())
+
+Key backlash_key(KeyPlace place, const char* form) {
+  return Key::not_negative(
+             "backlash_mm", "j_n", std::move(place), "backlash of the thickness allowances",
+             "backlash in the normal section, j_bn/cos α_wn, for which the teeth are thinned; "
+             "for a band, the mean is used")
+      .with_form(form)
+      .with_list({.most = 2,
+                  .single = true,
+                  .order = {.sentence = "must be a band of two numbers in rising order"},
+                  .numbers = true})
       .with_excludes({"thickness_allowance_mm", "thickness_series"});
 }
 
-template <class Member>
-Key friction_key(Member place, std::string_view fallback = "0.05") {
-  return Key::not_negative("friction_coefficient", "μ", place, fallback,
+Key friction_key(KeyPlace place, std::string_view fallback = "0.05") {
+  return Key::not_negative("friction_coefficient", "μ", std::move(place), fallback,
                            "coefficient of friction of the flanks");
 }
 
-template <class Member>
-Key spacing_key(Member place, std::string_view fallback = "\"nearest\"") {
+Key spacing_key(KeyPlace place, std::string_view fallback = "\"nearest\"") {
   return Key::word(
-      "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, place, fallback,
+      "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, std::move(place), fallback,
       "spacing of the planets. `nearest` places the planets at equal pitch if they can be "
       "assembled there, otherwise at the nearest possible positions; `equal` requires equal pitch; "
       "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet so "
       "that it meshes; `opposite` places the planets in opposite pairs");
+}
+
+std::string set_teeth(StageInput& input, const std::array<int, 2>& teeth) {
+  input.stage.pair.teeth = teeth;
+  const auto possible = [](int z) { return z != 0 && std::abs(z) <= kMostTeeth; };
+  if (possible(teeth[0]) && possible(teeth[1]) && teeth[0] > 0) return {};
+  return "must be two whole numbers; the second number is negative for a ring";
+}
+
+// The bores of a stage. They are two numbers for a pair, and numbers by name for a set.
+Key bore_key() {
+  Key key =
+      formed("bore_mm", "a number, or a list of two numbers; in a set, as in [planetary]",
+             "no bore",
+             "diameters of the bores in the CAD files; a single number applies to both gears, "
+             "but not to a ring; if the second gear is a ring, the second number is the "
+             "outside diameter of its rim")
+          .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"});
+  key.range = KeyRange::positive();
+  return key;
 }
 
 }  // namespace
@@ -110,43 +160,52 @@ const KeyTable& planetary_keys() {
                    "no geometry", "normal module"),
        Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60),
                    &P::normal_pressure_angle, "20", "normal pressure angle"),
-       formed("helix_angle_deg", "β", kMembers, "0", "helix angle of the sun",
-              gear_keys().find("helix_angle_deg")->range),
-       formed("profile_shift", "x", kMembers, "computed from the centre distance", "profile shift",
-              gear_keys().find("profile_shift")->range),
-       formed("thickness_allowance_mm", "E_sn", kMembers, "0", "thickness allowance"),
-       series_key(),
-       backlash_key("a number, a band [least, greatest], or a table of numbers by mesh"),
-       formed("face_width_mm", "b", kMembers, "10 m_n",
-              "face width; a planet that meshes with two rings or two suns has twice this width "
-              "plus a gap",
-              KeyRange::positive()),
-       formed("tip_diameter_mm", "d_a", kMembers,
-              "determined by the basic rack and reduced if the tip clearance is too small; for a "
-              "ring, a diameter at which its tips touch only the flanks of the planets",
-              "tip diameter", KeyRange::positive()),
-       formed("bore_mm", "", kMembers, "no bore",
-              "diameter of the bore in the CAD files; a single number applies to all gears except "
-              "rings; in a table, the number for a ring is the outside diameter of its rim",
-              KeyRange::positive())
+       Key::number("helix_angle_deg", "β", gear_keys().find("helix_angle_deg")->range,
+                   &P::helix_deg, "0", "helix angle of the sun")
+           .with_form(kMembers),
+       Key::number("profile_shift", "x", gear_keys().find("profile_shift")->range,
+                   &P::profile_shift, "computed from the centre distance", "profile shift")
+           .with_form(kMembers),
+       Key::number("thickness_allowance_mm", "E_sn", {}, &P::allowance, "0", "thickness allowance")
+           .with_form(kMembers),
+       series_key(&P::series),
+       backlash_key(&P::backlash,
+                    "a number, a band [least, greatest], or a table of numbers by mesh"),
+       Key::number("face_width_mm", "b", KeyRange::positive(), &P::face_width, "10 m_n",
+                   "face width; a planet that meshes with two rings or two suns has twice this "
+                   "width plus a gap")
+           .with_form(kMembers),
+       Key::number("tip_diameter_mm", "d_a", KeyRange::positive(), &P::tip_diameter,
+                   "determined by the basic rack and reduced if the tip clearance is too small; "
+                   "for a ring, a diameter at which its tips touch only the flanks of the planets",
+                   "tip diameter")
+           .with_form(kMembers),
+       Key::number("bore_mm", "", KeyRange::positive(), &P::bore, "no bore",
+                   "diameter of the bore in the CAD files; a single number applies to all gears "
+                   "except rings; in a table, the number for a ring is the outside diameter of "
+                   "its rim")
+           .with_form(kMembers)
            .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
-       formed("center_distance_mm", "a", kMeshes, "backlash-free distance of the first mesh",
-              "centre distance", KeyRange::positive()),
-       formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
-              "efficiency of the meshes when the carrier is at rest", KeyRange::above(0, 1)),
+       Key::number("center_distance_mm", "a", KeyRange::positive(), &P::center_distance,
+                   "backlash-free distance of the first mesh", "centre distance")
+           .with_form(kMeshes),
+       Key::number("mesh_efficiency", "η", KeyRange::above(0, 1), &P::efficiency,
+                   "computed from `friction_coefficient` and the teeth",
+                   "efficiency of the meshes when the carrier is at rest")
+           .with_form(kMeshes),
        friction_key(&P::friction),
-       fixed_key(),
-       formed("input", "", kBodies, "the sun", "driving body or list of driving bodies"),
+       fixed_key(&P::fixed),
+       bodies_key("input", &P::inputs, "the sun", "driving body or list of driving bodies"),
        Key::text("output", &P::output, "the carrier", "body that is driven"),
-       speed_key(),
-       torque_key(),
+       speed_key(&P::speeds_rpm),
+       torque_key(&P::torque_Nm),
        spacing_key(&P::spacing),
        Key::number(
            "positions_deg", "", {}, &P::positions_deg, "determined by `spacing`",
            "positions of the planets around the carrier, counter-clockwise from the first planet")
            .with_list({1, 1000}),
        formed(
-           "material", "",
+           "material",
            "a name, a table with the keys of [gear1.material], or a table of such tables by member",
            "material of `[rating]`", "material of the teeth")}};
   return table;
@@ -156,12 +215,11 @@ namespace {
 
 Key stage_angle() {
   Key key = formed(
-      "angle_deg", "", "a number, or `\"coaxial\"` in the last stage",
-      "the value of the stage before",
+      "angle_deg", "a number, or `\"coaxial\"` in the last stage", "the value of the stage before",
       "direction from the axis of the first gear of a pair to the axis of the second, "
       "counter-clockwise; 0 for the first stage. `\"coaxial\"` leads back to the axis of the "
-      "input; if the stage before has no angle, it gets the angle that permits this",
-      KeyRange::between(-360, 360));
+      "input; if the stage before has no angle, it gets the angle that permits this");
+  key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};
   key.fields = {"angle"};
   return key;
@@ -170,92 +228,114 @@ Key stage_angle() {
 }  // namespace
 
 const KeyTable& stage_keys() {
+  using S = StageInput;
   static const KeyTable table{
       "stage",
       "A stage of a train: a pair of gears or a planetary set; the stages are listed from the "
       "input to the output",
-      {formed("teeth", "z", "two numbers, the second negative for a ring", "",
-              "numbers of teeth of a pair"),
-       formed("gears", "", "two tables with the keys of [gear1]", "",
+      {Key::number("teeth", "z", {}, KeyPlace::by<S, std::array<int, 2>>(set_teeth), "",
+                   "numbers of teeth of a pair")
+           .with_list({.least = 2, .most = 2})
+           .with_form("two numbers, the second negative for a ring"),
+       formed("gears", "two tables with the keys of [gear1]", "",
               "the two gears of a pair, each with its own keys"),
        Key::part("planetary", planetary_keys, {}, "a planetary set")
            .with_excludes({"teeth", "gears"}),
-       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), {}, "no geometry",
-                   "normal module"),
-       Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60), {}, "20",
-                   "normal pressure angle"),
-       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89), {}, "0",
-                   "helix angle of the first gear"),
-       Key::positive("face_width_mm", "b", {}, "10 m_n", "face width"),
-       Key::positive("center_distance_mm", "a", {}, "backlash-free distance", "centre distance"),
+       Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3),
+                   {&S::plain, &PairTeeth::normal_module}, "no geometry", "normal module"),
+       Key::number("normal_pressure_angle_deg", "α_n", KeyRange::between(1, 60),
+                   {&S::plain, &PairTeeth::normal_pressure_angle}, "20", "normal pressure angle"),
+       Key::number("helix_angle_deg", "β", KeyRange::between(-89, 89),
+                   {&S::plain, &PairTeeth::helix_deg}, "0", "helix angle of the first gear"),
+       Key::positive("face_width_mm", "b", {&S::plain, &PairTeeth::face_width}, "10 m_n",
+                     "face width"),
+       Key::positive("center_distance_mm", "a", KeyPlace::within<S>([](S & s) -> auto& {
+                       return s.stage.pair.center_distance;
+                     }),
+                     "backlash-free distance", "centre distance"),
        stage_angle(),
-       formed("profile_shift", "x", "a list of two numbers", "computed from the centre distance",
-              "profile shifts", gear_keys().find("profile_shift")->range),
-       formed("thickness_allowance_mm", "E_sn", "a number, or a list of two numbers", "0",
-              "thickness allowances"),
-       series_key(),
-       backlash_key("a number, or a band [least, greatest]; in a set, as in [planetary]"),
-       formed("bore_mm", "", "a number, or a list of two numbers; in a set, as in [planetary]",
-              "no bore",
-              "diameters of the bores in the CAD files; a single number applies to both gears, but "
-              "not to a ring; if the second gear is a ring, the second number is the outside "
-              "diameter of its rim",
-              KeyRange::positive())
-           .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"}),
-       formed("mesh_efficiency", "η", kMeshes, "computed from `friction_coefficient` and the teeth",
-              "efficiency of the mesh", KeyRange::above(0, 1)),
-       friction_key(KeyPlace()), speed_key(), torque_key(),
-       formed("material", "", "a name, or a table with the keys of [gear1.material]",
+       Key::number("profile_shift", "x", gear_keys().find("profile_shift")->range,
+                   KeyPlace::within<S>([](S & s) -> auto& { return s.stage.pair.shifts; }),
+                   "computed from the centre distance", "profile shifts")
+           .with_list(kOneOrTwo)
+           .with_form("a list of two numbers"),
+       Key::number("thickness_allowance_mm", "E_sn", {}, {&S::plain, &PairTeeth::allowance}, "0",
+                   "thickness allowances")
+           .with_list(kOneOrTwo)
+           .with_form("a number, or a list of two numbers"),
+       series_key(&S::series),
+       backlash_key(&S::backlash,
+                    "a number, or a band [least, greatest]; in a set, as in [planetary]"),
+       bore_key(),
+       Key::number("mesh_efficiency", "η", KeyRange::above(0, 1), &S::efficiency,
+                   "computed from `friction_coefficient` and the teeth", "efficiency of the mesh")
+           .with_form(kMeshes),
+       friction_key({&S::stage, &StageSpec::friction}),
+       speed_key({&S::stage, &StageSpec::speeds_rpm}),
+       torque_key({&S::stage, &StageSpec::torque_Nm}),
+       formed("material", "a name, or a table with the keys of [gear1.material]",
               "material of `[rating]`", "material of the teeth of both gears")}};
   return table;
 }
 
 const KeyTable& stage_gear_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"stage_gear", "A gear of a drive, with the keys of [gear1]", {}};
     // A gear of a drive is not cut by its mating gear and has no shaft of its own.
-    for (const Key& key : gear_keys().keys) {
-      if (key.key == "cut_by" || key.key == "profile_shift_pair" || key.key == "shaft") continue;
-      Key copy = key;
-      copy.in_documents = false;
-      t.keys.push_back(std::move(copy));
-    }
+    KeyTable t = gear_keys().without({"cut_by", "profile_shift_pair", "shaft"});
+    t.name = "stage_gear";
+    t.meaning = "A gear of a drive, with the keys of [gear1]";
+    for (Key& key : t.keys) key.in_documents = false;
     return t;
   }();
   return table;
 }
 
 const KeyTable& drive_keys() {
+  using I = GraphInput;
   static const KeyTable table{
       "drive",
       "A drive as a graph of bodies, gears and meshes; the other forms are translated into this "
       "form",
-      {fixed_key(), formed("input", "", kBodies, "", "driving body or list of driving bodies"),
-       formed("output", "", "a body", "", "body that is driven"), speed_key(), torque_key(),
-       formed("speed_m_per_s", "v", "a number", "",
-              "speed of the input if it is a rack, in place of `speed_rpm`"),
-       formed("force_N", "F", "a number", "",
-              "force on the input if it is a rack, in place of `torque_Nm`"),
-       spacing_key(&DriveGraph::spacing), friction_key(&DriveGraph::friction),
-       tables_key("body", drive_body_keys, "a body that turns or moves"),
-       tables_key("gear", drive_gear_keys, "a gear on a body"),
-       tables_key("mesh", drive_mesh_keys, "two gears that mesh")}};
+      {fixed_key(&I::fixed),
+       bodies_key("input", &I::inputs, "", "driving body or list of driving bodies"),
+       Key::text("output", &I::output, "", "body that is driven")
+           .with_list({.single = true, .must = "must be the name of a body"})
+           .with_form("a body"),
+       speed_key({&I::graph, &DriveGraph::speeds_rpm}),
+       torque_key({&I::graph, &DriveGraph::torque_Nm}),
+       Key::number("speed_m_per_s", "v", {}, &I::speed_m_per_s, "",
+                   "speed of the input if it is a rack, in place of `speed_rpm`")
+           .with_form("a number"),
+       Key::number("force_N", "F", {}, &I::force_N, "",
+                   "force on the input if it is a rack, in place of `torque_Nm`")
+           .with_form("a number"),
+       spacing_key({&I::graph, &DriveGraph::spacing}),
+       friction_key({&I::graph, &DriveGraph::friction}),
+       tables_key("body", drive_body_keys, &I::bodies, "must be a list of tables, [[drive.body]]",
+                  "a body that turns or moves"),
+       tables_key("gear", drive_gear_keys, {}, "must be a list of tables, [[drive.gear]]",
+                  "a gear on a body"),
+       tables_key("mesh", drive_mesh_keys, &I::meshes, "must be a list of tables, [[drive.mesh]]",
+                  "two gears that mesh")}};
   return table;
 }
 
 const KeyTable& drive_body_keys() {
+  using B = GraphInput::Body;
   static const KeyTable table{
       "drive_body",
       "A body of the graph",
-      {Key::text("name", &DriveBody::name, kRequired, "name of the body"),
-       formed("rides_on", "", "a body", "the housing", "carrier on which the planet is mounted"),
-       Key::number("count", "N", KeyRange::between(1, 1000), &DriveBody::count, "1",
+      {Key::text("name", {&B::body, &DriveBody::name}, kRequired, "name of the body"),
+       Key::text("rides_on", &B::rides_on, "the housing", "carrier on which the planet is mounted")
+           .with_form("a body"),
+       Key::number("count", "N", KeyRange::between(1, 1000), {&B::body, &DriveBody::count}, "1",
                    "number of copies of a planet"),
        Key::number(
-           "positions_deg", "", {}, &DriveBody::positions_deg, "determined by `spacing`",
+           "positions_deg", "", {}, {&B::body, &DriveBody::positions_deg},
+           "determined by `spacing`",
            "positions of the copies around the carrier, counter-clockwise from the first copy")
            .with_list({1, 1000}),
-       spacing_key(&DriveBody::spacing, "the value for the whole drive")}};
+       spacing_key({&B::body, &DriveBody::spacing}, "the value for the whole drive")}};
   return table;
 }
 
@@ -283,24 +363,28 @@ const KeyTable& drive_gear_keys() {
 }
 
 const KeyTable& drive_mesh_keys() {
+  using M = GraphInput::Mesh;
   static const KeyTable table{
       "drive_mesh",
       "A mesh of the graph",
-      {formed("gears", "", "two gears", kRequired, "names of the gears that mesh"),
-       Key::text("name", &DriveMesh::name, "the names of the two gears, joined by _",
+      {Key::text("gears", &M::gears, kRequired, "names of the gears that mesh")
+           .with_list({.least = 2, .most = 2, .must = "must be the names of two gears"})
+           .with_form("two gears"),
+       Key::text("name", {&M::mesh, &DriveMesh::name}, "the names of the two gears, joined by _",
                  "name of the mesh"),
-       Key::positive("center_distance_mm", "a", &DriveMesh::center_distance,
+       Key::positive("center_distance_mm", "a", {&M::mesh, &DriveMesh::center_distance},
                      "backlash-free distance", "centre distance"),
-       Key::number("backlash_mm", "j_n", KeyRange::not_negative(), &DriveMesh::backlash,
+       stage_angle(),
+       Key::number("backlash_mm", "j_n", KeyRange::not_negative(), {&M::mesh, &DriveMesh::backlash},
                    "backlash of the thickness allowances",
                    "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both "
                    "gears are thinned; it replaces their thickness allowances"),
-       Key::number("efficiency", "η", KeyRange::above(0, 1), &DriveMesh::efficiency,
+       Key::number("efficiency", "η", KeyRange::above(0, 1), {&M::mesh, &DriveMesh::efficiency},
                    "computed from `friction_coefficient` and the teeth",
                    "efficiency of the mesh when its frame is at rest"),
-       friction_key(&DriveMesh::friction, "the value for the whole drive"),
+       friction_key({&M::mesh, &DriveMesh::friction}, "the value for the whole drive"),
        Key::number(
-           "angle_deg", "", KeyRange::between(-360, 360), &DriveMesh::direction, "0",
+           "angle_deg", "", KeyRange::between(-360, 360), {&M::mesh, &DriveMesh::direction}, "0",
            "direction from the axis of the first gear to the axis of the second gear, "
            "counter-clockwise; not allowed for planets, whose positions determine the direction")}};
   return table;

@@ -1,15 +1,50 @@
 // The keys of a drive: [planetary], [[stage]] and the graph [drive].
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "gearwright/catalogue/key.hpp"
+#include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
 
 const KeyTable& planetary_keys();
+
+/// [[stage]] with a pair of gears that are given by their numbers of teeth.
+struct StageInput {
+  StageSpec stage;
+  PairTeeth plain{};   ///< the numbers of the teeth; only with a module
+  std::string series;  ///< of DIN 3967
+  PerMesh backlash;    ///< j_n  mm; a pair has one mesh, so it has no names
+  PerMesh efficiency;  ///< η
+};
+
 const KeyTable& stage_keys();
 /// The keys of a gear in the list `gears` of a stage. These are the keys of [gear1] that apply to a
 /// drive.
 const KeyTable& stage_gear_keys();
+
+/// [drive]: the graph, and the names of the bodies and gears to which it refers.
+struct GraphInput {
+  struct Body {
+    DriveBody body;
+    std::string rides_on;  ///< name of a body, or empty
+  };
+  struct Mesh {
+    DriveMesh mesh;
+    std::array<std::string, 2> gears;
+  };
+  DriveGraph graph;
+  std::vector<std::string> fixed, inputs, output;
+  std::optional<double> speed_m_per_s;  ///< v, if the input is a rack
+  std::optional<double> force_N;        ///< F, if the input is a rack
+  std::vector<Body> bodies;
+  std::vector<Mesh> meshes;
+};
+
 const KeyTable& drive_keys();
 const KeyTable& drive_body_keys();
 const KeyTable& drive_gear_keys();

@@ -29,7 +29,7 @@ Key teeth(std::string_view key, SetMember member, std::string_view fallback,
 // is read in the same way as in [planetary].
 Key of_set(std::string_view key, std::string_view fallback = {}) {
   Key k = *planetary_keys().find(key);
-  k.place = {};
+  if (k.place) k.place = k.place.inside(&Problem::base);
   if (!fallback.empty()) k.fallback = fallback;
   return k;
 }
@@ -49,7 +49,8 @@ Key normal_modules() {
               "normal module of all meshes; if several modules are given, every set is tried with "
               "each module, and in a rated search for trains each stage gets the least module with "
               "which it has the required safeties")
-              .with_list({.least = 1, .most = 100, .single = true, .order = {.strict = true}})
+              .with_list(
+                  {.most = 100, .single = true, .order = {.strict = true}, .series = module_series})
               .with_form(
                   "`\"ISO54-I\"`, `\"ISO54-II\"`, `\"ISO54-I+II\"`, a number, or a list of 1 "
                   "to 100 numbers in rising order");
@@ -59,6 +60,16 @@ Key normal_modules() {
 
 Key face_width() {
   Key k = of_set("face_width_mm");
+  constexpr std::string_view kRule =
+      "must be a number, a table of numbers by member, or a band of two positive numbers in rising "
+      "order, for example [20, 60]";
+  k.place = k.place.or_ends(&Problem::face_width);
+  k.list = {.least = 2,
+            .most = 2,
+            .single = true,
+            .order = {.sentence = kRule},
+            .must = kRule,
+            .numbers = true};
   k.form += ", or a band [least, greatest]";
   k.meaning =
       "face width; within a band, each mesh of a rated design has the least width with the "

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "gearwright/base/error.hpp"
 
@@ -29,6 +28,12 @@ double normal_of_transverse(double alpha_t, double cos_beta) {
 void set_face(GearInput& gear, double width) {
   gear.cylindrical.face_width = width;
   gear.face_width_given = true;
+}
+
+void set_module(GearInput& gear, double module) { gear.cylindrical.normal_module = module; }
+
+void set_pressure_angle(GearInput& gear, Angle angle) {
+  gear.cylindrical.normal_pressure_angle = angle;
 }
 
 Key only_kind() {
@@ -56,20 +61,6 @@ std::optional<KeyFault> check_bore(Bore& bore, const KeyGiven&) {
                               format_number(bore.diameter))};
 }
 
-KeyTable without(const KeyTable& table, std::initializer_list<std::string_view> left_out) {
-  KeyTable rest{table.name, table.meaning, {}};
-  for (const Key& key : table.keys)
-    if (std::find(left_out.begin(), left_out.end(), key.key) == left_out.end())
-      rest.keys.push_back(key);
-  return rest;
-}
-
-KeyTable only(const KeyTable& table, std::initializer_list<std::string_view> kept) {
-  KeyTable part{table.name, table.meaning, {}};
-  for (const std::string_view key : kept) part.keys.push_back(*table.find(key));
-  return part;
-}
-
 }  // namespace
 
 const KeyTable& gear_keys() {
@@ -86,7 +77,8 @@ const KeyTable& gear_keys() {
            "number of teeth, for example 17; negative for an internal gear, for example -61")
            .with_also({"number_of_teeth", "tooth_number", "tooth_count", "z1", "z2"}),
        Key::number(
-           "normal_module_mm", "m_n", KeyRange::between(kMinModule, kMaxModule), {}, "",
+           "normal_module_mm", "m_n", KeyRange::between(kMinModule, kMaxModule),
+           KeyPlace::by<GearInput, double>(set_module), "",
            "normal module; this key, `normal_diametral_pitch_per_in`, `transverse_module_mm` or "
            "`basic` is required; if several are given, they must agree to 1e-9")
            .with_also({"module", "modul", "m", "reference_diameter", "pitch_diameter", "d"}),
@@ -99,7 +91,8 @@ const KeyTable& gear_keys() {
                         [](double m_t, double cos_beta) { return m_t * cos_beta; }, true})
            .with_also({"mt"}),
        Key::number("normal_pressure_angle_deg", "α_n",
-                   KeyRange::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"), {}, "20",
+                   KeyRange::between(kMinPressure, kMaxPressure, ", usually 14.5 to 30"),
+                   KeyPlace::by<GearInput, Angle>(set_pressure_angle), "20",
                    "normal pressure angle; `transverse_pressure_angle_deg` can replace it")
            .with_also({"pressure_angle", "pressure", "alpha", "pa", "phi"}),
        Key::number("transverse_pressure_angle_deg", "α_t",
@@ -203,8 +196,8 @@ const KeyTable& gear_keys() {
 
 const KeyTable& cutter_keys() {
   static const KeyTable table = [] {
-    KeyTable t = without(gear_keys(), {"cut_by", "profile_shift_pair", "modifications", "material",
-                                       "shaft", "form", "double_helical"});
+    KeyTable t = gear_keys().without({"cut_by", "profile_shift_pair", "modifications", "material",
+                                      "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
         "A pinion cutter; its module and angles are needed only if they differ from the values of "
@@ -216,8 +209,8 @@ const KeyTable& cutter_keys() {
 
 const KeyTable& blank_keys() {
   static const KeyTable table = [] {
-    KeyTable t = only(gear_keys(), {"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
-                                    "rack", "material", "modifications"});
+    KeyTable t = gear_keys().only({"normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
+                                   "rack", "material", "modifications"});
     t.name = "blank";
     t.meaning = "Gear data that a search does not determine";
     return t;

@@ -118,6 +118,15 @@ constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};
 /// Prefixes of the members of one flank: "modifications.right.tip_relief.amount".
 constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
 
+/// [gearN.modifications]: the right and the left flank, and the files of their topographies.
+struct FlanksInput {
+  std::array<FlankModifications, 2> flanks;
+  std::array<std::optional<std::string>, 2> topography;  ///< name of a CSV file
+};
+
 const KeyTable& modification_keys();
+/// The key that applies to a flank: the key with the prefix of the flank, or the key for both
+/// flanks.
+std::string key_of_flank(const KeyGiven& given, std::size_t flank, const std::string& key);
 
 }  // namespace gearwright

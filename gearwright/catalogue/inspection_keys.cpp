@@ -165,13 +165,13 @@ const KeyTable& measured_ball_keys() {
 
 const KeyTable& unknown_gear_keys() {
   static const KeyTable table = [] {
-    KeyTable t{"unknown_gear", "Known values of a gear in addition to its readings", {}};
     // An unknown gear has no module. The keys of the module are listed so that a misspelled module
     // is recognised.
-    for (const char* key :
-         {"teeth", "normal_module_mm", "normal_diametral_pitch_per_in", "normal_pressure_angle_deg",
-          "helix_angle_deg", "face_width_mm", "measured"})
-      t.keys.push_back(*gear_keys().find(key));
+    KeyTable t = gear_keys().only({"teeth", "normal_module_mm", "normal_diametral_pitch_per_in",
+                                   "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
+                                   "measured"});
+    t.name = "unknown_gear";
+    t.meaning = "Known values of a gear in addition to its readings";
     return t;
   }();
   return table;

@@ -87,8 +87,9 @@ Key plain(KeyKind kind, std::string_view key, KeyPlace place, std::string_view f
 
 Key Key::number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                 std::string_view fallback, std::string_view meaning) {
-  const bool whole = place.kind() == KeyKind::whole;
-  Key k = plain(whole ? KeyKind::whole : KeyKind::number, key, std::move(place), fallback, meaning);
+  const KeyKind of_place = place.kind();
+  const bool other = of_place == KeyKind::whole || of_place == KeyKind::by_name;
+  Key k = plain(other ? of_place : KeyKind::number, key, std::move(place), fallback, meaning);
   k.symbol = symbol;
   k.range = std::move(range);
   return k;
@@ -146,6 +147,20 @@ const Key* KeyTable::find(std::string_view name) const {
   return it == keys.end() ? nullptr : &*it;
 }
 
+KeyTable KeyTable::only(const std::vector<std::string_view>& kept) const {
+  KeyTable part{name, meaning, {}};
+  for (const std::string_view key : kept) part.keys.push_back(*find(key));
+  return part;
+}
+
+KeyTable KeyTable::without(const std::vector<std::string_view>& left_out) const {
+  KeyTable rest{name, meaning, {}};
+  for (const Key& key : keys)
+    if (std::find(left_out.begin(), left_out.end(), key.key) == left_out.end())
+      rest.keys.push_back(key);
+  return rest;
+}
+
 std::vector<std::string> KeyTable::names() const {
   std::vector<std::string> names;
   for (const Key& k : keys) names.emplace_back(k.key);
@@ -164,6 +179,7 @@ std::string form_of(const Key& key) {
   const bool whole = key.kind == KeyKind::whole;
   if (key.list) {
     const char* const what = key.kind == KeyKind::word    ? "words"
+                             : key.kind == KeyKind::text  ? "texts"
                              : key.kind == KeyKind::table ? "tables"
                              : whole                      ? "whole numbers"
                                                           : "numbers";
@@ -180,6 +196,7 @@ std::string form_of(const Key& key) {
     case KeyKind::text: return "a text in quotes";
     case KeyKind::word: return fmt::format("one of \"{}\"", fmt::join(key.words, "\", \""));
     case KeyKind::table: return "a table";
+    case KeyKind::by_name:
     case KeyKind::any: break;
   }
   return "anything";

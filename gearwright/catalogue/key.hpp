@@ -73,9 +73,13 @@ struct KeyList {
   std::string_view noun{};  ///< noun for one word of the list: "objective"
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
-  std::string_view must{};  ///< for a list of tables, the requirement on the list
+  std::string_view must{};  ///< for a list of tables, the requirement on the list; otherwise the
+                            ///< message for a list of another length
   int first = 1;            ///< number that a path uses for the first element
-  bool numbers = false;     ///< for a key of a table: true if a list of numbers is also allowed
+  bool numbers = false;     ///< for a key of a table or of numbers by name: true if a list of
+                            ///< numbers is also allowed
+  /// The numbers of which `word` is the name, or none: the modules of "ISO54-I".
+  std::vector<double> (*series)(std::string_view word) = nullptr;
 };
 
 /// A key by which the value of the key `of` can be given in another unit or in another section.
@@ -120,7 +124,8 @@ struct Key {
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
 
-  /// A key for a number, or for a whole number if its KeyPlace is a member of type int.
+  /// A key for a number, for a whole number if its KeyPlace is a member of type int, or for numbers
+  /// by name.
   static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                     std::string_view fallback, std::string_view meaning);
   static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,
@@ -184,11 +189,14 @@ struct KeyTable {
   std::vector<Key> keys;
   KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
                    ///< key
-  /// The key that a text sets if it replaces the table: material = "16MnCr5".
+  /// The key that a text or a list of numbers sets if it replaces the table: material = "16MnCr5".
   /// It is empty if there is no such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
+  /// A table with these keys only, in this order, or with all other keys.
+  KeyTable only(const std::vector<std::string_view>& kept) const;
+  KeyTable without(const std::vector<std::string_view>& left_out) const;
   std::vector<std::string> names() const;
   /// The key and its aliases. The value can be given by any one of them.
   std::vector<std::string> ways(std::string_view key) const;

@@ -6,11 +6,12 @@
 //   KeyRule     relations between the members of the struct
 //
 // The type of a member determines the kind of its key: degrees become an Angle, the index of a word
-// in its list becomes an enumerator, a list becomes a vector or an array of two, and a sub-table
-// becomes a struct.
+// in its list becomes an enumerator, a list becomes a vector or an array of two, numbers by name
+// become the numbers of the members of a set, and a sub-table becomes a struct.
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,19 +26,31 @@
 
 namespace gearwright {
 
+/// Numbers by name: { sun = 10, planet = -10 }.
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
 /// A value as a file gives it: a number, a whole number or the index of a word in its list, a flag,
-/// a text, a list of numbers, or a list of words.
-using KeyValue =
-    std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
+/// a text, a list of numbers, of words or of texts, or numbers by name.
+using KeyValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>,
+                              std::vector<std::string>, NamedNumbers>;
+
+/// A member with one number for all names and a number of its own for single names.
+template <class V>
+concept ByName = requires(V value, const std::string& name) {
+  value.all;
+  value.set(name, 0.0);
+  { V::names() } -> std::convertible_to<std::vector<std::string>>;
+};
 
 enum class KeyKind {
   number,
   whole,
   boolean,
   text,
-  word,   ///< one of `words`
-  table,  ///< one of `tables`
-  any     ///< any value
+  word,     ///< one of `words`
+  by_name,  ///< a number, or a table of numbers by name
+  table,    ///< one of `tables`
+  any       ///< any value
 };
 
 /// An input struct.
@@ -88,13 +101,25 @@ class KeyPlace {
   /// is an optional array of two.
   template <class T, class M, class E>
   static KeyPlace mean_and_ends(M mean, E ends);
+  /// A place for two numbers, or for a table whose member `ends` contains the two numbers.
+  template <class T, class S, class F>
+  static KeyPlace ends_or_table(std::array<double, 2> S::*ends, F reach);
   /// A KeyPlace for a value that is checked but not stored.
   static KeyPlace unused();
+  /// This place in the member `outer` of another struct.
+  template <class T, class M>
+  KeyPlace inside(M T::*outer) const;
+
+  /// This place, except that two limits are stored in the member `ends`.
+  template <class T>
+  KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
   explicit operator bool() const { return put_ || part_; }
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
   bool is_member() const { return same_ != nullptr; }
+  /// The names of numbers by name.
+  const std::vector<std::string>& names() const { return names_; }
   /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
   /// Returns the struct of a sub-table, or appends an element to a list of sub-tables and
@@ -125,6 +150,7 @@ class KeyPlace {
   template <class V>
   static constexpr KeyKind kind_of() {
     using B = typename Bare<V>::type;
+    if (ByName<V>) return KeyKind::by_name;
     if (std::is_enum_v<B> || std::is_same_v<B, std::size_t>) return KeyKind::word;
     if (std::is_same_v<B, bool>) return KeyKind::boolean;
     if (std::is_same_v<B, int>) return KeyKind::whole;
@@ -144,7 +170,12 @@ class KeyPlace {
   static void store(Angle& to, const KeyValue& v) { to = Angle::degrees(std::get<double>(v)); }
   template <class V>
   static void store(V& to, const KeyValue& v) {
-    if constexpr (kind_of<V>() == KeyKind::word) {
+    if constexpr (ByName<V>) {
+      const auto* named = std::get_if<NamedNumbers>(&v);
+      if (!named) store(to.all, v);
+      if (named)
+        for (const auto& [name, number] : *named) to.set(name, number);
+    } else if constexpr (kind_of<V>() == KeyKind::word) {
       to = static_cast<V>(std::get<int>(v));
     } else {
       to = std::get<V>(v);
@@ -154,15 +185,26 @@ class KeyPlace {
   static void store(std::optional<V>& to, const KeyValue& v) {
     store(to.emplace(), v);
   }
+  // A member for one number takes the mean of two limits.
+  static void store(std::optional<double>& to, const KeyValue& v) {
+    const auto* ends = std::get_if<std::vector<double>>(&v);
+    to = ends ? (ends->front() + ends->back()) / 2 : std::get<double>(v);
+  }
   template <class V>
   static void store(std::array<V, 2>& to, const KeyValue& v) {
     const auto& list = std::get<std::vector<double>>(v);
     to = {of_number<V>(list.front()), of_number<V>(list.back())};
   }
+  static void store(std::array<std::string, 2>& to, const KeyValue& v) {
+    const auto& list = std::get<std::vector<std::string>>(v);
+    to = {list.front(), list.back()};
+  }
   template <class V>
   static void store(std::vector<V>& to, const KeyValue& v) {
     to.clear();
-    if constexpr (kind_of<V>() == KeyKind::word) {
+    if constexpr (std::is_same_v<V, std::string>) {
+      to = std::get<std::vector<std::string>>(v);
+    } else if constexpr (kind_of<V>() == KeyKind::word) {
       for (const int word : std::get<std::vector<int>>(v)) to.push_back(static_cast<V>(word));
     } else {
       for (const double x : std::get<std::vector<double>>(v)) to.push_back(of_number<V>(x));
@@ -188,12 +230,14 @@ class KeyPlace {
   std::function<std::string(KeyTarget, const KeyValue&)> put_;
   std::function<KeyTarget(KeyTarget)> part_;
   std::function<bool(KeyTarget, KeyTarget)> same_;
+  std::vector<std::string> names_;
 };
 
-/// A key whose value is impossible, with the reason.
+/// A key whose value is impossible, with the reason, or a missing key.
 struct KeyFault {
-  std::string_view key;
+  std::string key;
   std::string why;
+  bool missing = false;  ///< true if the key is missing; `why` then continues "is missing"
 };
 
 /// Returns true if the table that was read contains this key.
@@ -224,6 +268,7 @@ KeyPlace KeyPlace::within(F reach) {
   KeyPlace place;
   place.kind_ = kind_of<V>();
   place.angle_ = std::is_same_v<typename Bare<V>::type, Angle>;
+  if constexpr (ByName<V>) place.names_ = V::names();
   if constexpr (kind_of<V>() == KeyKind::table) {
     place.part_ = [reach](KeyTarget input) { return open(reach(input.as<T>())); };
   } else {
@@ -231,9 +276,10 @@ KeyPlace KeyPlace::within(F reach) {
       store(reach(input.as<T>()), v);
       return std::string();
     };
-    place.same_ = [reach](KeyTarget a, KeyTarget b) {
-      return reach(a.as<T>()) == reach(b.as<T>());
-    };
+    if constexpr (!ByName<V>)
+      place.same_ = [reach](KeyTarget a, KeyTarget b) {
+        return reach(a.as<T>()) == reach(b.as<T>());
+      };
   }
   return place;
 }
@@ -263,6 +309,40 @@ KeyPlace KeyPlace::mean_and_ends(M mean, E ends) {
     mean(input) = (given.front() + given.back()) / 2;
     if (given.size() == 2) ends(input) = {given[0], given[1]};
   });
+}
+
+template <class T, class S, class F>
+KeyPlace KeyPlace::ends_or_table(std::array<double, 2> S::*ends, F reach) {
+  KeyPlace place = within<T>(reach);
+  place.put_ = [ends, reach](KeyTarget input, const KeyValue& given) {
+    store(reach(input.as<T>()).emplace().*ends, given);
+    return std::string();
+  };
+  return place;
+}
+
+template <class T, class M>
+KeyPlace KeyPlace::inside(M T::*outer) const {
+  KeyPlace place = *this;
+  place.same_ = nullptr;
+  if (put_)
+    place.put_ = [outer, put = put_](KeyTarget input, const KeyValue& given) {
+      return put(input.as<T>().*outer, given);
+    };
+  if (part_)
+    place.part_ = [outer, part = part_](KeyTarget input) { return part(input.as<T>().*outer); };
+  return place;
+}
+
+template <class T>
+KeyPlace KeyPlace::or_ends(std::optional<std::array<double, 2>> T::*ends) const {
+  KeyPlace place = *this;
+  place.put_ = [ends, put = put_](KeyTarget input, const KeyValue& given) {
+    if (!std::holds_alternative<std::vector<double>>(given)) return put(input, given);
+    store(input.as<T>().*ends, given);
+    return std::string();
+  };
+  return place;
 }
 
 inline KeyPlace KeyPlace::unused() {

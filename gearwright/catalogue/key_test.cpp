@@ -11,6 +11,7 @@
 #include <set>
 
 #include "gearwright/catalogue/compensate_keys.hpp"
+#include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/error_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/rating_keys.hpp"
@@ -124,6 +125,51 @@ TEST(Keys, the_type_of_a_member_decides_what_a_place_takes) {
   EXPECT_THROW(angles.put(t.contact, std::vector<double>{1.0}), ContractViolation);
 }
 
+struct ByNameOrTable {
+  PerMember members;
+  PerMesh meshes;
+  std::vector<std::string> texts;
+  std::array<std::string, 2> two;
+  std::optional<double> mean;
+  std::optional<DistributionSpec> range;
+  Target inner;
+};
+
+TEST(Keys, a_place_takes_numbers_by_name_texts_and_two_ends) {
+  ByNameOrTable t;
+  const KeyPlace members(&ByNameOrTable::members), meshes(&ByNameOrTable::meshes);
+  EXPECT_EQ(members.kind(), KeyKind::by_name);
+  EXPECT_EQ(members.names(), set_member_names());
+  members.put(t, 2.0);
+  members.put(t, NamedNumbers{{"planet", 5.0}});
+  EXPECT_EQ(t.members.of(SetMember::planet), 5.0);
+  EXPECT_EQ(t.members.of(SetMember::sun), 2.0);
+  meshes.put(t, std::vector<double>{1.0, 3.0});  // the mean of two limits
+  meshes.put(t, NamedNumbers{{"planet_ring", 7.0}});
+  EXPECT_EQ(t.meshes.of("planet_ring"), 7.0);
+  EXPECT_EQ(t.meshes.of("sun_planet"), 2.0);
+  KeyPlace(&ByNameOrTable::texts).put(t, std::vector<std::string>{"a"});
+  KeyPlace(&ByNameOrTable::two).put(t, std::vector<std::string>{"b", "c"});
+  EXPECT_TRUE(t.texts.front() == "a" && t.two[1] == "c");
+  KeyPlace(&ByNameOrTable::mean).put(t, std::vector<double>{1.0, 2.0});
+  EXPECT_EQ(t.mean, 1.5);
+  const auto range = KeyPlace::ends_or_table<ByNameOrTable>(
+      &DistributionSpec::range, [](ByNameOrTable & x) -> auto& { return x.range; });
+  range.put(t, std::vector<double>{-1.0, 1.0});
+  EXPECT_EQ(t.range->range, (std::array{-1.0, 1.0}));
+  range.part(t).as<DistributionSpec>().cpk = 2.0;
+  EXPECT_EQ(t.range->cpk, 2.0);
+  KeyPlace(&Target::mean).inside(&ByNameOrTable::inner).put(t, 4.0);
+  EXPECT_EQ(t.inner.mean, 4.0);
+}
+
+TEST(Keys, a_part_of_a_table_keeps_its_keys) {
+  const KeyTable two = pair_keys().only({"speed_rpm", "mounting"});
+  EXPECT_EQ(two.names(), (std::vector<std::string>{"speed_rpm", "mounting"}));
+  const KeyTable rest = two.without({"speed_rpm"});
+  EXPECT_EQ(rest.names(), std::vector<std::string>{"mounting"});
+}
+
 TEST(Keys, defaults_are_those_of_the_structs) {
   // The allowance is checked here, because its value may be a list and it therefore has no
   // KeyPlace.
@@ -138,6 +184,9 @@ TEST(Keys, defaults_are_those_of_the_structs) {
   EXPECT_EQ(rack_arc_keys().find("part")->fallback, "\"flank\"");
   EXPECT_TRUE(flank.cuts == RackArc{}.cuts && flank.working == RackArc{}.working);
   expect_defaults<PairInput>(pair_keys(), 2);
+  expect_defaults<PlanetarySpec>(planetary_keys(), 3);
+  expect_defaults<StageInput>(stage_keys(), 3);
+  expect_defaults<GraphInput>(drive_keys(), 1);
   expect_defaults<ErrorsInput>(error_keys(), 8);
   expect_defaults<ContactInput>(contact_keys(), 5);
   expect_defaults<LoadInput>(load_keys(), 5);  // the default of `slices` depends on the face

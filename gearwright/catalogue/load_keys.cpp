@@ -20,23 +20,23 @@ const KeyTable& load_keys() {
       "load",
       "Teeth under torque, for the verb `load` and, with drives, for the verbs `drive`, `rate` and "
       "`run`",
-      {Key::number("torque_Nm", "T_1", Range::above(0, kMaxInput), &LoadInput::torques, "",
+      {Key::number("torque_Nm", "T_1", KeyRange::above(0, kMaxInput), &LoadInput::torques, "",
                    "torque on gear 1; a list of torques gives the Harris map; for a drive, one "
                    "torque on its input, by default the torque of the drive")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
-       Key::number("driver", "", Range::between(1, 2), &LoadInput::driver, "1",
+       Key::number("driver", "", KeyRange::between(1, 2), &LoadInput::driver, "1",
                    "gear that drives; if gear 2 drives, the sense of rotation does not change, and "
                    "the trailing flanks carry the load"),
-       Key::number("positions", "", Range::between(4, kMostLoadPositions), &LoadInput::positions,
+       Key::number("positions", "", KeyRange::between(4, kMostLoadPositions), &LoadInput::positions,
                    "64", "positions over one pitch of gear 1"),
-       Key::number("rotation1_deg", "", Range::between(-1e6, 1e6), &LoadInput::rotations, "",
+       Key::number("rotation1_deg", "", KeyRange::between(-1e6, 1e6), &LoadInput::rotations, "",
                    "rotations of gear 1, instead of positions")
            .with_list(KeyList{1, kMostLoadPositions})
            .with_fields({"rotations"}),
        Key::number(
-           "slices", "", Range::between(kLeastSlices, kMostSlices), &LoadInput::slices,
+           "slices", "", KeyRange::between(kLeastSlices, kMostSlices), &LoadInput::slices,
            "32; fewer on a narrow face, so that a slice is at least m_n/4 wide, or 0.4 m_n "
            "for helical teeth; still fewer for internal pairs and for a contact that is wider than "
            "the slices",
@@ -46,19 +46,19 @@ const KeyTable& load_keys() {
            "at least four times the half width of contact"),
        Key::word("accuracy", {"full", "draft"}, &LoadInput::accuracy, "\"full\"",
                  "`draft` uses a coarser mesh of the teeth and is two to three times as fast"),
-       Key::number("deflection_slope_um", "", Range::between(-1e5, 1e5),
+       Key::number("deflection_slope_um", "", KeyRange::between(-1e5, 1e5),
                    &LoadInput::deflection_slope, "0",
                    "additional approach of the flanks, linear along the common face, caused by "
                    "housing and bearings or by shafts without `[gearN.shaft]`; it is added to the "
                    "deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
-       Key::number("deflection_bow_um", "", Range::between(-1e5, 1e5), &LoadInput::deflection_bow,
+       Key::number("deflection_bow_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::deflection_bow,
                    "0",
                    "additional approach of the flanks that is parabolic along the face; the key "
                    "gives its value in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",
                  "only for drives: body that is free to move radially (the sun, the ring or the "
                  "carrier of a planetary set)"),
-       Key::number("pin_error_um", "", Range::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
+       Key::number("pin_error_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
                    "only for drives: tangential position error of the pin of each planet, > 0 "
                    "counter-clockwise; a single number applies to the first planet; if planets "
                    "mesh with each other, the list contains all numbers of the first planet body, "
@@ -83,7 +83,7 @@ const KeyTable& load_probe_keys() {
   static const KeyTable table{
       "load_probe",
       "Compliance of tooth 0 under a unit line force normal to its flank at y > 0",
-      {Key::number("gear", "", Range::between(1, 2), &LoadProbeInput::gear, "1",
+      {Key::number("gear", "", KeyRange::between(1, 2), &LoadProbeInput::gear, "1",
                    "number of the gear"),
        Key::positive("diameter_mm", "", &LoadProbeInput::diameter, kRequired,
                      "diameter at which the load acts on the flank"),

@@ -93,7 +93,7 @@ const KeyTable& material_keys() {
          Key::positive("youngs_modulus_MPa", "E", &MaterialInput::youngs_modulus,
                        "206 000, or less for cast iron", "Young's modulus")
              .with_also({"e", "modulus", "elasticity"}),
-         Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &MaterialInput::poisson_ratio,
+         Key::number("poisson_ratio", "ν", KeyRange::between(0, 0.5), &MaterialInput::poisson_ratio,
                      "0.3", "Poisson's ratio")
              .with_also({"nu", "poisson"}),
          Key::positive("density_kg_per_m3", "ρ", &MaterialInput::density,
@@ -107,7 +107,7 @@ const KeyTable& material_keys() {
                        "value of the named row",
                        "nominal allowable bending stress number, which does not include Y_ST = 2")
              .with_also({"sigma_f", "bending_strength", "flim"}),
-         Key::number("surface_hardness_HV", "", Range::between(50, 1200),
+         Key::number("surface_hardness_HV", "", KeyRange::between(50, 1200),
                      &MaterialInput::surface_hardness, "value of the named row",
                      "Vickers hardness of the surface; for a named row the hardness also "
                      "determines the stress limits")
@@ -116,7 +116,7 @@ const KeyTable& material_keys() {
                        "Y_δrelT = 1 for a tempered or normalized steel",
                        "yield strength or 0.2 % proof stress")
              .with_also({"yield", "re", "rp02"}),
-         Key::number("temperatures_C", "ϑ", Range::between(-100, 400), &MaterialInput::temperatures,
+         Key::number("temperatures_C", "ϑ", KeyRange::between(-100, 400), &MaterialInput::temperatures,
                      "the single values are used at any temperature",
                      "temperatures of the lists of values, only for plastics; interpolation is "
                      "linear and there is no extrapolation")

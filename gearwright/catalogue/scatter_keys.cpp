@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <deque>
+#include <tuple>
 
 namespace gearwright {
 
@@ -11,20 +12,52 @@ namespace {
 constexpr const char* kRange =
     "[least, greatest] for a uniform distribution, or a table with `range` and `distribution`";
 
-// A key for a toleranced number, which may be a list or a table. The reader handles it.
-Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range,
+// A key for a toleranced number of the struct T, which may be a list or a table. `reach` returns its
+// member, an optional distribution.
+template <class T, class F>
+Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range, F reach,
                std::string_view meaning) {
   return {.key = key,
           .symbol = symbol,
           .kind = KeyKind::table,
           .range = range,
-          .list = KeyList{.least = 2, .most = 2, .single = true, .numbers = true},
+          .list = KeyList{.least = 2,
+                          .most = 2,
+                          .single = true,
+                          .order = {.sentence = "must contain the least value before the greatest; "
+                                                "a tolerance of ±0.02 is [-0.02, 0.02]"},
+                          .must = "must be [least, greatest], or a table with range and "
+                                  "distribution",
+                          .numbers = true},
           .form = kRange,
+          .place = KeyPlace::ends_or_table<T>(&DistributionSpec::range, reach),
           .tables = {scatter_range_keys},
           .meaning = meaning};
 }
 
+std::optional<KeyFault> check_distribution(DistributionSpec& d, const KeyGiven& given) {
+  using Kind = DistributionSpec::Kind;
+  for (const auto& [key, kind, word] : {std::tuple{"cpk", Kind::normal, "normal"},
+                                        {"offset", Kind::normal, "normal"},
+                                        {"shape", Kind::beta, "beta"}})
+    if (given(key) && d.kind != kind)
+      return KeyFault{key, fmt::format("is used only with distribution = \"{}\"", word)};
+  const auto made = Distribution::of(d);
+  return made ? std::nullopt : std::optional(KeyFault{made.error().field, made.error().rule});
+}
+
+std::optional<KeyFault> check_correlation(ScatterInput::Correlation& c, const KeyGiven&) {
+  if (c.between[0] != c.between[1]) return std::nullopt;
+  return KeyFault{"between",
+                  "must be two different inputs; the correlation of an input with itself is 1"};
+}
+
 std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
+  for (const std::size_t i : {0, 1, 2})
+    if (s.bearings && s.errors[i])
+      return KeyFault{"bearings", fmt::format("cannot be combined with scatter.errors.{}, because "
+                                              "the positions of the bores determine this error",
+                                              error_entries()[i].key)};
   if ((s.samples & (s.samples - 1)) != 0)
     return KeyFault{"samples",
                     "must be a power of two, for example 1024 or 2048, because another number of "
@@ -34,6 +67,10 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
   return KeyFault{"samples", fmt::format("must be smaller, because samples times replicates must "
                                          "be at most {}, but the product is {}",
                                          kMaxScatterSamples, all)};
+}
+
+KeyPlace gear(std::size_t i) {
+  return KeyPlace::within<ScatterInput>([i](auto& s) -> auto& { return s.gears[i]; });
 }
 
 std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
@@ -100,12 +137,14 @@ const KeyTable& scatter_keys() {
            "that are not given in the tables of [scatter]: f_Hα, f_Hβ, the waves of f_fα and f_fβ "
            "and the pitches of each gear, and the axes by ISO/TR 10064-3 [T14.23]")
            .with_list(KeyList{.least = 1, .most = 2, .single = true}),
-       Key::part("errors", scatter_error_keys, {}, "ranges of the keys of [errors]"),
-       Key::part("bearings", scatter_bearing_keys, {},
+       Key::part("errors", scatter_error_keys,
+                 KeyPlace::within<ScatterInput>([](auto& s) -> auto& { return s; }),
+                 "ranges of the keys of [errors]"),
+       Key::part("bearings", scatter_bearing_keys, &ScatterInput::bearings,
                  "positions of the bores within circles, instead of the centre distance and the "
                  "shaft deviations"),
-       Key::part("gear1", scatter_gear_keys, {}, "ranges of the teeth of gear 1"),
-       Key::part("gear2", scatter_gear_keys, {}, "ranges of the teeth of gear 2"),
+       Key::part("gear1", scatter_gear_keys, gear(0), "ranges of the teeth of gear 1"),
+       Key::part("gear2", scatter_gear_keys, gear(1), "ranges of the teeth of gear 2"),
        {.key = "groups",
         .kind = KeyKind::any,
         .form = "a table of names, each with a list of inputs, for example { housing = "
@@ -114,7 +153,11 @@ const KeyTable& scatter_keys() {
                    "without a group is treated alone"},
        {.key = "correlations",
         .kind = KeyKind::table,
-        .list = KeyList{.most = kMostCorrelations},
+        .list = KeyList{.most = kMostCorrelations,
+                        .must = "must be a list of 1 to {} tables, for example [{{ between = "
+                                "[\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = "
+                                "0.5 }}]"},
+        .place = &ScatterInput::correlations,
         .tables = {scatter_correlation_keys},
         .meaning = "correlations of inputs, each a table `[[scatter.correlations]]` or, in a list, "
                    "{ between = [\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = "
@@ -129,8 +172,12 @@ const KeyTable& scatter_keys() {
 const KeyTable& scatter_error_keys() {
   static const KeyTable table = [] {
     KeyTable t{"scatter_errors", "Ranges of errors, each added to the value in [errors]", {}};
-    for (const Key& error : error_keys().keys)
-      t.keys.push_back(toleranced(error.key, error.symbol, error.range, error.meaning));
+    for (std::size_t i = 0; i < kErrorCount; ++i) {
+      const Key& error = error_keys().keys[i];
+      t.keys.push_back(toleranced<ScatterInput>(
+          error.key, error.symbol,
+          error.range, [i](ScatterInput & s) -> auto& { return s.errors[i]; }, error.meaning));
+    }
     return t;
   }();
   return table;
@@ -154,29 +201,32 @@ const KeyTable& scatter_bearing_keys() {
 
 const KeyTable& scatter_gear_keys() {
   using G = ScatterGear;
-  constexpr KeyList kWaves{.least = 2, .most = 2, .order = kLowerFirst};
   static const KeyTable table{
       "scatter_gear",
       "Ranges of the teeth of a gear, each added to the value of the gear",
-      {toleranced("thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
-                  "range of the normal tooth thickness of an involute gear; the thickness affects "
-                  "the play and the mean of the transmission error [T14.13]"),
+      {toleranced<G>(
+           "thickness_allowance_mm", "E_sn", KeyRange::between(-10, 10),
+           [](G & g) -> auto& { return g.thickness; },
+           "range of the normal tooth thickness of an involute gear; the thickness affects "
+           "the play and the mean of the transmission error [T14.13]"),
        {.key = "pitch",
         .kind = KeyKind::word,
         .words = {"F_p"},
+        .place = KeyPlace::by<G, std::size_t>([](G& g, std::size_t) { g.pitch = true; }),
         .meaning = "pitch deviations, which vary within F_pT and f_ptT of the grade [T14.20]"},
        Key::number("profile_waves", "", KeyRange::between(0, 100), &G::profile_waves,
                    "[1, 4] if a grade is given",
                    "least and greatest number of waves of the profile form over the usable flank; "
                    "the height of the waves is f_fαT of the grade [T14.21]. [0, 0] is a flank "
                    "without waves")
-           .with_list(kWaves),
+           .with_list(kLowerAndUpper),
        Key::number("helix_waves", "", KeyRange::between(0, 100), &G::helix_waves,
                    "[1, 4] if a grade is given",
                    "least and greatest number of waves of the helix form over the face; the height "
                    "of the waves is f_fβT of the grade. [0, 0] is a flank without waves")
-           .with_list(kWaves),
-       Key::part("modifications", scatter_modification_keys, {},
+           .with_list(kLowerAndUpper),
+       Key::part("modifications", scatter_modification_keys,
+                 KeyPlace::within<G>([](auto& g) -> auto& { return g; }),
                  "ranges of modifications of both flanks")}};
   return table;
 }
@@ -186,9 +236,12 @@ const KeyTable& scatter_modification_keys() {
     static std::deque<std::string> names;
     KeyTable t{
         "scatter_modifications", "Ranges of amounts, which are added to [gearN.modifications]", {}};
-    for (const ModificationEntry& m : modification_entries())
-      t.keys.push_back(toleranced(names.emplace_back(std::string(m.name) + "_um"), m.symbol,
-                                  KeyRange::between(-5000, 5000), m.words));
+    for (std::size_t i = 0; i < modification_entries().size(); ++i) {
+      const ModificationEntry& m = modification_entries()[i];
+      t.keys.push_back(toleranced<ScatterGear>(
+          names.emplace_back(std::string(m.name) + "_um"), m.symbol, KeyRange::between(-5000, 5000),
+          [i](ScatterGear & g) -> auto& { return g.modifications[i]; }, m.words));
+    }
     return t;
   }();
   return table;
@@ -199,9 +252,11 @@ const KeyTable& scatter_correlation_keys() {
       "scatter_correlations",
       "The correlation of two inputs; the range and the distribution of each input stay the same",
       {{.key = "between",
-        .kind = KeyKind::any,
+        .kind = KeyKind::text,
+        .list = KeyList{.least = 2, .most = 2},
         .form = "a list of two inputs, for example [\"errors.crossing_deg\", "
                 "\"errors.intersecting_deg\"]",
+        .place = &ScatterInput::Correlation::between,
         .required = true,
         .meaning =
             "two inputs. The position of a bore can be correlated with the position of the other "
@@ -213,10 +268,12 @@ const KeyTable& scatter_correlation_keys() {
         .symbol = "ρ",
         .kind = KeyKind::number,
         .range = KeyRange::inside(-1, 1),
+        .place = &ScatterInput::Correlation::value,
         .required = true,
         .meaning = "correlation of the normal scores of the inputs; the normal score of a value is "
                    "the standard normal value of the same probability. The rank correlation of the "
-                   "inputs is 6/π asin(ρ/2)"}}};
+                   "inputs is 6/π asin(ρ/2)"}},
+      check_correlation};
   return table;
 }
 
@@ -242,7 +299,7 @@ const KeyTable& scatter_robust_keys() {
        Key::number(
            "range", "", KeyRange::between(-1000, 1000), &R::range, "ranges of `[compensate]`",
            "least and greatest value of every correction, in its unit; the range must contain 0")
-           .with_list(KeyList{.least = 2, .most = 2, .order = kLowerFirst})},
+           .with_list(kLowerAndUpper)},
       check_robust};
   return table;
 }
@@ -265,7 +322,9 @@ const KeyTable& scatter_range_keys() {
                    "offset of the mean of a normal distribution from the middle of the range"),
        Key::number("shape", "p, q", {}, &D::shape, "[1, 1]",
                    "shape parameters of a beta distribution")
-           .with_list(KeyList{.least = 2, .most = 2})}};
+           .with_list(KeyList{.least = 2, .most = 2})},
+      check_distribution,
+      "range"};
   return table;
 }
 

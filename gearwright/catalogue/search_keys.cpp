@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "gearwright/base/units.hpp"
 #include "gearwright/design/search_space.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
+#include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 
@@ -14,6 +18,7 @@ namespace {
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
 constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
 constexpr KeyList kNumbers{1, kMaxValues, true};
+constexpr std::array<std::string_view, 4> kSearchRacks{"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"};
 
 constexpr const char* kBandForm = ", or a band [least, greatest]";
 
@@ -51,7 +56,47 @@ constexpr std::array<Called, 25> kCalled{{{"weight", "mass"},
                                           {"balanced_safety", "balance"},
                                           {"balanced_safeties", "balance"}}};
 
+// The modules of ISO 54, series I and series II, in mm.
+constexpr std::array kFirstModules{1.0, 1.25, 1.5,  2.0,  2.5,  3.0,  4.0,  5.0,  6.0,
+                                   8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0};
+constexpr std::array kSecondModules{1.125, 1.375, 1.75, 2.25, 2.75, 3.5,  4.5,  5.5,  6.5,
+                                    7.0,   9.0,   11.0, 14.0, 18.0, 22.0, 28.0, 36.0, 45.0};
+
+// Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth
+// sizes
+constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0};
+constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
+                                  80.0, 96.0, 120.0, 150.0, 200.0};
+
+// The numbers of two series. `name` selects the first, the second, or with `both` both of them.
+template <class First, class Second>
+std::vector<double> numbers_of(std::string_view name, const First& first, std::string_view one,
+                               const Second& second, std::string_view two, std::string_view both) {
+  std::vector<double> numbers;
+  if (name == one || name == both) numbers.assign(first.begin(), first.end());
+  if (name == two || name == both) numbers.insert(numbers.end(), second.begin(), second.end());
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+std::vector<double> pitch_series(std::string_view name) {
+  return numbers_of(name, kCoarsePitches, "coarse", kFinePitches, "fine", "coarse+fine");
+}
+
 }  // namespace
+
+std::vector<double> module_series(std::string_view name) {
+  return numbers_of(name, kFirstModules, "ISO54-I", kSecondModules, "ISO54-II", "ISO54-I+II");
+}
+
+// A diameter or centre distance, in mm, for which every series and every tolerance is defined.
+constexpr double kAnyDiameter = 100.0;
+
+std::string series_fault(const std::string& series) {
+  if (series.empty() || series == kNoAllowances) return {};
+  const auto ends = thickness_allowances(series, kAnyDiameter);
+  return ends ? std::string() : ends.error().rule;
+}
 
 std::string_view objective_called(std::string_view word) {
   const auto row =
@@ -85,6 +130,40 @@ void set_shifts(SearchProblem& problem, const std::array<double, 2>& band) {
   problem.limits.max_shift = band[1];
 }
 
+// Sets the modules in ascending order. Every module may occur once.
+std::string set_modules(SearchProblem& problem, const std::vector<double>& modules) {
+  problem.modules = modules;
+  std::sort(problem.modules.begin(), problem.modules.end());
+  const auto twice = std::adjacent_find(problem.modules.begin(), problem.modules.end());
+  return twice == problem.modules.end() ? "" : fmt::format("contains {} twice", *twice);
+}
+
+std::string set_pitches(SearchProblem& problem, const std::vector<double>& pitches) {
+  const std::string fault = set_modules(problem, pitches);
+  for (double& p : problem.modules) p = kMmPerInch / p;
+  std::reverse(problem.modules.begin(), problem.modules.end());
+  return fault;
+}
+
+void set_racks(SearchProblem& problem, const std::vector<std::size_t>& racks) {
+  problem.racks.clear();
+  for (const std::size_t rack : racks) {
+    const StraightRack iso53 = *iso53_rack(kSearchRacks[rack]);
+    problem.racks.push_back({.rack = {iso53, iso53}});
+  }
+}
+
+std::string set_series(SearchProblem& problem, const std::string& series) {
+  problem.allowances.series = series;
+  return series_fault(series);
+}
+
+std::string set_distance_tolerance(SearchProblem& problem, const std::string& tolerance) {
+  problem.allowances.distance_tolerance = tolerance;
+  const auto half = js_deviation(tolerance, kAnyDiameter);
+  return half ? std::string() : half.error().rule;
+}
+
 std::vector<Key> trial_keys() {
   return {
       Key::number("ratio", "u", {}, &SearchProblem::ratio, kRequired,
@@ -102,8 +181,9 @@ std::vector<Key> trial_keys() {
        .symbol = "m_n",
        .words = {"ISO54-I", "ISO54-I+II", "ISO54-II"},
        .range = KeyRange::between(1e-3, 1e3, " mm"),
-       .list = kNumbers,
+       .list = KeyList{.most = kMaxValues, .single = true, .series = module_series},
        .form = "\"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a number or a list of numbers in mm",
+       .place = KeyPlace::by<SearchProblem, std::vector<double>>(set_modules),
        .fallback = "`\"ISO54-I\"`",
        .meaning = "normal modules",
        .fields = {"modules"}},
@@ -111,8 +191,9 @@ std::vector<Key> trial_keys() {
        .symbol = "P_nd",
        .words = {"coarse", "fine", "coarse+fine"},
        .range = KeyRange::between(kMmPerInch / 1e3, kMmPerInch * 1e3, " per inch"),
-       .list = kNumbers,
+       .list = KeyList{.most = kMaxValues, .single = true, .series = pitch_series},
        .form = "\"coarse\", \"fine\", \"coarse+fine\", a number or a list of numbers in 1/in",
+       .place = KeyPlace::by<SearchProblem, std::vector<double>>(set_pitches),
        .excludes = {"modules_mm"},
        .meaning =
            "normal diametral pitches, instead of `modules_mm`; the coarse series is 2 to 16, "
@@ -142,10 +223,11 @@ std::vector<Key> trial_keys() {
                   "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "
                   "axes; the helix angle of gear 2 is β2 = Σ − β1"),
       Key::word(
-          "racks", {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}, {},
+          "racks", {kSearchRacks.begin(), kSearchRacks.end()},
+          KeyPlace::by<SearchProblem, std::vector<std::size_t>>(set_racks),
           "the racks of `[gear1]` and `[gear2]`, otherwise α_n = 20°, h_aP* = 1, h_fP* = 1.25",
           "racks to try, each for both gears")
-          .with_list(KeyList{1, 4})
+          .with_list(KeyList{.most = kSearchRacks.size(), .noun = "rack"})
           .with_form("a list of names, [\"ISO53-A\", \"ISO53-C\"]")};
 }
 
@@ -162,7 +244,10 @@ std::vector<Key> limit_keys() {
                               "determines the profile shifts"})
           .with_form(std::string("limits of the profile shift") + kBandForm)
           .with_fields({"limits.min_shift", "limits.max_shift"}),
-      Key::number("undercut_depth", "h_F", KeyRange::between(0, 3), {},
+      Key::number("undercut_depth", "h_F", KeyRange::between(0, 3),
+                  KeyPlace::by<SearchProblem, double>([](SearchProblem& p, double depth) {
+                    p.racks.front().undercut_depth = {depth, depth};
+                  }),
                   "h_fP* − ρ_fP*(1 − sin α_n) of the given rack, otherwise 1",
                   "depth of the straight edge of the rack in modules, for example 1 for a rounded "
                   "tip and 1.25 for a sharp tip")
@@ -187,7 +272,11 @@ std::vector<Key> limit_keys() {
             "0.02, but 0 with `interference = \"flag\"`",
             "least distance along the line of action from a tip to the start of the mating flank, "
             "in modules [T9.9]"),
-      Key::word("interference", {"exclude", "flag"}, {}, "\"exclude\"",
+      Key::word("interference", {"exclude", "flag"},
+                KeyPlace::by<SearchProblem, std::size_t>([](SearchProblem& p, std::size_t word) {
+                  p.limits.avoid_interference = word == 0;
+                }),
+                "\"exclude\"",
                 "`\"exclude\"` excludes designs in which a tip passes the start of the flank of "
                 "the mating gear [T9.9], and profile shifts that put the tip circle of a gear "
                 "inside its reference circle; `\"flag\"` lists and marks designs with interference")
@@ -212,7 +301,10 @@ std::vector<Key> limit_keys() {
 
 std::vector<Key> design_keys() {
   return {
-      Key::word("mounting", {"extended", "tight"}, {},
+      Key::word("mounting", {"extended", "tight"},
+                KeyPlace::by<SearchProblem, std::size_t>([](SearchProblem& p, std::size_t word) {
+                  p.mounting = word == 0 ? Mounting::extended : Mounting::tight;
+                }),
                 "\"tight\" for internal pairs and for drawn designs, otherwise \"extended\"",
                 "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` "
                 "is free of backlash; if this key is given without tolerances and without a band "
@@ -244,7 +336,7 @@ std::vector<Key> design_keys() {
                     "step of the face width; face widths within a band are multiples of this step; "
                     "if the spec is in inch, the default is 0.05 in")
           .with_fields({"face_step"}),
-      Key::text("thickness_series", {&SearchProblem::allowances, &SearchAllowances::series},
+      Key::text("thickness_series", KeyPlace::by<SearchProblem, std::string>(set_series),
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
                 "thickness allowances of both gears by DIN 3967, for example `\"cd25\"`; "
                 "`\"none\"` gives nominal teeth")
@@ -259,7 +351,7 @@ std::vector<Key> design_keys() {
           .with_excludes({"thickness_series"})
           .with_fields({"allowances.backlash"}),
       Key::text("center_distance_tolerance",
-                {&SearchProblem::allowances, &SearchAllowances::distance_tolerance}, "none",
+                KeyPlace::by<SearchProblem, std::string>(set_distance_tolerance), "none",
                 "tolerance of the centre distance by ISO 286, for example `\"JS7\"`")
           .with_fields({"allowances.distance_tolerance"}),
       Key::number("lambda", "λ", KeyRange::between(-10, 10), &SearchProblem::lambda, "0.625",

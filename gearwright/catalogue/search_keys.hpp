@@ -10,6 +10,16 @@ namespace gearwright {
 
 const KeyTable& search_keys();
 
+/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any other
+/// name.
+std::vector<double> module_series(std::string_view name);
+
+/// The name for no allowances, in place of a series of thickness allowances.
+inline constexpr std::string_view kNoAllowances = "none";
+/// The reason why DIN 3967 has no such series of thickness allowances; empty for a series and for
+/// kNoAllowances.
+std::string series_fault(const std::string& series);
+
 /// One number, or the least and the greatest number of a band.
 inline constexpr KeyList kBand{
     .most = 2,

@@ -37,7 +37,7 @@ const KeyTable& shaft_keys() {
       "shaft",
       "The shaft of a gear on two bearings; positions are measured along the axis from the middle "
       "of the face",
-      {Key::number("bearings_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::bearings,
+      {Key::number("bearings_mm", "", KeyRange::between(-kMaxInput, kMaxInput), &Shaft::bearings,
                    kRequired,
                    "positions of the two bearings along the axis, from the middle of the face "
                    "towards +z; for an overhung gear both bearings are on the same side")
@@ -53,7 +53,7 @@ const KeyTable& shaft_keys() {
            .with_list(KeyList{1, kMostShaftDiameters, true})
            .with_fields({"diameters"})
            .with_also({"diameters", "diameter", "d"}),
-       Key::number("steps_mm", "", Range::between(-kMaxInput, kMaxInput), &Shaft::steps,
+       Key::number("steps_mm", "", KeyRange::between(-kMaxInput, kMaxInput), &Shaft::steps,
                    "a shaft with a single diameter",
                    "places at which the diameter changes, one entry fewer than `diameter_mm`")
            .with_list({.least = 1,
@@ -64,7 +64,7 @@ const KeyTable& shaft_keys() {
        Key::positive("youngs_modulus_MPa", "E", &Shaft::youngs_modulus, "206 000, for steel",
                      "Young's modulus of the shaft")
            .with_also({"e", "modulus", "elasticity"}),
-       Key::number("poisson_ratio", "ν", Range::between(0, 0.5), &Shaft::poisson_ratio, "0.3",
+       Key::number("poisson_ratio", "ν", KeyRange::between(0, 0.5), &Shaft::poisson_ratio, "0.3",
                    "Poisson's ratio of the shaft")
            .with_also({"nu", "poisson"}),
        Key::positive(

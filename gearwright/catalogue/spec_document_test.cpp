@@ -64,6 +64,7 @@ std::string allowed(const Key& key) {
     case KeyKind::text: return "text";
     case KeyKind::word: return shown_words(key) + (key.list ? ", or a list of them" : "");
     case KeyKind::table: return key.words.empty() ? "table" : shown_words(key) + ", or a table";
+    case KeyKind::by_name:
     case KeyKind::any: break;
   }
   return "";

@@ -20,7 +20,7 @@ Key table_key(std::string_view key, const KeyTable& (*table)(), KeyPlace place,
 Key stage_key() {
   return {.key = "stage",
           .kind = KeyKind::table,
-          .list = KeyList{.least = 1, .most = 100},
+          .list = KeyList{.most = 100, .must = "must be a list of tables, [[stage]]"},
           .tables = {stage_keys},
           .meaning = "the stages of a train, for the verb drive"};
 }

@@ -57,16 +57,22 @@ std::vector<Json> element_schemas(const Key& key) {
       std::vector<Json> list;
       for (const auto table : key.tables) {
         list.push_back(reference(table()));
-        if (!table().shorthand.empty()) list.push_back({{"type", "string"}});
+        const Key* const shorthand = table().find(table().shorthand);
+        if (shorthand && shorthand->kind == KeyKind::text) list.push_back({{"type", "string"}});
       }
       return list;
     }
+    case KeyKind::by_name: {
+      const Json number = number_schema(key);
+      return {number,
+              {{"type", "object"},
+               {"propertyNames", {{"enum", key.place.names()}}},
+               {"additionalProperties", number}}};
+    }
     case KeyKind::any: break;
   }
-  // If the value may have several forms and its numbers have a range, the value is a number, a list
-  // of numbers, or a table of numbers by name.
   if (!key.range.limited()) return {};
-  const Json number = number_schema(key);
+  const Json number = number_schema(key);  // a number, a list of them, or numbers by name
   return {number,
           {{"type", "array"}, {"items", number}, {"minItems", 1}},
           {{"type", "object"}, {"additionalProperties", number}}};

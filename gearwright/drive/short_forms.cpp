@@ -320,6 +320,17 @@ std::vector<std::string> set_member_names() {
   return names;
 }
 
+void PerMember::set(const std::string& member, double number) {
+  const std::vector<std::string> known = names();
+  const auto it = std::find(known.begin(), known.end(), member);
+  GW_EXPECTS(it != known.end());
+  each[static_cast<std::size_t>(it - known.begin())] = number;
+}
+
+std::vector<std::string> PerMesh::names() {
+  return {"sun_planet", "sun_idler", "idler_planet", "sun2_planet", "planet_ring", "planet_ring2"};
+}
+
 std::optional<double> PerMesh::of(const std::string& mesh) const {
   for (const auto& [name, value] : each)
     if (name == mesh) return value;

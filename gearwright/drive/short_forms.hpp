@@ -29,6 +29,9 @@ struct PerMember {
   std::optional<double> all;
   std::array<std::optional<double>, kSetMembers> each{};
 
+  /// The names of the numbers in `each`.
+  static std::vector<std::string> names() { return set_member_names(); }
+  void set(const std::string& member, double number);
   std::optional<double> of(SetMember member) const {
     const auto& own = each[static_cast<std::size_t>(member)];
     return own ? own : all;
@@ -44,6 +47,9 @@ struct PerMesh {
   std::optional<double> all;
   std::vector<std::pair<std::string, double>> each{};
 
+  /// The names of the meshes of sets. Each name consists of the names of the two members that mesh.
+  static std::vector<std::string> names();
+  void set(const std::string& mesh, double number) { each.emplace_back(mesh, number); }
   std::optional<double> of(const std::string& mesh) const;
 };
 

@@ -7,6 +7,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "gearwright/catalogue/drive_keys.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/spec/inherit.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -108,9 +109,9 @@ const Json* input_table(const Json& tree) {
   return set && set->contains("speed_rpm") ? set : &stages->front();
 }
 
-constexpr const char* kSpacings[] = {"nearest", "equal", "equal_clocked", "opposite"};
-
-const char* word(Spacing spacing) { return kSpacings[static_cast<std::size_t>(spacing)]; }
+std::string_view word(Spacing spacing) {
+  return planetary_keys().find("spacing")->words[static_cast<std::size_t>(spacing)];
+}
 
 // The angle in degrees without the rounding error of radians: 12, not 12.000000000000002.
 double tidy(Angle angle) {

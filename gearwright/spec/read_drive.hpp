@@ -51,17 +51,7 @@ Json expanded_spec(const Json& tree, const DriveInput& drive);
 /// drive or the search for drives. For example, `drive.fixed` of a set becomes planetary.fixed.
 Error of_drive_table(Error error, const Json& tree);
 
-// Reads the table [drive], which is the graph of a drive, and values that occur in several tables
-// of a drive.
-
-/// One name or a list of names; none if the key is absent.
-std::optional<std::vector<std::string>> read_names(TableReader& t, const std::string& key);
-
-/// One number or a list of numbers; empty if the key is absent.
-std::vector<double> read_list(TableReader& t, const std::string& key);
-
-/// Reads the speeds and the torque of inputs that turn. Only one torque may be given.
-void read_input_loads(TableReader& t, std::vector<double>& speeds, std::optional<double>& torque);
+// Reads the table [drive], which is the graph of a drive.
 
 /// Rejects keys that apply to a single gear but not to a drive.
 void refuse_in_drive(const Json& node, const std::string& path);

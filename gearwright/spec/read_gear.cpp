@@ -60,7 +60,7 @@ void check_tolerance(TableReader& gear, const GearInput& g) {
 // Reads [basic], which contains dimensions of the finished gear, and computes from them the module,
 // the helix angle and the profile shift for a given rack.
 void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
-                std::optional<double> alpha) {
+                std::optional<Angle> alpha) {
   const Json* node = gear.table("basic");
   if (!node) return;
   const auto in = read_table<BasicInput>(basic_keys(), *node, gear.name("basic"));
@@ -78,7 +78,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
   const BaseGear<double> base{g.cylindrical.teeth, in.base_diameter / 2, in.base_tooth_thickness,
                               in.base_helix_angle.rad()};
   const double m_cos_alpha = normal_base_pitch(base) / std::numbers::pi;
-  double alpha_n = Angle::degrees(alpha.value_or(20.0)).rad();
+  double alpha_n = alpha.value_or(Angle::degrees(20.0)).rad();
   if (module) {
     if (!(*module > m_cos_alpha)) {
       gear.fail("normal_module_mm", fmt::format("is too small for this base pitch; the module must "
@@ -90,7 +90,7 @@ void read_basic(TableReader& gear, GearInput& g, std::optional<double> module,
       gear.fail("normal_module_mm",
                 fmt::format("contradicts normal_pressure_angle_deg on this base cylinder, because "
                             "the module at {}° is {}\u00a0mm",
-                            format_number(*alpha),
+                            format_number(alpha->deg()),
                             format_number(m_cos_alpha / std::cos(alpha_n), *module)));
     }
     alpha_n = of_module;
@@ -272,18 +272,20 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
                     const Json* mate, const std::filesystem::path& folder) {
   TableReader t(keys, node, path);
   GearInput g;
-  t.read(g);
   CylindricalSpec& c = g.cylindrical;
   const auto helix = read_helix(t);
+  c.helix_angle = Angle::degrees(helix.value_or(0.0));
+  t.use_helix(c.helix_angle);
+  t.read(g);
   g.helix_given = helix.has_value();
   g.hand_given = t.has("hand");
   g.transverse_given = t.has("transverse_module_mm") || t.has("transverse_pressure_angle_deg");
-  c.helix_angle = Angle::degrees(helix.value_or(0.0));
-  const double cos_beta = std::cos(c.helix_angle.rad());
-  const auto module = t.one_of("normal_module_mm", "module", cos_beta);
-  const auto alpha =
-      rack_angle(t, t.one_of("normal_pressure_angle_deg", "pressure angle", cos_beta));
-  c.normal_pressure_angle = Angle::degrees(alpha.value_or(20.0));
+  std::optional<double> module;
+  if (t.given_in_any_way("normal_module_mm")) module = c.normal_module;
+  std::optional<Angle> alpha;
+  if (t.given_in_any_way("normal_pressure_angle_deg")) alpha = c.normal_pressure_angle;
+  alpha = rack_angle(t, alpha);
+  c.normal_pressure_angle = alpha.value_or(c.normal_pressure_angle);
   c.rack = read_rack(t, module);
   g.rack_given = t.has("rack");
   if (keys.find("cut_by")) {
@@ -301,10 +303,7 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
   t.finish();
   if (g.cut_by) {
     g.cut_by->module = module;
-    if (alpha) g.cut_by->pressure_angle = Angle::degrees(*alpha);
-    c.normal_module = module.value_or(0.0);
-  } else if (!g.basic) {
-    c.normal_module = *module;
+    g.cut_by->pressure_angle = alpha;
   }
   g.complete_face_width();
   return g;
@@ -327,16 +326,16 @@ StraightRack read_straight_rack(TableReader& gear) {
   return read_table<StraightRack>(straight_rack_keys(), *node, gear.name("rack"));
 }
 
-std::optional<double> rack_angle(TableReader& gear, std::optional<double> given) {
+std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given) {
   const Json* node = gear.any("rack");
   const AgmaRack* const agma =
       node && node->is_string() ? agma_rack(node->get<std::string>()) : nullptr;
   if (!agma) return given;
-  const double own = agma->normal_pressure_angle.deg();
-  if (given && std::abs(*given - own) > kSameInput * own)
+  const Angle own = agma->normal_pressure_angle;
+  if (given && std::abs(given->rad() - own.rad()) > kSameInput * own.rad())
     gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear has a pressure "
                                   "angle of {:.6g}°; leave out the pressure angle",
-                                  own, *given));
+                                  own.deg(), given->deg()));
   return own;
 }
 

@@ -29,9 +29,9 @@ GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& p
 /// Reads a rack, which must have straight flanks.
 StraightRack read_straight_rack(TableReader& gear);
 
-/// The normal pressure angle in degrees. It is the angle of the AGMA rack if the gear names such a
-/// rack, and otherwise `given`.
-std::optional<double> rack_angle(TableReader& gear, std::optional<double> given);
+/// The normal pressure angle. It is the angle of the AGMA rack if the gear names such a rack, and
+/// otherwise `given`.
+std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given);
 
 // Reads [gearN.measured] and the other data that are known about the gear.
 

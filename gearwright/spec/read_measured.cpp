@@ -67,9 +67,7 @@ void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& 
              "normal_pressure_angle_deg and helix_angle_deg");
   if (gear.contains("rack")) {
     p.rack = read_straight_rack(t);
-    const auto given = p.normal_pressure_angle ? std::optional(p.normal_pressure_angle->deg())
-                                               : std::optional<double>();
-    if (const auto alpha = rack_angle(t, given)) p.normal_pressure_angle = Angle::degrees(*alpha);
+    p.normal_pressure_angle = rack_angle(t, p.normal_pressure_angle);
   }
   GearInput kept;
   for (const Key& key : gear_keys().keys) {
@@ -118,10 +116,9 @@ std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which
   GearInput like;
   outside.read(like);
   p.teeth = like.cylindrical.teeth;
-  if (const auto alpha = outside.number("normal_pressure_angle_deg"))
-    p.normal_pressure_angle = Angle::degrees(*alpha);
+  if (outside.given("normal_pressure_angle_deg"))
+    p.normal_pressure_angle = like.cylindrical.normal_pressure_angle;
   if (const auto beta = outside.number("helix_angle_deg")) p.helix_angle = Angle::degrees(*beta);
-  for (const char* key : {"normal_module_mm", "normal_diametral_pitch_per_in"}) outside.number(key);
   outside.table("measured");
   if (unknown) read_kept_keys(gear, path, p);
   outside.finish();

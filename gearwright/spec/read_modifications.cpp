@@ -27,53 +27,6 @@ namespace fs = std::filesystem;
 // range, is smaller than this. A spline between them would turn noise into a slope.
 constexpr double kMinStep = 1e-4;
 
-constexpr std::array<std::size_t, 2> kFlanks{0, 1};  // right, left
-
-// The key that applies to a flank: the key with the prefix of the flank, or the key for both
-// flanks.
-std::string key_of(const TableReader& t, std::size_t flank, const std::string& key) {
-  const std::string own = std::string(kFlankSides[flank]) + key;
-  return t.given(own) ? own : key;
-}
-
-// Rejects a key that applies to no flank and would otherwise be ignored without a message. `amount`
-// is the key of the relief to which `key` belongs, or empty if `key` belongs to no relief.
-void check_used(TableReader& t, const std::string& key, const std::string& amount = "") {
-  const std::string right = std::string(kFlankSides[0]) + key;
-  const std::string left = std::string(kFlankSides[1]) + key;
-  if (t.has(right) && t.has(left) && t.has(key))
-    t.fail(key, fmt::format("has no effect, because {} and {} are given; leave out this key", right,
-                            left));
-  for (const std::string& one : {key, right, left}) {
-    if (!t.has(one) || amount.empty()) continue;
-    const bool used = std::any_of(kFlanks.begin(), kFlanks.end(), [&](std::size_t flank) {
-      return key_of(t, flank, key) == one && t.given(key_of(t, flank, amount));
-    });
-    if (!used) t.fail(one, "has no effect without " + amount + ", which is not given");
-  }
-}
-
-void read_flank(TableReader& t, std::size_t flank, FlankModifications& to) {
-  for (const ModificationEntry& m : modification_entries()) {
-    const std::string name(m.name);
-    const std::string key = key_of(t, flank, name + "_um");
-    const auto amount = t.number(key);
-    if (m.alone) to.*(m.alone) = amount.value_or(0.0) / kUmPerMm;
-    if (!m.relief) continue;
-    const std::string reach_key = name + std::string(m.reach);
-    const auto reach = t.number(key_of(t, flank, reach_key));
-    const auto shape = t.word(key_of(t, flank, name + "_shape"));
-    if (!amount) continue;
-    // A start diameter can be computed from the pair, but a length cannot.
-    const bool follows = m.reach == "_start_mm";
-    if (*amount > 0.0 && !reach && !follows)
-      t.fail_absent(reach_key, ": " + key + " needs a value for this key");
-    to.*(m.relief) = {
-        *amount / kUmPerMm, reach,
-        shape && *shape == "parabolic" ? ReliefShape::parabolic : ReliefShape::linear};
-  }
-}
-
 std::string_view trimmed(std::string_view s) {
   const std::size_t begin = s.find_first_not_of(" \t\r");
   if (begin == std::string_view::npos) return {};
@@ -231,33 +184,26 @@ Result<Topography> topography_from_csv(std::string_view csv) {
 }
 
 std::array<FlankModifications, 2> read_modifications(TableReader& gear, const fs::path& folder) {
-  std::array<FlankModifications, 2> flanks;
+  FlanksInput input;
   const Json* node = gear.table("modifications");
-  if (!node) return flanks;
+  if (!node) return input.flanks;
   TableReader t(modification_keys(), *node, gear.name("modifications"));
-  check_used(t, "topography");
-  for (const ModificationEntry& m : modification_entries()) {
-    const std::string name(m.name);
-    check_used(t, name + "_um");
-    if (!m.relief) continue;
-    check_used(t, name + std::string(m.reach), name + "_um");
-    check_used(t, name + "_shape", name + "_um");
-  }
-  t.finish();
-  for (const std::size_t flank : kFlanks) read_flank(t, flank, flanks[flank]);
-  for (const std::size_t flank : kFlanks) {
-    const std::string key = key_of(t, flank, "topography");
-    const auto file = t.text(key);
-    if (!file) continue;
-    if (flank == 1 && key == key_of(t, 0, "topography")) {
-      flanks[1].topography = flanks[0].topography;
+  t.read_whole(input);
+  const auto& files = input.topography;
+  for (const std::size_t flank : {0, 1}) {
+    if (!files[flank]) continue;
+    const std::string key =
+        key_of_flank([&](auto name) { return t.given(name); }, flank, "topography");
+    auto& topography = input.flanks[flank].topography;
+    if (flank == 1 && files[0] == files[1]) {
+      topography = input.flanks[0].topography;
       continue;
     }
-    auto grid = topography_from_csv(read_whole(t, key, folder / *file));
+    auto grid = topography_from_csv(read_whole(t, key, folder / *files[flank]));
     if (!grid) t.fail(key, grid.error().rule);
-    flanks[flank].topography = std::make_shared<const Topography>(std::move(grid).take());
+    topography = std::make_shared<const Topography>(std::move(grid).take());
   }
-  return flanks;
+  return input.flanks;
 }
 
 }  // namespace gearwright

@@ -15,78 +15,9 @@
 
 namespace gearwright {
 
-const std::vector<double>& iso54_modules(int series) {
-  static const std::vector<double> kFirst{1, 1.25, 1.5, 2,  2.5, 3,  4,  5,  6,
-                                          8, 10,   12,  16, 20,  25, 32, 40, 50};
-  static const std::vector<double> kSecond{1.125, 1.375, 1.75, 2.25, 2.75, 3.5, 4.5, 5.5, 6.5,
-                                           7,     9,     11,   14,   18,   22,  28,  36,  45};
-  return series == 1 ? kFirst : kSecond;
-}
-
-std::vector<double> module_series(std::string_view name) {
-  std::vector<double> modules;
-  if (name == "ISO54-I" || name == "ISO54-I+II") modules = iso54_modules(1);
-  if (name == "ISO54-II" || name == "ISO54-I+II")
-    modules.insert(modules.end(), iso54_modules(2).begin(), iso54_modules(2).end());
-  std::sort(modules.begin(), modules.end());
-  return modules;
-}
-
 namespace {
 
-// Diametral pitches in general use, 1/in.   Source: Shigley, Mechanical Engineering Design, tooth
-// sizes
-constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12.0, 16.0};
-constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
-                                  80.0, 96.0, 120.0, 150.0, 200.0};
-
 constexpr std::size_t kMaxAngles = 100'000;  // greatest number of angles in a range with a step
-
-// The modules of the diametral pitches, or nothing if none are given.
-std::optional<std::vector<double>> read_pitches(TableReader& t) {
-  const Json* given = t.any("diametral_pitches_per_in");
-  if (!given) return std::nullopt;
-  std::vector<double> pitches;
-  if (given->is_string()) {
-    if (*given == "coarse" || *given == "coarse+fine")
-      pitches = {kCoarsePitches.begin(), kCoarsePitches.end()};
-    if (*given == "fine" || *given == "coarse+fine")
-      pitches.insert(pitches.end(), kFinePitches.begin(), kFinePitches.end());
-    if (pitches.empty())
-      t.fail("diametral_pitches_per_in",
-             "must be " + form_of(*t.keys().find("diametral_pitches_per_in")));
-  } else {
-    pitches = *t.numbers("diametral_pitches_per_in");
-  }
-  std::sort(pitches.rbegin(), pitches.rend());  // the modules are then in ascending order
-  if (const auto twice = std::adjacent_find(pitches.begin(), pitches.end()); twice != pitches.end())
-    t.fail("diametral_pitches_per_in", fmt::format("contains {} twice", *twice));
-  for (double& p : pitches) p = kMmPerInch / p;
-  return pitches;
-}
-
-std::vector<double> read_modules(TableReader& t) {
-  const Json* given = t.any("modules_mm");
-  if (auto modules = read_pitches(t)) return *modules;
-  if (!given) return iso54_modules(1);
-  const Json& node = *given;
-  std::vector<double> modules;
-  if (node.is_string()) {
-    modules = module_series(node.get<std::string>());
-    if (modules.empty()) t.fail("modules_mm", "must be " + form_of(*t.keys().find("modules_mm")));
-  } else {
-    modules = *t.raw_numbers("modules_mm");
-  }
-  std::sort(modules.begin(), modules.end());
-  if (!(modules.front() > 0.0))
-    t.fail("modules_mm",
-           fmt::format("contains {}, but a module must be greater than 0", modules.front()));
-  t.check("modules_mm", modules.front());
-  t.check("modules_mm", modules.back());
-  const auto twice = std::adjacent_find(modules.begin(), modules.end());
-  if (twice != modules.end()) t.fail("modules_mm", fmt::format("contains {} twice", *twice));
-  return modules;
-}
 
 void check_teeth(TableReader& t, SearchProblem& p) {
   if (p.ratio[0] < 0.0 && p.ratio[1] >= 0.0)
@@ -150,11 +81,11 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
 void read_limits(TableReader& t, SearchProblem& p) {
   SearchLimits& l = p.limits;
   // By default, a search rejects pairs with interference.
-  const auto word = t.word("interference");
-  const auto avoid = t.boolean("avoid_interference");
-  if (word && avoid && (*word == "exclude") != *avoid)
+  const bool word = t.given("interference");
+  const bool avoid = t.boolean("avoid_interference").value_or(true);
+  if (word && t.given("avoid_interference") && l.avoid_interference != avoid)
     t.fail("avoid_interference", "contradicts interference; leave one of them out");
-  l.avoid_interference = word ? *word == "exclude" : avoid.value_or(true);
+  if (!word) l.avoid_interference = avoid;
   l.clear_fillets = l.avoid_interference;
   if (l.avoid_interference) {
     if (!t.has("tip_clearance_min")) l.tip_clearance = kRunningTipClearance;
@@ -183,7 +114,8 @@ void check_objectives(const TableReader& t, const SearchProblem& p) {
 
 // The keys of a [gearN] that a user may give for a search. The search computes all other values.
 struct Blank {
-  std::optional<double> alpha_deg, helix_deg, face_mm;
+  std::optional<Angle> alpha;
+  std::optional<double> helix_deg, face_mm;
   std::optional<StraightRack> rack;
 };
 
@@ -202,7 +134,8 @@ Blank read_blank(const Json* node, const std::string& path) {
     }
   }
   TableReader t(whole ? gear_keys() : blank_keys(), *node, path);
-  b.alpha_deg = t.number("normal_pressure_angle_deg");
+  if (const auto alpha_deg = t.number("normal_pressure_angle_deg"))
+    b.alpha = Angle::degrees(*alpha_deg);
   b.helix_deg = t.number("helix_angle_deg");
   b.face_mm = t.number("face_width_mm");
   t.table("material");       // for a rated search; read by read_search_rating
@@ -213,7 +146,7 @@ Blank read_blank(const Json* node, const std::string& path) {
            "must be \"straight\" or absent, because a search covers involute gears "
            "only");
   }
-  b.alpha_deg = rack_angle(t, b.alpha_deg);
+  b.alpha = rack_angle(t, b.alpha);
   if (t.has("rack")) b.rack = read_straight_rack(t);
   if (b.rack && (b.rack->protuberance != 0.0 || b.rack->tip_fillet_radius != 0.0 ||
                  b.rack->semi_topping_angle)) {
@@ -233,46 +166,30 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
   return rack.dedendum - radius * (1.0 - std::sin(alpha_n));
 }
 
-// Reads the racks to be tried. Each is used for both gears.
-void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
-  const auto depth = t.number("undercut_depth");
-  const Json* list = t.any("racks");
-  std::vector<std::array<std::optional<StraightRack>, 2>> wanted;
-  if (!list) {
-    const auto& first = blanks[0].rack;
-    wanted.push_back({first, blanks[1].rack ? blanks[1].rack : first});
-  } else {
-    if (blanks[0].rack || blanks[1].rack)
-      t.fail("racks", "contradicts the rack of a gear; leave one of them out");
-    const Key& key = *t.keys().find("racks");
-    if (!list->is_array() || list->empty() || list->size() > key.list->most)
-      t.fail("racks", "must be " + form_of(key));
-    for (const Json& item : *list) {
-      const auto rack = item.is_string() ? iso53_rack(item.get<std::string>()) : std::nullopt;
-      if (std::count(list->begin(), list->end(), item) > 1)
-        t.fail("racks", "contains " + shown(item) + " twice");
-      if (!rack) t.fail("racks", shown(item) + " is not one of \"ISO53-A\" … \"ISO53-D\"");
-      wanted.push_back({rack, rack});
-    }
-  }
-  p.racks.clear();
-  for (const auto& pair : wanted) {
-    SearchRacks racks;
-    for (std::size_t i : {0, 1}) {
-      racks.flank_depth[i] =
-          straight_depth(pair[i].value_or(StraightRack{}), p.normal_pressure_angle.rad());
-      if (pair[i]) {
-        const auto edge = make_edge(*pair[i], 1.0, p.normal_pressure_angle);
+// Completes the racks to be tried. Each rack of the list `racks` is used for both gears. Without
+// this list, each gear has its own rack, or the default rack if neither gear gives one.
+void complete_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
+  const bool list = t.given("racks");
+  if (list && (blanks[0].rack || blanks[1].rack))
+    t.fail("racks", "contradicts the rack of a gear; leave one of them out");
+  std::optional<double> depth;
+  if (t.given("undercut_depth")) depth = p.racks.front().undercut_depth[0];
+  const double alpha = p.normal_pressure_angle.rad();
+  for (SearchRacks& racks : p.racks) {
+    for (const std::size_t i : {0, 1}) {
+      const auto& own = blanks[i].rack ? blanks[i].rack : blanks[0].rack;
+      const bool given = list || own;
+      if (own) racks.rack[i] = *own;
+      racks.flank_depth[i] = straight_depth(racks.rack[i], alpha);
+      if (given) {
+        const auto edge = make_edge(racks.rack[i], 1.0, p.normal_pressure_angle);
         if (!edge)
           throw SpecError{spelled(
               list ? following_from("search.racks", "", "for one of the racks,", edge.error())
                    : of_gear(static_cast<int>(i) + 1, edge.error()))};
-        racks.rack[i] = *pair[i];
-        racks.undercut_depth[i] = straight_depth(*pair[i], p.normal_pressure_angle.rad());
       }
-      if (depth) racks.undercut_depth[i] = *depth;
+      racks.undercut_depth[i] = depth ? *depth : given ? racks.flank_depth[i] : 1.0;
     }
-    p.racks.push_back(racks);
   }
 }
 
@@ -282,18 +199,18 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   TableReader t(search_keys(), search, "search");
   SearchProblem p;
   t.read(p);
+  if (p.modules.empty()) p.modules = module_series("ISO54-I");
   const std::array<Blank, 2> blanks{read_blank(gear_1, "gear1"), read_blank(gear_2, "gear2")};
-  const double alpha = blanks[0].alpha_deg.value_or(blanks[1].alpha_deg.value_or(20.0));
-  if (blanks[1].alpha_deg && *blanks[1].alpha_deg != alpha) {
+  const auto &one = blanks[0].alpha, &two = blanks[1].alpha;
+  p.normal_pressure_angle = one ? *one : two.value_or(p.normal_pressure_angle);
+  if (two && *two != p.normal_pressure_angle) {
     throw SpecError{
-        {"gear2.normal_pressure_angle_deg", fmt::format("{}", *blanks[1].alpha_deg),
+        {"gear2.normal_pressure_angle_deg", format_number(two->deg()),
          fmt::format("both gears of a search need the same pressure angle, but gear1 has {}",
-                     alpha)}};
+                     format_number(p.normal_pressure_angle.deg()))}};
   }
-  p.normal_pressure_angle = Angle::degrees(alpha);
   t.require_all();
   check_teeth(t, p);
-  p.modules = read_modules(t);
   if (p.shaft_angle && p.internal())
     t.fail(
         "shaft_angle_deg",
@@ -301,17 +218,15 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
         "parallel axes; leave out this key, or describe the pair by [gear1], [gear2] and [pair]");
   const double half = p.shaft_angle ? p.shaft_angle->deg() / 2.0 : 0.0;
   read_helix(t, p, blanks[0].helix_deg.value_or(half));
-  read_racks(t, p, blanks);
+  complete_racks(t, p, blanks);
   if (!p.face_width && !p.face_modules && !p.face_diameters && blanks[0].face_mm)
     p.face_width = {*blanks[0].face_mm, *blanks[0].face_mm};
-  const auto one = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
-  if (one(p.face_width) && one(p.face_modules))
+  const auto single = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
+  if (single(p.face_width) && single(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
-  const auto mounting = t.word("mounting");
   // An internal pair has negative backlash at the extended centre distance, so its default
   // mounting is tight.
-  const bool tight = mounting ? *mounting == "tight" : p.ratio[1] < 0.0;
-  p.mounting = tight ? Mounting::tight : Mounting::extended;
+  if (!t.given("mounting")) p.mounting = p.ratio[1] < 0.0 ? Mounting::tight : Mounting::extended;
   read_limits(t, p);
   check_objectives(t, p);
   t.finish();

@@ -24,12 +24,6 @@ constexpr double default_face_step(UnitSystem units) {
   return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
 }
 
-/// The modules of ISO 54, series I (1) or series II (2), in mm.
-const std::vector<double>& iso54_modules(int series);
-/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any other
-/// name.
-std::vector<double> module_series(std::string_view name);
-
 // Reads the inputs of a search that are outside its own table. If [search] requires safety, the
 // inputs of the rating are read from [rating] and the materials. If the search checks its designs
 // as drawings, tolerances are read and default limits exclude impractical designs.
@@ -53,10 +47,6 @@ bool wants_rating(const SearchProblem& problem, const RatingTable& rating);
 /// Adds the densities of the materials to the problem, and the inputs of a rating if the search
 /// needs one. If [search] itself is incomplete, only the missing inputs of the rating are reported.
 void read_search_rating(const Json& tree, JobSpec& spec);
-
-/// Checks the name of a series of thickness allowances, the key `thickness_series`. "none" becomes
-/// an empty name.
-void check_series(const TableReader& t, std::string& series);
 
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";

@@ -7,7 +7,6 @@
 #include "gearwright/arrange/judge.hpp"
 #include "gearwright/base/error.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
-#include "gearwright/inspection/thickness_series.hpp"
 #include "gearwright/spec/missing_for.hpp"
 #include "gearwright/verdict/verdict.hpp"
 
@@ -52,22 +51,10 @@ constexpr const char* kNeedsRating =
     "needs the tables [rating] and [gear1.material]; for example, [rating] with torque_Nm = 50 (or "
     "power_kW), speed_rpm = 1500 and quality = 6, and [gear1.material] with name = \"16MnCr5\"";
 
-constexpr const char* kNoAllowances = "none";
-
 // Usual face widths, in reference diameters of the pinion. The shaft of a wider pinion bends and
 // twists too much, so that only a part of its face carries load. Narrower gears are rare in
 // reducers.
 constexpr std::array kUsualFace{0.2, 1.0};
-
-// A diameter or centre distance that every table contains. check_names() only checks that series
-// and tolerances with the given names exist, so any such size is sufficient.
-constexpr double kAnyDiameter = 100.0;
-
-void check_names(const TableReader& t, const SearchAllowances& allowances) {
-  if (const auto& tolerance = allowances.distance_tolerance)
-    if (const auto half = js_deviation(*tolerance, kAnyDiameter); !half)
-      t.fail("center_distance_tolerance", half.error().rule);
-}
 
 // The first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
@@ -190,13 +177,6 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   problem.rating = std::move(wanted);
 }
 
-void check_series(const TableReader& t, std::string& series) {
-  if (series == kNoAllowances) series.clear();
-  if (series.empty()) return;
-  if (const auto ends = thickness_allowances(series, kAnyDiameter); !ends)
-    t.fail("thickness_series", ends.error().rule);
-}
-
 void read_search_drawing(const Json& search, SearchProblem& p) {
   const TableReader t(search_keys(), search, "search");
   const bool wide = p.face_width || p.face_modules || p.face_diameters;
@@ -204,8 +184,7 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (safe && !wide && !p.crossed() && !p.shift_step) p.face_diameters = kUsualFace;
   SearchAllowances& allowances = p.allowances;
   const bool no_allowances = allowances.series == kNoAllowances;
-  check_series(t, allowances.series);
-  check_names(t, allowances);
+  if (no_allowances) allowances.series.clear();
   check_faces(t, p);
   const std::string tolerance =
       given_of(t, {"thickness_series", "backlash_mm", "center_distance_tolerance"});

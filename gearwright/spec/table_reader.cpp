@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -16,15 +14,6 @@
 namespace gearwright {
 
 namespace {
-
-// The rule of a value that must be a number. A number in quotes is a text.
-std::string number_rule(const Json& value) {
-  const std::string text = value.is_string() ? value.get<std::string>() : std::string();
-  char* end = nullptr;
-  std::strtod(text.c_str(), &end);
-  const bool quoted = !text.empty() && end == text.c_str() + text.size();
-  return quoted ? "must be a number; write it without quotes" : "must be a number";
-}
 
 Error absent_key(std::string name, const Key& key) {
   const std::string may_be = key.form.empty() ? "" : ". The value may be " + key.form;
@@ -87,163 +76,6 @@ bool TableReader::has(const std::string& key) { return find(key) != nullptr; }
 
 const Json* TableReader::any(const std::string& key) { return find(key); }
 
-void TableReader::check(const std::string& key, double value) const {
-  const KeyRange& range = entry(key).range;
-  if (!range.contains(value)) fail(key, range.sentence(value));
-}
-
-double TableReader::checked(const std::string& key, const Json& value,
-                            const std::string& part) const {
-  const auto reject = [&](const std::string& why) {
-    if (part.empty()) fail(key, why);
-    throw SpecError{{name(key) + "." + part, shown(value), why}};
-  };
-  const KeyRange& range = entry(key).range;
-  if (!value.is_number()) reject(number_rule(value));
-  const double x = value.get<double>();
-  if (!std::isfinite(x)) reject("must be a finite number");
-  if (!range.contains(x)) reject(range.sentence(x));
-  if (std::abs(x) > kMaxInput) reject(fmt::format("must lie between -{0} and {0}", kMaxInput));
-  return x;
-}
-
-std::optional<double> TableReader::number(const std::string& key) {
-  const Json* value = find(key);
-  return value ? std::optional(checked(key, *value)) : std::nullopt;
-}
-
-std::optional<int> TableReader::whole(const std::string& key) {
-  const Json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_number()) fail(key, number_rule(*value));
-  const double x = value->get<double>();
-  if (x != std::floor(x)) fail(key, "must be a whole number");
-  check(key, x);
-  if (!(std::abs(x) <= kMaxWholeInput))
-    fail(key, fmt::format("must lie between -{0} and {0}", kMaxWholeInput));
-  return static_cast<int>(x);
-}
-
-std::optional<std::vector<double>> TableReader::raw_numbers(const std::string& key) {
-  const Key& known = entry(key);
-  GW_EXPECTS(known.list.has_value());
-  const Json* node = find(key);
-  if (!node) return std::nullopt;
-  std::vector<double> values;
-  const auto take = [&](const Json& item) {
-    if (!item.is_number() || !std::isfinite(item.get<double>()))
-      fail(key, "must be " + form_of(known) + "; " + shown(item) + " is not a number");
-    values.push_back(item.get<double>());
-  };
-  if (!node->is_array()) {
-    take(*node);
-    const std::string_view must = known.list->must;
-    if (!known.list->single)
-      fail(key, must.empty() ? "must be " + form_of(known) : std::string(must));
-    return values;
-  }
-  if (node->empty()) fail(key, "is an empty list, but must be " + form_of(known));
-  if (node->size() < known.list->least || node->size() > known.list->most)
-    fail(key, fmt::format("has {} values, but must be {}", node->size(), form_of(known)));
-  for (const Json& item : *node) take(item);
-  return values;
-}
-
-std::optional<std::vector<double>> TableReader::numbers(const std::string& key) {
-  const auto values = raw_numbers(key);
-  if (!values) return std::nullopt;
-  const Key& known = entry(key);
-  const ListOrder& order = known.list->order;
-  const bool out_of_order = order.strict
-                                ? std::adjacent_find(values->begin(), values->end(),
-                                                     std::greater_equal<>()) != values->end()
-                                : !std::is_sorted(values->begin(), values->end());
-  if (out_of_order && !order.sentence.empty())
-    fail(key, fmt::format(fmt::runtime(order.sentence), values->front(), values->back()));
-  const bool whole = known.kind == KeyKind::whole;
-  for (const double v : *values) {
-    if (whole && v != std::floor(v)) fail(key, "must contain only whole numbers");
-    check(key, v);
-    if (std::abs(v) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
-  }
-  return values;
-}
-
-std::optional<bool> TableReader::boolean(const std::string& key) {
-  const Json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_boolean()) fail(key, "must be true or false");
-  return value->get<bool>();
-}
-
-std::optional<std::string> TableReader::text(const std::string& key) {
-  const Json* value = find(key);
-  if (!value) return std::nullopt;
-  if (!value->is_string()) fail(key, "must be a text in quotes");
-  return value->get<std::string>();
-}
-
-std::optional<std::string> TableReader::word(const std::string& key) {
-  const std::optional<std::string> word = text(key);
-  const auto& words = entry(key).words;
-  if (word && std::find(words.begin(), words.end(), *word) == words.end())
-    fail(key, one_of_rule(*word, {words.begin(), words.end()}));
-  return word;
-}
-
-std::optional<std::vector<int>> TableReader::words(const Key& key) {
-  const std::string name(key.key);
-  const Json* node = find(name);
-  if (!node) return std::nullopt;
-  const bool list = node->is_array();
-  if (!list && !key.list->single) fail(name, "must be " + form_of(key));
-  if (list && node->empty())
-    fail(name, key.form.empty() ? "is an empty list" : "must be " + form_of(key));
-  const std::vector<std::string> known(key.words.begin(), key.words.end());
-  std::vector<int> words;
-  for (const Json& item : list ? *node : Json::array({*node})) {
-    const std::string word = item.is_string() ? item.get<std::string>() : shown(item);
-    const auto it = std::find(known.begin(), known.end(), word);
-    if (it == known.end()) {
-      const std::string_view meant = key.list->meant ? key.list->meant(word) : "";
-      fail(name, fmt::format("unknown {}{}; {}", key.list->noun,
-                             list ? " " + printable(word, 60) : "", word_hint(word, known, meant)));
-    }
-    const int index = static_cast<int>(it - known.begin());
-    if (std::find(words.begin(), words.end(), index) != words.end())
-      fail(name, fmt::format("contains {} twice", word));
-    words.push_back(index);
-  }
-  return words;
-}
-
-std::optional<KeyValue> TableReader::value(const Key& key) {
-  const std::string name(key.key);
-  const auto value = [](const auto& read) {
-    return read ? std::optional<KeyValue>(*read) : std::nullopt;
-  };
-  if (key.list) return key.kind == KeyKind::word ? value(words(key)) : value(numbers(name));
-  switch (key.kind) {
-    case KeyKind::number: return value(number(name));
-    case KeyKind::whole: return value(whole(name));
-    case KeyKind::boolean: return value(boolean(name));
-    case KeyKind::text: return value(text(name));
-    case KeyKind::word: {
-      const auto read = word(name);
-      if (!read) return std::nullopt;
-      return static_cast<int>(std::find(key.words.begin(), key.words.end(), *read) -
-                              key.words.begin());
-    }
-    case KeyKind::any: {  // a number, unless the caller reads another form of the value
-      const Json* const given = find(name);
-      return given && given->is_number() ? value(number(name)) : std::nullopt;
-    }
-    default: break;
-  }
-  GW_EXPECTS(false);  // not reached, because a table has no value
-  return std::nullopt;
-}
-
 void TableReader::lacks_one_of(const std::string& key, const std::string& what) {
   lacking_.push_back(
       absent_input(name(key), fmt::format("; give the {}, for example {} = 2 (possible keys: {})",
@@ -258,11 +90,31 @@ void TableReader::read(KeyTarget input) {
 }
 
 void TableReader::read(const Key& key, KeyTarget input) {
+  if (key.kind == KeyKind::table && key.list && key.list->numbers) return read_ends(key, input);
   if (key.kind == KeyKind::table) return read_tables(key, input);
   const auto given = value(key);
   if (!given) return;
   const std::string why = key.place.put(input, *given);
   if (!why.empty()) fail(std::string(key.key), why);
+}
+
+// Reads two numbers, or a table that contains them.
+void TableReader::read_ends(const Key& key, KeyTarget input) {
+  const std::string name(key.key);
+  const Json* node = find(name);
+  if (!node) return;
+  if (node->is_array()) {
+    key.place.put(input, *numbers(name));
+  } else if (node->is_object()) {
+    const KeyTable& inner = key.tables.front()();
+    TableReader(inner, *node, this->name(name)).read_whole(key.place.part(input));
+    for (const Json& end : (*node)[std::string(inner.shorthand)]) check(name, end.get<double>());
+  } else {
+    const bool tolerance = node->is_number() && node->get<double>() > 0.0;
+    fail(name,
+         std::string(key.list->must) +
+             (tolerance ? fmt::format("; a tolerance of ±{0} is [-{0}, {0}]", shown(*node)) : ""));
+  }
 }
 
 void TableReader::read_tables(const Key& key, KeyTarget input) {
@@ -273,45 +125,39 @@ void TableReader::read_tables(const Key& key, KeyTarget input) {
       TableReader(inner, *node, this->name(name)).read_whole(key.place.part(input));
     return;
   }
-  const Json* list = find(name);
-  if (!list) return;
-  if (!list->is_array() || list->empty() || list->size() > key.list->most)
-    fail(name, fmt::format(fmt::runtime(key.list->must), key.list->most));
-  int number = key.list->first;
+  for (const auto& [path, node] : tables(name))
+    TableReader(inner, *node, path).read_whole(key.place.part(input));
+}
+
+std::vector<std::pair<std::string, const Json*>> TableReader::tables(const std::string& key) {
+  std::vector<std::pair<std::string, const Json*>> tables;
+  const Json* list = find(key);
+  if (!list) return tables;
+  const Key& known = entry(key);
+  if (!list->is_array() || list->empty() || list->size() > known.list->most)
+    fail(key, fmt::format(fmt::runtime(known.list->must), known.list->most));
+  int number = known.list->first;
   for (const Json& item : *list) {
-    const std::string path = fmt::format("{}[{}]", this->name(name), number++);
+    const std::string path = fmt::format("{}[{}]", name(key), number++);
     if (!item.is_object()) {
-      throw SpecError{
-          {path, "", fmt::format("must be a table with {}", fmt::join(inner.names(), ", "))}};
+      constexpr std::size_t kNamed = 8;
+      const std::vector<std::string> names = known.tables.front()().names();
+      throw SpecError{{path, shown(item),
+                       names.size() > kNamed
+                           ? fmt::format("must be a table, [[{}]]", name(key))
+                           : fmt::format("must be a table with {}", fmt::join(names, ", "))}};
     }
-    TableReader(inner, item, path).read_whole(key.place.part(input));
+    tables.emplace_back(path, &item);
   }
+  return tables;
 }
 
 void TableReader::read_whole(KeyTarget input) {
   read(input);
   finish();
   const auto fault = keys_.rule.fault(input, [this](std::string_view key) { return given(key); });
-  if (fault) fail(std::string(fault->key), fault->why);
-}
-
-std::optional<double> TableReader::one_of(const std::string& key, const std::string& what,
-                                          double cos_beta) {
-  std::optional<double> value;
-  std::string first;
-  for (const std::string& way : keys_.ways(key)) {
-    const auto given = number(way);
-    if (!given) continue;
-    const KeyAlias& alias = entry(way).alias;
-    const double here = alias.value ? alias.value(*given, cos_beta) : *given;
-    if (value && std::abs(here - *value) > kSameInput * std::abs(*value))
-      fail(way, fmt::format("contradicts {}, because both keys give the {}; leave one of them out",
-                            first, what));
-    if (value) continue;
-    value = here;
-    first = way;
-  }
-  return value;
+  if (fault && fault->missing) fail_absent(fault->key, fault->why);
+  if (fault) fail(fault->key, fault->why);
 }
 
 const Json* TableReader::table(const std::string& key) {

@@ -8,9 +8,11 @@
 // Internal to spec/. The functions throw SpecError, which read_spec converts to a Result.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gearwright/base/printable.hpp"
@@ -24,6 +26,8 @@ struct SpecError {
   Error error;
   std::vector<Error> missing{};  ///< if inputs are missing, one error for each of them
 };
+
+bool has_any(const Json& table, const std::vector<std::string>& keys);
 
 class TableReader {
  public:
@@ -43,17 +47,18 @@ class TableReader {
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> word(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  /// The list of finite numbers of a key. The length of the list is checked, but not the range of
-  /// the numbers.
-  std::optional<std::vector<double>> raw_numbers(const std::string& key);
-  /// The list of raw_numbers() with more checks: the range of the numbers, their order, and whole
-  /// numbers if required.
+  /// The list of finite numbers of a key, or the numbers of a series that is given by its name. The
+  /// length of the list, the range of the numbers and their order are checked.
   std::optional<std::vector<double>> numbers(const std::string& key);
   const Json* table(const std::string& key);  ///< a sub-table, or null
-  const Json* any(const std::string& key);    ///< a value of any type, or null
-  /// The value in the unit of `key`, from the key or its aliases. If several of these keys are
-  /// given, their values must agree. `what` names the quantity, for example "module".
-  std::optional<double> one_of(const std::string& key, const std::string& what, double cos_beta);
+  /// The tables of a list of tables, with their paths; empty if the key is absent.
+  std::vector<std::pair<std::string, const Json*>> tables(const std::string& key);
+  const Json* any(const std::string& key);  ///< a value of any type, or null
+  /// True if the table contains the key or one of its aliases.
+  bool given_in_any_way(const std::string& key) const { return has_any(node_, keys_.ways(key)); }
+  /// The helix angle, with which values in the transverse section are converted. By default, it is
+  /// 0.
+  void use_helix(Angle beta) { cos_beta_ = std::cos(beta.rad()); }
 
   /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
@@ -87,8 +92,15 @@ class TableReader {
   const Key& entry(const std::string& key) const;
   const Json* find(const std::string& key);
   std::optional<KeyValue> value(const Key& key);
+  /// The value in the unit of `key`, from the key or its aliases. If several of these keys are
+  /// given, their values must agree.
+  std::optional<double> number_in_any_way(const Key& key);
   std::optional<int> whole(const std::string& key);
   std::optional<std::vector<int>> words(const Key& key);
+  std::optional<std::vector<std::string>> texts(const Key& key);
+  std::optional<KeyValue> by_name(const Key& key);
+  std::vector<double> listed_numbers(const Key& key, const Json& node) const;
+  void read_ends(const Key& key, KeyTarget input);
   void read_tables(const Key& key, KeyTarget input);
   /// Fails with one error for all required keys that are missing.
   [[noreturn]] void fail_missing() const;
@@ -96,6 +108,7 @@ class TableReader {
   const KeyTable& keys_;
   const Json& node_;
   std::string path_;
+  double cos_beta_ = 1.0;
   std::set<std::string, std::less<>> used_;
   std::vector<Error> lacking_;
 };
@@ -108,8 +121,6 @@ T read_table(const KeyTable& keys, const Json& node, const std::string& path) {
 }
 
 constexpr double kSameInput = 1e-9;  ///< greatest relative difference of two values of one input
-
-bool has_any(const Json& table, const std::vector<std::string>& keys);
 
 /// A value as the user wrote it, cut to a length that fits a message.
 std::string shown(const Json& value);

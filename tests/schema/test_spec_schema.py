@@ -224,6 +224,8 @@ def wrong(schema):
     elif "anyOf" in schema:
         kinds = {t for part in schema["anyOf"] for t in [part.get("type"), "enum" in part and "word", "$ref" in part and "table"] if t}
         yield True
+        if {"type": "string"} in schema["anyOf"]:  # names that the user chose; a list of them may be empty
+            return
         if "word" in kinds or "array" in kinds:
             yield "no such word"
         for part in schema["anyOf"]:

@@ -16,8 +16,9 @@ namespace gearwright::web {
 
 namespace {
 
-constexpr std::array<const char*, 7> kKinds{"number", "whole", "boolean", "text",
-                                            "word",   "table", "any"};
+// The form has no field for numbers by name, and none for a list of texts.
+constexpr std::array<const char*, 8> kKinds{"number", "whole", "boolean", "text",
+                                            "word",   "any",   "table",   "any"};
 constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",
                                             "word",   "text",  "record", "map"};
 constexpr std::array<const char*, 4> kTwos{"values", "gears", "ends", "fraction"};
@@ -70,7 +71,7 @@ Json key_json(const Key& k) {
   for (const auto& table : k.tables) tables.push_back(table().name);
   Json j{{"key", k.key},
          {"symbol", k.symbol},
-         {"kind", name_of(kKinds, k.kind)},
+         {"kind", k.kind == KeyKind::text && k.list ? "any" : name_of(kKinds, k.kind)},
          {"unit", unit},
          {"suffix", suffix},
          {"words", texts(k.words)},
