@@ -1,5 +1,4 @@
-// Corrections are compared with the best of a dense scan, with closed forms, and with no
-// correction.
+// Corrections are compared with a dense scan, with closed forms, and with no correction.
 #include "gearwright/contact/compensation.hpp"
 
 #include <gtest/gtest.h>
@@ -88,8 +87,7 @@ TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   EXPECT_LT(std::abs(found.after.along_face), 0.02);
 }
 
-// The error of an uncrowned pair is the mirror image of one slope, which removes it completely.
-// Crowning then has nothing to improve.
+// A slope removes the error of an uncrowned pair completely, so crowning cannot improve it.
 TEST(Compensation, uncrowned_flanks_need_no_crowning) {
   for (const double error_um : {-40.0, 10.0}) {
     Case c;
@@ -146,8 +144,7 @@ TEST(ContactScore, the_place_of_a_pattern) {
   }
 }
 
-// The corrections are optimal: in 50 seeded cases, f is within 2 % of the least value of a dense
-// scan.
+// In 50 seeded cases, f is within 2 % of the least value of a dense scan.
 TEST(Compensation, is_the_best_of_a_dense_scan) {
   std::mt19937 random(8);
   const auto between = [&](double lo, double hi) {
@@ -191,8 +188,7 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
   }
 }
 
-// By default, corrections must not increase the transmission error. If the user gives w, a greater
-// transmission error is accepted for a more central pattern.
+// A greater transmission error is accepted only if the user gives w.
 TEST(Compensation, quiet_running_is_traded_on_request_alone) {
   Case c = crowned(12, 0);
   c.drawn.lead_crowning = 0.006;

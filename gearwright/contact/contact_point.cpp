@@ -52,8 +52,7 @@ struct Place {
   double s, z;
 };
 
-// A straight line through the touch, in the direction in which T has the least curvature, as far as
-// the flanks stay in contact.
+// A straight line through the touch, in the direction in which T has the least curvature.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -77,8 +76,7 @@ class LineWalk {
   // True if the curvature at the touch permits a gap below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // The two points at which the straight line through the touch leaves D; none if the gap opens
-  // before the line leaves D.
+  // The points at which the line leaves D; none if the gap opens before the line leaves D.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -87,8 +85,7 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    // A line shorter than kPoint cannot be distinguished from a point and counts as a point.
-    constexpr double kPoint = 1e-6;  // shortest line, relative to half the patch
+    constexpr double kPoint = 1e-6;  // relative to half the patch; a shorter line counts as a point
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
     if (std::hypot(long_s, long_z) < kPoint) return std::nullopt;
@@ -156,8 +153,7 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
-// edge touches along its whole length.
+// True if an active bound has a positive multiplier. The touch is then at an edge.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const Touch& t = touch.touch;
@@ -247,8 +243,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.kind = kind_of(field, touch.touch.active);
   Place at{touch.touch.s, touch.touch.z};
   const bool edge = holds_with_weight(transmission, touch);
-  // If the multiplier of a ridge is 0, T does not rise towards the ridge, so the touch counts as
-  // interior.
+  // If the multiplier of a ridge is 0, T does not rise towards it, so the touch counts as interior.
   if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
     if (const auto ends = walk.ends()) {

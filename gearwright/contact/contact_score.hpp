@@ -5,9 +5,8 @@
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile, relative to a target; 0 without a target
 //
-// The touches are the points at which rigid teeth meet. If a flank without crowning has a slope
-// error of a nanometre, its touches lie at an end of the face, although the teeth bear on the whole
-// face. h is then ±1, and q is 0.
+// A slope error of a nanometre moves the touches of a flank without crowning to an end of the face,
+// although the teeth bear on the whole face. h is then ±1, and q is 0.
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
@@ -23,7 +22,6 @@ namespace gearwright {
 
 /// A peak-to-peak transmission error below this limit is a rounding error.
 inline constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
-/// 0 for a number whose magnitude is below the limit.
 inline double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
 
 struct ContactScore {
@@ -46,7 +44,6 @@ struct ProfileTarget {
   Angle width{};  ///< deviation from `angle` for which p is 1; 0 without a target
 };
 
-/// TE and score of a pair over one pitch.
 struct ContactCurve {
   std::vector<double> te;  ///< rad; NaN where contact is lost
   ContactScore score;
@@ -64,15 +61,13 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target);
 
-/// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
   return contact_curve(pair, positions, target).score;
 }
 
-/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions
-/// are compared by magnitude and keep their sign. A pair without any contact is worse than all
-/// others.
+/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions are
+/// compared by magnitude and keep their sign. A pair without contact is worse than all others.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

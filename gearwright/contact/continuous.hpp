@@ -11,8 +11,7 @@
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
 // handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
 //
-// The peak to peak of the values at the positions alone is too small, by up to half of the change
-// of TE within a step. The missing part depends on where the handovers lie between the positions.
+// The peak to peak of the positions alone is too small, by up to half of the change in a step.
 #pragma once
 
 #include <array>
@@ -28,8 +27,7 @@ namespace gearwright {
 struct CurveExtremes {
   double least, greatest;
   PairTouch top;                    ///< the touch with the greatest value
-  std::array<PairTouch, 2> bottom;  ///< the touch with the least value; at a handover, one touch of
-                                    ///< each branch
+  std::array<PairTouch, 2> bottom;  ///< the least value; at a handover, one touch of each branch
   double span() const { return greatest - least; }
 };
 
@@ -53,7 +51,7 @@ inline constexpr int kLeastSpanPositions = 32;
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
-/// ∂span/∂e, rad per unit of e. `transmission` must be the one that computed the extremes.
+/// ∂span/∂e, rad per unit of e. `transmission` must have computed the extremes.
 ///
 /// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)

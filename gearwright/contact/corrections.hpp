@@ -33,17 +33,15 @@ struct WorkshopCorrection {
   bool slope() const { return modification() && is_slope(*modification()); }
 };
 
-/// True if the correction is possible for this pair. A tool setting requires a rack F, a cutter
-/// lead requires a helical gear that was cut by a rack, and a relief requires a reach on both
-/// flanks.
+/// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
+/// helical gear cut by a rack, and a relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
 /// lead crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// The change of the setup for these values, which are in the units of the corrections.
-/// `gear2_drives` selects the flanks on which slopes act.
+/// `value` is in the units of the corrections. `gear2_drives` selects the flanks for slopes.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
@@ -51,7 +49,7 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
 /// a cutter lead have no influence, because they do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The influences of all corrections; none if one of them has no influence.
+/// The influences of all corrections; none if a correction has no influence.
 std::optional<std::vector<Influence>> influences_of(
     const std::vector<WorkshopCorrection>& corrections);
 
@@ -59,12 +57,10 @@ std::optional<std::vector<Influence>> influences_of(
 ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections);
 
-/// The usual bounds of a correction and the usual step, in the unit of the correction. A tool
-/// setting is at most a tenth of the module.
+/// Usual bounds and step in the unit of the correction. A tool setting is at most module/10.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The task of computing these corrections, within bounds_of(), so that the worst of the
-/// `scenarios` is as good as possible.
+/// The task of improving the worst of the `scenarios` within bounds_of().
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -3,8 +3,7 @@
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// A ContactPair points to its gears and their modifications. The functions of this file copy both,
-// and the copies live as long as the ContactPair, so the caller need not keep `pair`.
+// The caller need not keep `pair`, because its gears and the modifications are copied.
 #pragma once
 
 #include <array>
@@ -17,13 +16,11 @@
 
 namespace gearwright {
 
-/// The modifications of the right and left flanks of all teeth of a gear. Right and left are
-/// defined in gear/modifications.hpp.
+/// For all teeth of a gear. Right and left are defined in gear/modifications.hpp.
 struct GearModifications {
   FlankModifications right{}, left{};
 };
 
-/// A gear with these modifications on its right and left flanks.
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
@@ -38,8 +35,7 @@ struct Contact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps gears and modifications alive
 };
 
-/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. The result owns its
-/// gears.
+/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. It owns its gears.
 ///
 /// Units     mm, rad
 /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
@@ -48,8 +44,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// Analyses the contact of the pair under its errors. If contact is lost, the result is not an
-/// error, but `contact_lost` is set.
+/// If contact is lost, the result is not an error, but `contact_lost` is set.
 ///
 /// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)

@@ -64,8 +64,7 @@ struct Seen {
   bool near = false;        // true if u and Z were computed
 };
 
-// Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
-// the next patch.
+// Two or three Newton steps are usual, and one more if the point lies on the next patch.
 constexpr int kMaxPlaceSteps = 8;
 constexpr double kNear = 1e-4;  // relative to a patch; the series is accurate for shorter steps
 
@@ -85,8 +84,7 @@ class Rasterer {
     }
   }
 
-  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`.
-  // Rotations must increase from call to call.
+  // Adds the gaps of tooth pair 0 at φ in N under the transmission error `te`; φ must increase.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
@@ -154,8 +152,7 @@ class Rasterer {
   Seen look(const Node& node) const {
     Seen seen;
     if (node.patch < 0) return seen;
-    // The position (u, Z) relative to gear 2 does not depend on the patch of flank 2, so it is
-    // computed with the first patch.
+    // The position (u, Z) relative to gear 2 does not depend on the patch of flank 2.
     GapJet j = jet(node.patch, 0, node.s, node.z);
     seen.near = true;
     seen.u = j.u.v;
@@ -167,8 +164,8 @@ class Rasterer {
     return seen;
   }
 
-  // Maps each cell of the raster of flank 1 to a quadrangle on flank 2. If a node of flank 2
-  // lies inside the quadrangle, the search for its opposite point starts in this cell.
+  // Maps each cell of flank 1 to a quadrangle on flank 2. For a node of flank 2 in the quadrangle,
+  // the search for the opposite point starts in this cell.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -231,9 +228,9 @@ class Rasterer {
     }
   }
 
-  // The gap at the point (u, Z) of flank 2. Newton steps, which may change the patch, lead from
-  // an approximate opposite point (u1, z) on flank 1 to the exact one. A series of second order
-  // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
+  // The gap at (u, Z) of flank 2. Newton steps, which may change the patch, lead from an
+  // approximate to the exact opposite point (u1, z) on flank 1. A series replaces the last step.
+  // The gap is infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};
@@ -267,9 +264,8 @@ class Rasterer {
     return {};
   }
 
-  // If the gap is least at the middle of three successive positions, the minimum of the
-  // parabola through the three gaps is used. Gaps of different patches are not combined,
-  // because the gap jumps between patches.
+  // If the middle of three successive gaps is the least, the minimum of their parabola is used.
+  // Gaps of different patches are not combined, because the gap jumps between patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

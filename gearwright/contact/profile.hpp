@@ -40,8 +40,7 @@ struct TurnPerRemoval {
 
 class Profile {
  public:
-  /// The piece of an outline that consists of one arc, on the side c. `twist` is the twist τ of the
-  /// gear, rad/mm, from which the normal of the surface is computed.
+  /// One arc of an outline, on the side c. The twist τ, rad/mm, determines the surface normal.
   Profile(const Arc& arc, double side, double twist);
 
   /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.
@@ -57,21 +56,17 @@ class Profile {
   bool grows() const { return grows_; }  ///< true if the radius grows with s
   double side() const { return side_; }
 
-  /// The point at the parameter s, with derivatives.
-  ///
-  /// Domain    on the piece and near it, because the formulas continue beyond the ends
+  /// The point at s, with derivatives. The formulas continue beyond the ends of the piece.
   PolarJet at(double s) const;
-  /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is
-  /// used. The iteration for rack circles starts at `s`, the parameter from the last call, and
-  /// updates it.
+  /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
+  /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
   double s_of(double u, double start) const;              ///< as above, but iterates from `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
-  /// Normal angle of the generating rack; none if the piece was not cut by a circular arc of a
-  /// rack.
+  /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:

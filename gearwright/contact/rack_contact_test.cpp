@@ -174,8 +174,7 @@ TEST(RackContact, AgreesWithNestedGrids) {
   }
 }
 
-// The mirror image of a pair in the plane z = 0 under mirrored errors has the same transmission
-// error.
+// Mirror images in the plane z = 0 under mirrored errors have the same transmission error.
 TEST(RackContact, BothHandsAreMirrorImages) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned_flank());
@@ -207,7 +206,6 @@ TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
                 -driven->rack.of(driven->positions[n - i].te), 1e-11);
 }
 
-// Derivatives of the transmission error are the limits of differences.
 TEST(RackContact, DerivativesAgreeWithDifferences) {
   const RackPair pair = rack_pair(20);
   ContactOptions options;

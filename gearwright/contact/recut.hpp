@@ -1,8 +1,7 @@
 // A flank cut with a changed lead angle. The pitch cylinder is unchanged, but the lead and the
 // transverse section change.
 //
-//   λ = π/2 − |β|   lead angle        Δλ   change of λ, rad; the key `cutter_lead1_deg` gives it in
-//                                          degrees
+//   λ = π/2 − |β|   lead angle      Δλ   change of λ, rad; the key `cutter_lead1_deg` is in degrees
 //                                     theory: docs/theory/08-contact.md, [T8.14]
 #pragma once
 
@@ -21,9 +20,8 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 ///
 /// Domain    arcs that a rack cuts, unless Δλ = 0 (contract)
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
-/// The whole half tooth that the gear's rack cuts with the changed lead angle, with root
-/// fillet, tip and new ends of the flank. None if no tooth is left, if a pinion cutter cut the
-/// gear, or if the root or the tip has a circular fillet, which no rack cuts.
+/// The whole half tooth that the gear's rack cuts with the changed lead angle. None if no tooth is
+/// left, if a pinion cutter cut the gear, or if the root or the tip has a circular fillet.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

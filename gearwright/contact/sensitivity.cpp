@@ -7,8 +7,7 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives with respect to e at a fixed point (s, z) of flank 1, and the derivatives of
-// these with respect to s and z.
+// Derivatives by e at a fixed point (s, z) of flank 1, and their derivatives by s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
@@ -184,8 +183,7 @@ double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   return pair.turned() * te;
 }
 
-// The derivatives of TE and of the point of contact, from the KKT system of the active bounds.
-// [T8.10]
+// The derivatives of TE and of the point of contact, from the KKT system. [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
   const Holding h = holding(c, touch, j);
@@ -286,8 +284,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // If gear 2 drives, both rotations have the opposite sign in N, but the quotient of the rotations
-  // is the same as in the housing.
+  // If gear 2 drives, both rotations change sign in N, so their quotient does not change.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

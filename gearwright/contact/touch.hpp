@@ -1,12 +1,10 @@
-// Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
-// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over
-// D.
+// D is the part of flank 1 that lies opposite flank 2. Newton steps within the eight bounds of D
+// find the point at which T (gap_field.hpp) is greatest.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// The bounds are numbered in the order s, z on flank 1, and u, Z on flank 2, each with the
-// lower bound first.
+// The order of the bounds is s, z on flank 1, and u, Z on flank 2, each with the lower bound first.
 #pragma once
 
 #include <vector>
@@ -50,18 +48,15 @@ class TouchSearch {
   /// must outlive this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
-  /// bounds that are active at this point.
+  /// Searches from (s, z) on flank 1, opposite s2 on flank 2, where the bounds `active` are active.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
   /// Searches from the best of nine points. If this search fails, cold() is used. The result is the
   /// greatest T if T has only one maximum.
   Touch from_middle() const;
-  /// Searches the whole flank. Searches start from every peak of a grid and from both end sections
-  /// of D.
+  /// Searches the whole flank, from every peak of a grid and from both end sections of D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first. Uneven flanks have a
-  /// maximum for each crest. On these flanks, the searches start from the maxima over the
-  /// profile at each of several heights.
+  /// All local maxima of the whole flank, the greatest first. Uneven flanks have a maximum for each
+  /// crest, so searches on them start from the maxima over the profile at several heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.

@@ -1,5 +1,4 @@
-// Implements touch_step() without Google Highway. A step uses the scalar code, which is also
-// the reference for the tests of the vector code.
+// touch_step() without Google Highway, by the scalar code.
 #include "gearwright/contact/touch_lanes.hpp"
 
 namespace gearwright::detail {

@@ -1,6 +1,5 @@
-// The points at which teeth with form waves can touch, in closed form. Each wave has several
-// crests, so T has many local maxima. A search of the whole flank would need hundreds of
-// evaluations.
+// The points at which teeth with form waves can touch, in closed form. T has a local maximum for
+// each crest, so a search of the whole flank would need hundreds of evaluations.
 //
 //   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    the greatest T over the profile, as a function of the height z
@@ -11,9 +10,8 @@
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
 // On involutes with parallel axes, φ, T of the smooth flanks, and the point of flank 2 are
-// quadratic functions of x and of y up to a small fraction of a micron. These functions are
-// interpolated from nine exact ridges. The waves are added in closed form, with one Newton step
-// along the profile.
+// quadratic in x and y up to a small fraction of a micron. They are interpolated from nine exact
+// ridges. The waves are added in closed form, with one Newton step along the profile.
 //
 // Internal to contact/.
 #pragma once
@@ -28,10 +26,9 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if there is no wave, or if the quadratic functions are not valid. They are valid if
-  /// the flanks are involutes without topography on parallel axes, if all exact ridges can be
-  /// computed, and if the error half way between the ridges is at most a hundredth of the
-  /// amplitude of the waves.
+  /// None if there is no wave, or if the quadratic functions are not valid. They require involutes
+  /// without topography on parallel axes, nine exact ridges, and an error half way between the
+  /// ridges of at most a hundredth of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -40,13 +37,12 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 at a rotation, in order of z. Crests that cannot reach a T of
-  /// `least` may be missing.
+  /// The crests of tooth pair 0 in order of z. Crests with T below `least` may be missing.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of
-  /// another crest exceeds its own by more than this margin.
+  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of another
+  /// crest is greater by more than this margin.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -72,20 +68,18 @@ class WaveCrests {
     bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   using Ridges = std::array<std::array<Ridge, 3>, 3>;  // [y + 1][x + 1]
-  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function of s
-  // and z.
+  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function.
   struct Path {
     double from = 0.0, to = 0.0;      // range of s
     double phi = 0.0;                 // in the middle of the range, at z_mid_
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // The path without errors other than that of the centre distance. If there is none because
-  // the patches never touch, apart() becomes true.
+  // The path with an error of the centre distance only. If the patches never touch, there is no
+  // path, and apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
-  // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge
-  // cannot be computed, or if the path is empty.
+  // Moves the ends of the path to exact ridges. False if a ridge fails, or if the path is empty.
   bool adjust(GapField& field, Path& path);
   // The exact ridge at a point, for smooth flanks; none if the search does not converge.
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;
@@ -96,8 +90,7 @@ class WaveCrests {
   void set_rotations(const Ridges& ridges, const Path& path);
   // Sets the amplitudes and phases of the waves, and the heights z at which T is examined.
   void set_waves(const Ridges& ridges, const Path& path);
-  // Checks the quadratic functions half way between the nine exact ridges, where their error is
-  // greatest.
+  // Checks the quadratic functions half way between the ridges, where their error is greatest.
   bool accurate(GapField& field, const Path& path) const;
   Node node(double phi, double z, double along_face, double least) const;
   double along_face(double z) const;  // rad: angle by which waves over the face lower T at z
