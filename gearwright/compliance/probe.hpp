@@ -1,7 +1,5 @@
-// The compliance of a single tooth at one position of its flank, under a unit line force normal to
-// the flank.
-//
-// This compliance is used for comparisons with finite elements and with measurements.
+// The compliance of a single tooth at one position of its flank under a unit line force normal to
+// the flank, for comparison with finite elements and measurements.
 //                                      theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
@@ -13,16 +11,14 @@
 
 namespace gearwright {
 
-/// The position of the load on the flank at y > 0 of tooth 0. The verb `outline` prints the same
-/// flank.
+/// A load on the flank at y > 0 of tooth 0, which is the flank that the verb `outline` prints.
 struct ComplianceProbe {
   double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
   std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,
                                                   ///< the load is uniform on an infinitely wide
                                                   ///< gear
   std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; 0.05 m_n if absent
-  std::vector<double> read{};                     ///< z  mm, positions at which deflections are
-                                                  ///< computed
+  std::vector<double> read{};                     ///< z  mm, positions of the computed deflections
 };
 
 struct ProbeAnswer {
@@ -34,14 +30,12 @@ struct ProbeAnswer {
   bool wide = false;            ///< true for an infinitely wide gear, in plane strain
 };
 
-/// Computes the compliance of a tooth of the gear at the position of the probe.
-///
 /// Errors    as make_section_mesh; `diameter` if it does not lie on the flank; `z` and
 ///           `read_z` if they do not lie on the face
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
-/// Computes the compliance of a tooth that has the transverse section of the gear but another
-/// helix. The section of this tooth turns by `twist` along the face, rad/mm.
+/// The compliance of a tooth with the transverse section of the gear but another helix. `twist` is
+/// the rotation of the section along the face, rad/mm.
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 

@@ -6,9 +6,8 @@
 //   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)
 //
-// Section and load change only at certain points. Between these points, deflection and twist are
-// polynomials, which are evaluated in closed form. A shaft on two bearings is statically
-// determinate.
+// Between the points at which section or load change, deflection and twist are polynomials. A shaft
+// on two bearings is statically determinate.
 //                                                          theory: docs/theory/11-rating.md
 #pragma once
 
@@ -28,8 +27,7 @@ struct Shaft {
   double youngs_modulus = 206000.0;  ///< E   MPa
   double poisson_ratio = 0.3;        ///< ν
   bool shear = true;                 ///< true for a Timoshenko beam, false for an Euler beam
-  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; absent if the bearings
-                                                           ///< are rigid
+  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; absent if rigid
   ShaftSide torque_from = ShaftSide::left;
   /// True if `bearings` and `steps` are in ascending order, if the number of diameters exceeds the
   /// number of steps by one, and if all sizes are positive.
@@ -43,9 +41,7 @@ struct ShaftLoad {
   double lo = 0.0, hi = 0.0;  ///< z of the ends of the face, mm
 };
 
-/// Reaction forces of the bearings on the shaft, N, in the direction of w.
-///
-/// Domain    shaft.possible() (contract)
+/// Reactions on the shaft, N, in the direction of w.   Domain: shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
 
 struct ShaftDeflection {
@@ -61,9 +57,7 @@ struct ShaftDeflection {
 ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                  const std::vector<double>& z);
 
-/// Twist per torque and length of a solid body of the diameter `body`, 1/(G I_p)  rad/(N mm²).
-///
-/// Formula   [T11.51]
+/// 1/(G I_p) of a solid body of the diameter `body`, rad/(N mm²)  [T11.51]
 double shaft_twist_per_length(const Shaft& shaft, double body);
 
 /// Twist of a gear at each z of its face, rad, relative to the end of the face at which the torque

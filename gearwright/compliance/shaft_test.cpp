@@ -16,8 +16,7 @@ namespace gearwright {
 namespace {
 
 using Eigen::Index;
-// The oracle uses `long double`, because short elements between close neighbours reduce its
-// accuracy.
+// Short elements between close neighbours reduce the accuracy, so the oracle uses `long double`.
 using BeamScalar = long double;
 using BeamMatrix4 = Eigen::Matrix<BeamScalar, 4, 4>;
 using BeamVector4 = Eigen::Matrix<BeamScalar, 4, 1>;
@@ -32,8 +31,7 @@ Shaft plain_shaft(double from, double to, double diameter) {
 }
 double second_moment(double d) { return std::numbers::pi * std::pow(d, 4) / 64; }
 
-constexpr double kBeamRounding = 1e-11;  // relative rounding error of polynomials of the fourth
-                                         // degree
+constexpr double kBeamRounding = 1e-11;  // relative rounding error of polynomials of degree 4
 
 TEST(Shaft, UniformLoadOverTheSpan) {
   Shaft s = plain_shaft(-50, 50, 30);
@@ -102,8 +100,7 @@ RandomShaft random_shaft(std::mt19937& random) {
   return r;
 }
 
-// Nodes of a mesh with `parts` elements in each interval between ends, and the deflection w at the
-// nodes.
+// `parts` elements in each interval between ends, and the deflection w at the nodes.
 struct BeamMesh {
   std::vector<double> z, w;
 };
@@ -186,8 +183,7 @@ TEST(Shaft, BendingAgreesWithHermiteElements) {
   }
 }
 
-// The error of linear elements is a series in even powers of h. Combining two meshes removes the
-// term in h².
+// The error of linear elements is a series in even powers of h. Two meshes remove the term in h².
 TEST(Shaft, ShearAgreesWithLinearElements) {
   constexpr int kParts = 12;
   std::mt19937 random(11);
@@ -224,7 +220,6 @@ TEST(Shaft, LawsOfScale) {
   }
 }
 
-// The twist is compared with a sum over thin discs, for both sides of the torque.
 TEST(Shaft, TwistOfThinDiscs) {
   Shaft s = plain_shaft(-60, 60, 40);
   constexpr double T = 2e5, b = 40, body = 55;

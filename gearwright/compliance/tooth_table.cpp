@@ -17,8 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kElement = 0.5;     // modules: length of an element along the face
-constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
-                                     // cause equal displacements
+constexpr double kImageReach = 2.0;  // modules: farther images of bump and strip are equal
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
@@ -67,8 +66,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Projections onto the modes: of loads at the positions on tooth 0, and of displacements at the
-  // positions on teeth −side … side.
+  // Projections onto the modes of loads on tooth 0 and of displacements on teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -95,7 +93,6 @@ void ToothTable::make(const ToothTableRequest& request) {
   // A spur gear is symmetric about the middle of the face, so only half of the slices are solved.
   const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  // All positions are computed independently.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
     count_step(request.progress);
     const int i = static_cast<int>(at);
@@ -124,8 +121,7 @@ void ToothTable::make(const ToothTableRequest& request) {
     if (!request.root_stress) return;
     face.complete(x);
     count_step(request.progress);
-    // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are
-    // adjacent.
+    // Amplitudes f and slopes g at the middles of all slices. The columns of a slice are adjacent.
     MatrixXd f = MatrixXd::Zero(r, solved * n_);
     MatrixXd g = f;
     for (int l = 0; l < n_; ++l) {
@@ -173,8 +169,7 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Subtracts H[b, b], which is the indentation under the bumps, and computes H[a, a], which is the
-// indentation under the Hertz strip along the contact line.
+// Subtracts H[b, b] under the bumps and computes H[a, a] under the Hertz strip.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -220,8 +215,7 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
     }
   });
-  // H[a, a] along the contact line, including the mirror images at the ends of the face. The metric
-  // in the middle of the flank is used for all positions.
+  // H[a, a] along the contact line. All positions use the metric of the middle of the flank.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
   const FlankMetric along{0.0, per * per};
