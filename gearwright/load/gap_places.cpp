@@ -60,9 +60,8 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The signed distance, in u or z, of a point of flank 1 from the nearest border of the patch
-// `b` of flank 2, and the derivative of this distance with respect to s. The distance is ≥ 0 if
-// the point lies opposite the patch.
+// The signed distance, in u or z, of a point of flank 1 from the nearest border of the patch `b` of
+// flank 2, and its derivative by s. The distance is ≥ 0 if the point lies opposite the patch.
 struct Margin {
   double v, s;
 };
@@ -145,9 +144,8 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // From the best row, T increases towards one of the two neighbouring rows. The least gap lies
-  // between the best row and this neighbour, or at the border of flank 2 if the border is nearer
-  // than the neighbour.
+  // T increases from the best row towards a neighbouring row. The least gap lies between these two
+  // rows, or at the border of flank 2 if the border is nearer.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

@@ -1,5 +1,5 @@
 // Finds the places where loaded teeth can touch. For every tooth pair and every slice of the face,
-// this is the place at which the gap between the flanks is least. The gap there is computed, too.
+// this is the place at which the gap between the flanks is least.
 //
 //   T     angular gap field of contact [T8.1]; the place of a slice is s*(z) = argmax_s T(s, z)
 //   arm   mm of normal gap per rad of gap angle [T8.3]
@@ -19,8 +19,7 @@ struct GapPlace {
   double arm = 0.0;                  ///< mm
   std::array<double, 2> radius{};    ///< mm, distance of the place from the axis of each gear
   double curvature = 0.0;            ///< 1/R of the gap across the contact line, 1/mm
-  TouchKind kind = TouchKind::line;  ///< the edge on which the maximum of T in the slice lies;
-                                     ///< `line` if it lies on no edge
+  TouchKind kind = TouchKind::line;  ///< edge of the maximum of T in the slice, or `line`
   double s = 0.0;                    ///< parameter on the patch of flank 1
   std::size_t patches = 0;           ///< index of the pair of patches
 };
@@ -32,7 +31,6 @@ struct PairPlaces {
       at;  ///< by slice; absent for a slice in which the flanks do not face each other
 };
 
-/// Finds the place of least gap for each tooth pair and slice.
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
@@ -54,8 +52,7 @@ class GapSearch {
  private:
   using Rows = std::array<Complex, kRows>;
 
-  // A patch of flank 1 and a patch of flank 2. `rows` contains the points of flank 1 at every
-  // height, at rotation 0.
+  // A pair of patches of both flanks. `rows` contains the points of flank 1 at rotation 0.
   struct Patches {
     GapField field;
     double least_square, most_square;  // mm², range of the squared radius on gear 2

@@ -51,7 +51,7 @@ std::vector<Case> cases() {
       for (const int gear : {1, 2})
         modified.pair.modify(gear, relieved(modified.pair.gears[gear - 1]));
       modified.pair.place.errors.crossing = Angle::degrees(0.04);
-      // Tips of wheel 43 then reach below the usable flanks of gear 2.
+      // The tips of gear 1 with 43 teeth then reach below the usable flanks of gear 2.
       modified.pair.place.errors.center_distance = z1 == 43 ? -0.8 : 0.05;
       all.push_back(modified);
     }
@@ -66,8 +66,7 @@ struct Scanned {
   double share = 0.0;  // fraction of flank 1 that lies inside flank 2
 };
 
-// The greatest T at one height over the parts of flank 1 that lie inside flank 2, on grids that
-// become finer about the best point.
+// The greatest T at one height on the parts of flank 1 inside flank 2, on grids that become finer.
 std::optional<Scanned> scanned(const ContactPair& pair, double turn, double z) {
   std::optional<Scanned> best;
   for (const FlankPatch& a : pair.patches(1)) {
@@ -134,8 +133,6 @@ TEST(GapPlaces, AreThoseOfAScan) {
   EXPECT_GT(edges, 100);
 }
 
-// The kind of a position is an edge if and only if its radius equals the radius of a tip or of an
-// end of a flank.
 TEST(GapPlaces, EdgesLieAtTheEndsOfTheFlanks) {
   std::array<int, 4> seen{};
   for (const Case& c : cases()) {
@@ -220,8 +217,7 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   }
 }
 
-// The slopes with respect to modifications are compared with differences. Positions that move to
-// another patch are left out, because the slope changes at the start of a relief.
+// Positions that move to another patch are left out, because the slope changes there.
 TEST(GapPlaces, SlopesAreThoseOfDifferences) {
   using P = Modification;
   struct Change {

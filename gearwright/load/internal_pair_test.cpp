@@ -22,8 +22,7 @@ using testing::run;
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-// A pinion with 25 teeth and an internal gear with 65 teeth, whose tips are shortened so that they
-// do not reach the root of the pinion.
+// The tips of the internal gear are shortened so that they do not reach the root of the pinion.
 Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(
@@ -116,8 +115,7 @@ TEST(LoadedInternalPair, ScalesWithLength) {
   }
 }
 
-// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
-// exchanged.
+// The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
 TEST(LoadedInternalPair, TheOtherHandIsMirrored) {
   const Drive right = internal_drive(15);
   const Drive left = internal_drive(-15);
@@ -208,8 +206,7 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   }
 }
 
-// The sections of both gears turn in the same sense as their flanks, so that the contact line has
-// the same length on either gear as in the plane of action.
+// The contact line has the same length on either gear as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
   for (const double helix : {15.0, -15.0}) {
     const Drive d = internal_drive(helix);

@@ -1,5 +1,4 @@
-// Loaded contact is compared with a contact computation of two finite-element gears, and with its
-// laws.
+// Loaded contact is compared with two finite-element gears in contact, and its laws are tested.
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +18,7 @@ using testing::Drive;
 using testing::kE;
 using testing::run;
 
-// If the type were an aggregate, C++20 would accept values for only some of its members and set the
-// others to 0.
+// An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
@@ -50,10 +48,9 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
   return sum;
 }
 
-// The reference PAIR2D-25 is a contact computation of two gears with a fine finite-element mesh in
-// plane strain, with node-to-node contact and without a Hertz formula, for E = 206 000 MPa,
-// m = 3 mm and 100 N/mm. A face of 120 modules is nearly in plane strain, but its ends make it
-// softer by 0.12 %.
+// PAIR2D-25 is the contact of two finite-element gears in plane strain, node to node and without a
+// Hertz formula, for E = 206 000 MPa, m = 3 mm and 100 N/mm. A face of 120 modules is nearly in
+// plane strain, but its ends make it softer by 0.12 %.
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
   const Drive m = external_drive(0, face);
@@ -198,8 +195,7 @@ TEST(LoadedContact, ScalesWithLength) {
   }
 }
 
-// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
-// exchanged.
+// The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
 TEST(LoadedContact, TheOtherHandIsMirrored) {
   const Drive right = external_drive(15, 30);
   Drive left = external_drive(-15, 30);
@@ -230,9 +226,8 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
-// The reference FE2D-ROOT, a converged mesh of triangles with the load at the outer point of single
-// contact, gives σ_F b m_n/F_t = 2.797 for two gears with 25 teeth. The ends of a real face are
-// free, but its middle is in plane strain.
+// FE2D-ROOT, converged triangles with the load at the outer point of single contact, gives σ_F b
+// m_n/F_t = 2.797 for two gears with 25 teeth. Only the middle of a face is in plane strain.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
@@ -307,7 +302,6 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   EXPECT_LT((along[0] - along[1]).cwiseAbs().maxCoeff(), 1e-9 * along[0].maxCoeff());
 }
 
-// The greatest fraction of the load that a single tooth pair carries, computed from the line loads.
 double greatest_share(const LoadedTorque& t) {
   double greatest = 0.0;
   for (const LoadedPosition& p : t.positions) {

@@ -19,8 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
-constexpr double kStill = 1e-11;  // greatest last change of forces and approach, relative to their
-                                  // values
+constexpr double kStill = 1e-11;  // greatest last relative change of forces and approach
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
                  kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
@@ -34,9 +33,8 @@ constexpr double kStraightest =
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along
-// the major axis is ¾ (1 − x²), which is the integral of the ellipsoidal pressure of a Hertz
-// contact across this axis.
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along the
+// major axis is ¾ (1 − x²), the integral of the Hertz pressure across this axis.
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();
@@ -243,8 +241,7 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   return e;
 }
 
-// A larger force causes a longer footprint and more bending of the bodies, so forces and footprints
-// are computed alternately.
+// Footprints and bending depend on the forces, so footprints and forces are computed alternately.
 PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   const auto n = static_cast<Index>(at.places.size());
   PointProblem q;
@@ -259,17 +256,15 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
-  // Full steps are used first. If they do not converge, the step length is computed from the last
-  // two steps. It is longer than a full step if convergence is slow, and shorter than a full step
-  // if the steps oscillate.
+  // After full steps, the step length is computed from the last two steps. It is longer than a full
+  // step if convergence is slow, and shorter if the steps oscillate.
   double part = 1.0;
   VectorXd last;
   bool still = false;
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
       const PointPlace& p = at.places[i];
-      // For an unloaded place, the footprint is computed with a small force, because the
-      // contact ellipse is not defined without a force.
+      // Without a force, the ellipse is not defined, so the force of an unloaded place is small.
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;

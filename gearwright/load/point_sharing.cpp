@@ -16,8 +16,7 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 100;
 constexpr int kHalvings = 40;     // greatest number of halvings of a step
-constexpr double kStill = 1e-13;  // greatest last residual, relative to the scale of the gaps and
-                                  // to the moment
+constexpr double kStill = 1e-13;  // greatest last residual, relative to the gaps and the moment
 // The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {
  public:
@@ -35,8 +34,7 @@ class Sharing {
       d[i] = 1.5 * std::sqrt(std::max(x[i], 0.0) / q_.softness[i]) / q_.softness[i];
     return d;
   }
-  // The last element is the relative error of the moment; the others are the errors of the gap
-  // equations, mm.
+  // The errors of the gap equations, mm, followed by the relative error of the moment.
   VectorXd residual(const VectorXd& x) const {
     const VectorXd f = force(x);
     VectorXd r(n_ + 1);
@@ -52,7 +50,7 @@ class Sharing {
     j.bottomLeftCorner(1, n_) = q_.arm.cwiseProduct(d).transpose() / q_.moment;
     return j;
   }
-  // At the start, the point that touches at the least rotation carries the whole load.
+  // The point that touches at the least rotation carries the whole load.
   VectorXd start() const {
     Index first = 0;
     q_.gap.cwiseQuotient(q_.arm).minCoeff(&first);
@@ -80,8 +78,7 @@ PointSharing share_points(const PointProblem& q) {
   PointSharing out;
   VectorXd x = all.start();
   const double length = x[n] * q.arm.maxCoeff();
-  // The gap is included in the scale, because the rounding error of a wide gap may exceed the
-  // approach.
+  // The rounding error of a wide gap may exceed the approach, so the scale includes the gap.
   const VectorXd scale = (q.gap.cwiseAbs().array() + length).matrix();
   const auto size = [&](const VectorXd& r) {
     return std::max(r.head(n).cwiseAbs().cwiseQuotient(scale).maxCoeff(), std::abs(r[n]));
@@ -105,8 +102,7 @@ PointSharing share_points(const PointProblem& q) {
   constexpr double kEnough = 1e-10;  // accepted residual if rounding prevents a further decrease
   out.found = size(r) <= kEnough;
   out.force = all.force(x);
-  // The forces are scaled so that they give the exact moment. This removes the remaining residual,
-  // which is a rounding error.
+  // Scaling to the exact moment removes the remaining rounding error.
   out.force *= q.moment / q.arm.dot(out.force);
   out.approach = x[n];
   VectorXd unit = VectorXd::Zero(n + 1);

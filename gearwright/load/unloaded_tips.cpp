@@ -32,8 +32,7 @@ struct PathPlace {
   double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
 };
 
-// Fits a and c to the places of least gap at one position by least squares. The law is exact for
-// involutes.
+// Fits a and c to the places of least gap by least squares. The law is exact for involutes.
 PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
   double n = 0.0;
   double z1 = 0.0;
@@ -78,8 +77,7 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// The distance s between tip and flank at a place; 0 if the place carries load, NaN if the forces
-// do not converge.
+// The distance s at a place; 0 if the place carries load, NaN if the forces do not converge.
 double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
   if (at.rows.empty()) return std::numeric_limits<double>::infinity();
@@ -113,8 +111,7 @@ PairModifications with_reliefs(const PairModifications& all, const std::array<do
   return made;
 }
 
-// True if all sections of the face have the same contact. It is then sufficient to examine one
-// section.
+// True if all sections of the face have the same contact, so that one section is sufficient.
 bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
   const auto plain = [](const FlankModifications& m) {
     return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;
@@ -146,10 +143,9 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
                       path, compliance.slices[0], alike_sections(setup, request));
   }
-  // The iteration starts with reliefs that are usually so great that no tip carries load. Each
-  // iteration reduces the relief of a gear by the least distance that remains at its tips. With
-  // less relief, the load is spread over more teeth. The distance therefore decreases by less
-  // than the relief, and the reliefs approach the least possible reliefs from above.
+  // The first reliefs are usually so great that no tip carries load. Each iteration reduces the
+  // relief of a gear by the least distance at its tips. Less relief spreads the load over more
+  // teeth, so the distance decreases by less than the relief, and the reliefs converge from above.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};
