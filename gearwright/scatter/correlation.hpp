@@ -2,14 +2,11 @@
 //
 //   u′   independent coordinates in the unit cube       s = Φ⁻¹(u)   scores
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
-//   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30],
-// [T14.32]
+//   u = Φ(L Φ⁻¹(u′))                theory: docs/theory/14-scatter.md, [T14.30], [T14.32]
 //
-// The two scores of a bore are the coordinates of a point with the normal distribution of the plane,
-// so the position of the bore stays uniform in its circle.
-//
-// The copula does not change the distribution of any input. For an input without a correlation, u
-// and u′ are equal bit for bit.
+// The two scores of a bore are a point with the normal distribution of the plane, so the position
+// of the bore stays uniform in its circle. The copula does not change the distribution of any
+// input. For an input without a correlation, u and u′ are equal bit for bit.
 #pragma once
 
 #include <optional>
@@ -32,14 +29,13 @@ struct ToleranceCorrelation {
 ///
 /// Domain    each pair of coordinates at most once, |value| < 1, no coordinate with itself
 ///           (contract)
-/// Errors    `correlations[N]` if a coordinate has no score, if both are of one bore, or if R is
-///           not positive definite. In the last case, the text of the error gives the nearest
-///           possible value of one correlation or, if there is none, a common factor for all
+/// Errors    `correlations[N].between` if a coordinate has no score, or if both are of one bore. If
+///           R is not positive definite, `correlations[N].value` with the nearest possible value of
+///           one correlation or, if there is none, `correlations` with a common factor for all
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
-/// Sets of tolerances. The tolerances of a set, at least two, are connected by correlations that
-/// are not 0.
+/// Sets of at least two tolerances that are connected by correlations other than 0.
 std::vector<std::vector<std::size_t>> correlated_blocks(
     std::span<const ScatterTolerance> tolerances,
     std::span<const ToleranceCorrelation> correlations);
@@ -56,13 +52,11 @@ class Copula {
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
-  // A coordinate whose score is a weighted sum of its own independent score and the independent
-  // scores of earlier coordinates.
+  // A coordinate whose score is a weighted sum of its own and earlier independent scores.
   struct Row {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L
   };
-  // The score of this coordinate of u.
   double score(std::span<const double> u, std::size_t coordinate) const;
 
   std::vector<Row> rows_;

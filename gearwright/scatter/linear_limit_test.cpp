@@ -1,5 +1,5 @@
-// For small tolerances, sampled variances and percentiles equal those of the linear form whose
-// coefficients are the exact derivatives at the pair as drawn.
+// For small tolerances, variances and percentiles of the samples equal the values of a linear form
+// with the exact derivatives at the nominal pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,7 @@ struct Small {
   Influence influence;
 };
 
-// The widths are a thousandth of usual widths, so that terms of second order are a thousandth of
-// the terms of first order.
+// At a thousandth of usual widths, terms of second order are a thousandth of the linear terms.
 std::vector<Small> small_tolerances() {
   const auto range = [](const char* name, double width, auto of, Influence influence) {
     return Small{testing::tolerance(name, 1.0, -width, width, of), width, influence};
@@ -37,7 +36,6 @@ std::vector<Small> small_tolerances() {
                 {ErrorKind::center_distance, 1, Modification::profile_slope})};
 }
 
-// The derivatives of TE, averaged over the positions.
 std::vector<double> mean_slopes(const ContactSetup& setup, int positions,
                                 const std::vector<Small>& all) {
   const ContactPair pair = setup.pair(false);

@@ -10,14 +10,13 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// The ratio of the second difference with kStep to the one with kWideStep is 1/16 for a smooth
-// function, and 1/4 at a kink. A ratio above kBend indicates a kink.
+// The second difference with kStep divided by the second difference with kWideStep is 1/16 for a
+// smooth function, and 1/4 at a kink. A ratio above kBend indicates a kink.
 constexpr double kBend = 1.0 / 8;
 // A kink is ignored if its change of slope, multiplied by w_i, is at most this fraction of the
-// standard deviation of the quantity. Such a kink explains at most 0.5 % of the variance.
+// standard deviation of the quantity. It then explains at most 0.5 % of the variance.
 constexpr double kSmallBend = 0.5;
-// A second difference below this value, rad, is a rounding error of the peak to peak. Other
-// quantities are more accurate.
+// rad: rounding error of a second difference of the peak to peak, the least accurate quantity.
 constexpr double kRoundingBend = 4e-12;
 
 // True if the member is a continuous function of the coordinates at x = 0.
@@ -25,15 +24,13 @@ bool is_continuous(const ScatterTolerance& t) {
   return !std::holds_alternative<VaryingWave>(t.of) && !std::holds_alternative<VaryingPitch>(t.of);
 }
 
-// A point x and the member at x.
 struct Probe {
   std::vector<double> x;
   FamilyMember member{};
 };
 
-// The members that are computed for one coordinate. They give the derivatives by this
-// coordinate. For a tolerance without derivatives, they show whether the tolerance changes a
-// quantity.
+// The members for one coordinate give its derivatives. For a tolerance without derivatives, they
+// show whether the tolerance changes a quantity.
 struct Probes {
   std::size_t coordinate;
   double half_width = 0.0;  // w_i; 0 for a tolerance without derivatives
@@ -66,7 +63,6 @@ std::vector<Probes> probes_of(const ScatterTask& task) {
   return all;
 }
 
-// True if the teeth exist at every probe.
 bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   std::vector<ScatterTolerance> narrow;
   for (ScatterTolerance t : task.tolerances) {

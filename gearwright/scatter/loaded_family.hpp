@@ -1,9 +1,7 @@
-// Computes the transmission error, the pressure and the load distribution under torque for the
-// first samples of a family.
+// Transmission error, pressure and load distribution under torque for samples of a family.
 //
-// The tables of the teeth do not depend on errors and modifications, so all members share them.
-// All teeth of a gear are treated as identical. Pitch deviations therefore have no effect, and a
-// change of thickness only turns gear 2.
+// All members share the tables of the teeth. All teeth of a gear are treated as identical, so pitch
+// deviations have no effect, and a change of thickness only turns gear 2.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.24]
 #pragma once
@@ -16,31 +14,26 @@
 
 namespace gearwright {
 
-/// A pair of flanks under load, with its request.
 struct LoadedSide {
   std::shared_ptr<const ContactPair> pair;
   LoadRequest request;
 };
 /// The pair of a member with these errors. For a double-helical pair, the half at z > 0 and the
-/// mirror image of the other half; only one of them if both are equal.
+/// mirror image of the other half, which is omitted if both are equal.
 std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
                                      const MemberRequest& member, const LoadedFamily& load);
 
-/// The scores of the members at the points `x`. Each member has a list with one score for each
-/// torque. The list is empty if the forces on this member have no solution at some position.
-///
-/// Accuracy  as loaded_contact() for each member
+/// For each member at the points `x`, a list with one score for each torque. The list is empty if
+/// the forces on this member have no solution at some position.
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
                                                         const ScatterTask& task,
                                                         const LoadedFamily& load,
                                                         const std::vector<std::vector<double>>& x);
 
-/// The peak-to-peak TE of each member under the worst of the torques, rad; `none` for a member
-/// without scores.
+/// The greatest peak-to-peak TE of each member over the torques, rad; `none` without scores.
 std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
 
-/// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index
-/// of `scores`.
+/// `scores` are stored replicate by replicate, and Percentile::sample is an index of `scores`.
 std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
                                              const std::vector<std::vector<LoadedScore>>& scores);
 

@@ -1,5 +1,4 @@
-// Law: the clearances of a member are those of a pair that is made anew with its centre distance and
-// its thicknesses. Teeth without a closed form have none.
+// Law (1) of clearances_of(). Teeth without a closed form have no clearance.
 #include "gearwright/scatter/member_clearances.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +49,7 @@ TEST(MemberClearances, AreThoseOfAPairMadeAnew) {
       const auto c = clearances_of(setup, deviation_at(setup, housing_and_teeth(), x));
       for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(c.tip[i], pair.mounted().tip_clearance[i], 1e-12);
-        // Undercut teeth have a closed form for the thickness of the drawing only.
+        // Undercut teeth have a closed form for the nominal thickness only.
         const auto& form = pair.parallel()->form_clearance[i];
         if (!form || (!closed && i == 0 && x[2] != 0.0)) {
           EXPECT_TRUE(std::isnan(c.form[i]));

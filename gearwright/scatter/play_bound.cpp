@@ -23,8 +23,7 @@ struct Ends {
   double size() const { return std::max(std::abs(least), std::abs(greatest)); }
 };
 
-// The ranges of the parts of a deviation over the corners. Each part is linear in x, so these
-// ranges contain all members.
+// Each part of a deviation is linear in x, so its range over the corners contains all members.
 struct Extent {
   Ends distance, crossing, intersecting, axial;
   std::array<Ends, 2> twist;
@@ -61,9 +60,8 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// Returns an upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the
-// second-order term of both flanks together. Returns none if the flanks can touch near a base
-// circle.
+// An upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the second-order term
+// of both flanks together. None if the flanks can touch near a base circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};
@@ -77,8 +75,7 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double tilt = e.crossing.half() + e.intersecting.half();
   const double twist = (e.twist[0].half() + e.twist[1].half()) * half_face;
   const double turn = tilt + twist;
-  // Greatest displacement of a place across the plane of action, along the axis, and in any
-  // direction.
+  // Greatest displacements of a place across the plane of action, along the axis, in any direction.
   const double across = e.distance.half() + tilt * half_face +
                         e.twist[0].half() * half_face * rho_tip[0] +
                         e.twist[1].half() * half_face * rho_tip[1];

@@ -4,8 +4,7 @@
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
-// Every member of the family is computed independently of the others, and statistics are computed
-// in the order of the samples, so no result depends on the number of threads.
+// No result depends on the number of threads, because statistics use the order of the samples.
 #pragma once
 
 #include <cstdint>
@@ -48,8 +47,7 @@ struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
   /// Correlations of the scores of coordinates; check_correlations() accepts them.
   std::vector<ToleranceCorrelation> correlations{};
-  /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
-  /// for `indices` only.
+  /// For `indices` only. Each tolerance is in one group. Correlated tolerances share a group.
   std::vector<ToleranceGroup> groups;
   MemberRequest member;
   int samples = 1024;  ///< n, a power of two
@@ -67,7 +65,6 @@ struct ScatterTask {
   Progress* progress = nullptr;
 };
 
-/// A point x with its member.
 struct ScatterSample {
   std::vector<double> x;  ///< coordinates in the users' units of the tolerances
   FamilyMember member;
@@ -106,8 +103,7 @@ struct LoadedSpread {
 /// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
-  /// The share of the variance that the derivatives at the nominal pair explain; none if the
-  /// derivatives do not exist.
+  /// Share of the variance that the derivatives at the nominal pair explain; none without them.
   std::optional<double> linear_share{};
 };
 
@@ -116,21 +112,19 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
-  /// The result of least_play_bound(), rad: no member has a smaller least play. None for the peak
-  /// to peak.
+  /// The result of least_play_bound(), rad. None for the peak to peak.
   std::optional<double> bound;
 };
 
-/// The effect of each tolerance on the highest percentile of the peak-to-peak TE. One tolerance
-/// becomes wider or narrower about the nominal value, and all others stay the same.
+/// The effect of each tolerance on the highest percentile of the peak-to-peak TE, if one tolerance
+/// becomes wider or narrower about the nominal value and all others stay the same.
 struct Loosening {
   /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak to peak at this
   /// percentile, rad, in the first replicate with unchanged tolerances.
   double percent, percentile;
   struct Change {
-    /// Greatest factor of the tolerance at which the percentile exceeds `percentile` by at most
-    /// the fraction kLooser. None if this holds for all factors up to kMostFactor at which
-    /// teeth exist.
+    /// Greatest factor at which the percentile exceeds `percentile` by at most the fraction
+    /// kLooser. None if this holds for all factors up to kMostFactor at which teeth exist.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
@@ -168,9 +162,8 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
-/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if this
-/// point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by less than
-/// 0.01″.
+/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if it is a
+/// corner, or if its peak to peak exceeds `known` by less than 2 % or by less than 0.01″.
 ///
 /// Formula   [T14.15]
 /// Domain    at least one tolerance (contract)

@@ -17,8 +17,7 @@ namespace gearwright {
 namespace {
 
 // The greatest T, rad, over all tooth pairs and over the part of flank 1 inside flank 2, from a
-// grid and the parabola through its best rows. TE is the greatest T of the flanks, so it must be
-// at least this value.
+// grid and the parabola through its best rows. TE must be at least this value.
 double greatest_on_a_grid(const ContactPair& pair, double phi) {
   constexpr int kHeights = 201, kRows = 161;
   double best = -std::numeric_limits<double>::infinity();
@@ -87,8 +86,8 @@ TEST(WavyContact, FollowsTheGreatestCrest) {
   }
 }
 
-// A root relief divides flank 1 into two patches. The one at the root begins near the base circle,
-// and only a part of it, or nothing, lies opposite flank 2. A relief of amount 0 changes nothing.
+// A root relief divides flank 1 into two patches. The patch at the root begins near the base
+// circle, and at most a part of it lies opposite flank 2. A relief of amount 0 changes nothing.
 TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   for (const double start : {0.1, 0.2, 0.3, 0.5}) {
     for (const double amount : {0.0, 0.005}) {
@@ -119,7 +118,7 @@ TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   }
 }
 
-// A gear without any deviation has no field. Its involute still has its base circle.
+// A gear without any deviation has no field of removed material.
 TEST(WavyContact, OneGearMayHaveNoWaves) {
   for (const std::size_t plain : {0, 1}) {
     testing::SamplePair sample = wavy(0.008, 3, 3, 0.9);
@@ -140,8 +139,8 @@ TEST(WavyContact, OneGearMayHaveNoWaves) {
   }
 }
 
-// With the closed form of the waves, 32 positions of the curve need less than 20 evaluations each.
-// Without it, each would need 1000. The extremes do not depend on the number of positions.
+// The closed form of the waves reduces the evaluations per position from 1000 to less than 20. The
+// extremes do not depend on the number of positions.
 TEST(WavyContact, NeedsFewEvaluations) {
   const testing::SamplePair sample = wavy(0.009, 2, 4, 1.7);
   const ContactPair pair = sample.pair();
