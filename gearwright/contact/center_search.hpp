@@ -1,6 +1,9 @@
-// Minimises a slow function by means of models. Each model is exact at one point, its center, and
-// fast everywhere. The lowest point of the model within the bounds becomes the next center if the
-// function is less there. Otherwise, the same model is searched again within a smaller reach.
+// Minimises a function that is slow to compute. A model replaces the function in the search. Each
+// model is exact at one point, its center, and quick to evaluate everywhere.
+//
+// The first model is searched within all bounds. If the function is less at the lowest point of the
+// model than at the center, this point becomes the next center. Otherwise, the same model is
+// searched again within a smaller reach.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +15,8 @@
 namespace gearwright::detail {
 
 inline constexpr int kMostCenters = 6;      // greatest number of centers in a search
-inline constexpr double kNextReach = 0.25;  // greatest later reach, relative to the box
+inline constexpr double kNextReach = 0.25;  // greatest reach of all searches after the first, as a
+                                            // fraction of the distance between the bounds
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
 /// The part of the bounds within a reach around a center.
@@ -27,8 +31,8 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
   return box;
 }
 
-/// Returns the center with the least value of the function. The first center is `center`. The
-/// search ends if a model promises a gain of at most `gain`, after kMostCenters models, or if the
+/// Returns the center at which the function is least. The first center is `center`. The search
+/// ends if a model promises a gain of at most `gain`, after kMostCenters models, or if the
 /// reach is below kLastReach.
 ///
 ///   model_at(center)               the model that is exact at the center

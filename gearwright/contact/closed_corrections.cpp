@@ -25,7 +25,8 @@ ArcMeshInput mesh_input(const ArcPair& pair, int convex) {
           pair.center_distance};
 }
 
-// dTE/dφ1 in the middle of the mesh of tooth pair 0 after a change of the lead angle of `gear`.
+// The slope dTE/dφ1 in the middle of the mesh of tooth pair 0, if the lead angle of `gear` is
+// changed by `delta_lambda`.
 std::optional<double> middle_slope(const ContactSetup& setup, bool gear2_drives, int gear,
                                    Angle delta_lambda) {
   SetupChange change;
@@ -86,7 +87,7 @@ std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactS
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);
   }
   if (arcs.contacts.empty()) return answer;
-  // First-order change of the lead angle for all errors together. [T8.22]
+  // Computes the change of the lead angle to first order for all errors together. [T8.22]
   const double theta = arcs.first_contact().at.theta.rad();
   const ContactErrors& e = setup.place().errors;
   const double sin_lambda = std::cos(setup.gear(1).spec.helix_angle.rad());

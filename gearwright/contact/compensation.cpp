@@ -15,16 +15,17 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when f changes by less than this fraction, or by less than kSameError/100.
+// A search ends when f changes by less than this relative amount, or by less than kSameError/100.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
-// f if contact is lost, rad: far above all other values, but finite, as the optimiser requires.
+// The value of f if contact is lost, rad. It is far above all other values, but finite, because the
+// optimiser requires finite values.
 constexpr double kLost = 1e3;
-// With an aim, these numbers times CompensationAim::same replace kLastGain_rad and kLost.
+// If there is an aim, these numbers times CompensationAim::same replace kLastGain_rad and kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost per radian of the peak to peak above its limit. The cost of the pattern without corrections
-// is also added, so that corrections above the limit are never better than no correction. f still
-// decreases if the peak to peak approaches the limit from above.
+// Cost per radian of the peak to peak above its limit. Above the limit, the cost of the pattern
+// without corrections is also added, so that corrections which exceed the limit are never better
+// than no correction. f still decreases if the peak to peak approaches the limit from above.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -64,7 +65,8 @@ class Judge {
     }
     return [this, center, all = std::move(all)](std::vector<double> v) {
       count_step(task_.progress);
-      // The estimate is finite even if no teeth exist. Their existence is equal in all scenarios.
+      // The estimate is finite even if teeth with these corrections do not exist. Their existence
+      // does not depend on the scenario.
       if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
       double worst = 0.0;
@@ -87,7 +89,8 @@ class Judge {
   }
 
   int positions() const { return positions_; }
-  // For f or the aim: smallest relevant difference, difference that ends a search, value if lost.
+  // These functions return, for f or for the aim, the smallest relevant difference, the difference
+  // at which a search ends, and the value that replaces f if contact is lost.
   double same() const { return task_.aim ? task_.aim->same : kSameError.rad(); }
   double last_gain() const { return task_.aim ? kAimLastGain * task_.aim->same : kLastGain_rad; }
   double lost() const { return task_.aim ? kAimLost * task_.aim->same : kLost; }
@@ -180,7 +183,8 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
                          const double f = judge.value(x);
                          return std::isfinite(f) ? f : judge.lost();
                        }};
-  // A search of the box by a model does not end early, because an optimum may be narrow.
+  // A search of the whole box by a model does not end early, because a narrow optimum may lie at
+  // the border of the box.
   if (how == Minimiser::whole_box && judge.uses_model()) search.relative_gain = search.gain = 0.0;
   for (const Correction& c : box) {
     search.lo.push_back(c.lo);
@@ -193,6 +197,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
 // The fraction of the gain that may be lost when values are rounded or a value is set to 0.
 constexpr double kPartLost = 0.01;
 
+// The best corrections so far, and the value of f (or of the aim) for them.
 struct Best {
   Judge& judge;
   std::vector<double> v;
@@ -214,7 +219,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // TE curves take most of the time, so their total number is limited for any number of scenarios.
+  // Most of the time is spent on TE curves, so the total number of curves is limited, whatever the
+  // number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -234,9 +240,9 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// Like searched(), but with the estimates of the aim. The search is repeated around the best
-// corrections with the estimate that is exact there. If the value without corrections is not
-// finite, no estimate is used.
+// Like searched(), but if the aim has an estimate, all trials use it. The search is then
+// repeated around the best corrections, with the estimate that is exact for these corrections.
+// If the value without corrections is not finite, no estimate is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
   if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
@@ -257,8 +263,8 @@ std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) 
   return found;
 }
 
-// The final corrections, found with as many positions as the reported scores use, because a peak of
-// TE may lie between coarser positions.
+// The final corrections. They are found with as many positions as the reported scores use, because
+// a peak of TE may lie between the coarser positions of the search.
 std::vector<double> settled(const CompensationTask& task, Judge& fine,
                             const std::vector<double>& found) {
   const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -291,16 +297,17 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // Exact values decide between the last steps, the result of the search, and no corrections.
+  // The last steps used estimates. Exact values now decide between the result of these steps,
+  // the result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;
   return searched < refined - same ? written : best.v;
 }
 
-// Returns `found` without unnecessary corrections. From the last to the first, each correction is
-// set to 0 and the others are searched again. It remains 0 if f does not exceed `limit`. At least
-// one correction is kept.
+// Returns `found` without the corrections that are not needed. Beginning with the last one, the
+// function sets each correction to 0 and searches the others again. If f then does not exceed
+// `limit`, the correction remains 0. At least one correction is kept.
 std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& fine,
                            std::vector<double> found) {
   const std::size_t n = found.size();
@@ -372,7 +379,7 @@ bool Compensation::nothing_to_correct() const {
 Angle default_centering(Angle peak_to_peak) {
   constexpr double kPart = 0.1;
   constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // For NaN, the comparison is false.
+  // If the peak to peak is NaN, the comparison is false and the result is kLeast.
   return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
 }
 
@@ -397,7 +404,8 @@ Compensation compensate(const CompensationTask& given) {
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
   const CompensationTask task = within_teeth(given);
   const std::vector<double> zero(task.corrections.size(), 0.0);
-  // Usual number of evaluations in a search of the box and the descents, most of which end early.
+  // The usual number of evaluations in one search of the box and a descent from every start. Most
+  // descents end early.
   constexpr std::int64_t kUsual = 1000;
   begin_stage(task.progress, "trying corrections", kUsual);
   Judge coarse(task, task.positions);

@@ -4,17 +4,19 @@
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   TE  the continuous curve, which does not depend on the computed positions
+//   TE  the continuous curve, because the peak to peak of the values at the computed positions
+//       depends on where the handovers lie between these positions
 //   q   mean position of the contact pattern along the face, −1 to 1
-//   p   mean position of the contact along the profile; 0 without a target. The target of
-//       circular-arc teeth is the pressure angle of their racks
+//   p   mean position of the contact along the profile; 0 if this position has no target. For
+//       circular-arc teeth, the target is the pressure angle of their racks
 //
 // If the caller gives w, a greater transmission error is accepted for a more central pattern. With
 // the small default of w, corrections that increase the transmission error are rejected.
 //
-// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses no
-// derivatives (subplex). It starts from zero, from the least-squares solution of the linearised
-// problem, from the caller's values, and from the best point found in the whole box of bounds.
+// f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a
+// method without derivatives (subplex). This search starts from zero, from the least-squares
+// solution of the linearised problem, from starting values that the caller gives, and from the
+// best point found in the whole box of bounds.
 #pragma once
 
 #include <array>
@@ -36,14 +38,14 @@ struct Correction {
   double step;    ///< size of a small change, in the caller's unit
 };
 
-/// A quantity that is minimised instead of the transmission error of rigid teeth. The position of
-/// the pattern is then ignored.
+/// A quantity that is minimised instead of the transmission error of rigid teeth. If a task has
+/// such an aim, the position of the pattern is ignored.
 struct CompensationAim {
-  /// Returns the quantity of a pair, in any unit, for a number of positions per pitch. Infinity
-  /// means that the pair is worse than all others.
+  /// Returns the quantity of a pair, in any unit. The second argument is the number of
+  /// positions per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
-  /// Returns an estimate of the quantity after the corrections have changed by `change`, which is
-  /// exact for `change` 0. `near` is empty if there is no estimate.
+  /// Returns a function that estimates the quantity of the pair after its corrections have changed
+  /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
@@ -59,7 +61,8 @@ struct CompensationTask {
                                      ///< default_centering() is used, and corrections must not
                                      ///< increase the transmission error
   bool along_face =
-      true;  ///< false if q is ignored, because the contact moves along the whole face
+      true;  ///< false if q is ignored, because the contact point moves along the whole face
+             ///< in any case
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;
@@ -74,11 +77,12 @@ struct SettingAnswer {
   std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
   std::optional<Angle> angle_displaced;  ///< θ with ΔC
   std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and the respective setting
-  double thickness_change;  ///< change of the normal thickness of the tooth cut by F, at the
+  double thickness_change;  ///< change of the normal thickness of the tooth that F cuts, at the
                             ///< height of the contact
   double backlash_change;   ///< change of the normal backlash, for the exact setting only
 };
-/// None if no gear is cut by a rack F, or if the teeth have no contact without ΔC.
+/// The tool setting that compensates the error of the centre distance in `setup`. None if no
+/// gear is cut by a rack F, or if the teeth have no contact without this error.
 std::optional<SettingAnswer> arc_setting(const ArcPair& arcs, const ContactSetup& setup);
 
 /// For each gear, the change of its lead angle that makes the slope of TE zero if the lead
@@ -88,8 +92,9 @@ struct LeadAnswer {
   std::optional<Angle> first_order;           ///< Δλ_1 of circular-arc teeth
   double slope;  ///< dTE/dφ1 in the middle of the mesh, before the correction
 };
-/// The changes under the errors in `setup`. None for spur teeth, or if tooth pair 0 does not touch.
-/// Involute pairs touch along lines, so helix slope modifications correct their lead.
+/// The changes of the lead angles under the errors in `setup`. None if the teeth are spur teeth
+/// or if tooth pair 0 does not touch. There is no such function for involute pairs, because
+/// they touch along lines, and helix slope modifications correct their lead.
 std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactSetup& setup,
                                              bool gear2_drives);
 
@@ -107,28 +112,33 @@ struct Compensation {
 /// Smaller differences of the transmission error cannot be measured.
 constexpr Angle kSameError = Angle::arcseconds(0.001);
 
-/// A pair counts as free of error below this peak to peak, which is 2 nm at a radius of 50 mm.
+/// A pair counts as free of error if the peak to peak of its TE is below this angle. At a radius of
+/// 50 mm, this angle corresponds to 2 nm, and no real flank is that smooth.
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
 /// then dominates f, and the pattern decides between two pairs with about the same small TE.
 Angle default_centering(Angle peak_to_peak);
 
-/// Rounds the values to multiples of step/parts within the bounds. Each result is the double
-/// nearest to its decimal number. A result of 0 has no sign.
+/// Rounds the values for a drawing. Each result is a multiple of step/parts of its correction, lies
+/// within the bounds of this correction, and is the double nearest to its decimal number. A result
+/// of 0 has no sign.
 ///
 /// Domain    as many values as corrections, parts > 0 (contract)
 std::vector<double> as_written(const std::vector<Correction>& corrections,
                                std::vector<double> values, double parts);
 
+/// Computes the values of the corrections of a task.
+///
 /// Domain    at least one correction, each with lo ≤ 0 ≤ hi and lo < hi, step > 0; at least one
 ///           scenario; positions and fine_positions ≥ 2 (contract)
-/// Accuracy  the lowest local minimum of f that a deterministic search of the whole box (DIRECT)
-///           and descents from several starts find. Values are multiples of a hundredth of `step`,
-///           or of a smaller part if this rounding loses more than 1 % of the gain. All values are
-///           0 if the gain is below kSameError. Without an aim, a value is 0 if the other
-///           corrections alone reach the same f within kSameError and 1 % of the gain
-/// Laws      (1) f(value) <= f(0) at fine_positions, or the same for the worst value of the aim
+/// Accuracy  a local minimum of f, namely the lowest that a deterministic search of the whole box
+///           (DIRECT) and descents from several starts find. Values are multiples of a hundredth of
+///           `step`, or of a smaller part if this rounding loses more than 1 % of the gain. All
+///           values are 0 if the gain is below kSameError. Without an aim, a value is 0 if the
+///           other corrections alone reach the same f within kSameError and 1 % of the gain
+/// Laws      (1) f(value) <= f(0) at fine_positions. If there is an aim, the worst value of the aim
+///               over the scenarios is not greater with the corrections than without
 ///           (2) without a given w and without an aim, after.span is at most the greater of
 ///               before.span + kSameError and kQuiet
 Compensation compensate(const CompensationTask& task);

@@ -1,4 +1,5 @@
-// Corrections are compared with a dense scan, with closed forms, and with no correction.
+// Corrections are compared with the best of a dense scan, with closed forms, and with no
+// correction.
 #include "gearwright/contact/compensation.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +88,8 @@ TEST(Compensation, a_lead_error_asks_for_its_own_slope) {
   EXPECT_LT(std::abs(found.after.along_face), 0.02);
 }
 
-// A slope removes the error of an uncrowned pair completely, so crowning cannot improve it.
+// The error of an uncrowned pair is the mirror image of one slope, which removes it completely.
+// Crowning then has nothing to improve.
 TEST(Compensation, uncrowned_flanks_need_no_crowning) {
   for (const double error_um : {-40.0, 10.0}) {
     Case c;
@@ -188,7 +190,8 @@ TEST(Compensation, is_the_best_of_a_dense_scan) {
   }
 }
 
-// A greater transmission error is accepted only if the user gives w.
+// By default, corrections must not increase the transmission error. If the user gives w, a greater
+// transmission error is accepted for a more central pattern.
 TEST(Compensation, quiet_running_is_traded_on_request_alone) {
   Case c = crowned(12, 0);
   c.drawn.lead_crowning = 0.006;

@@ -60,7 +60,8 @@ bool jams(Angle least_play, const Gear& moved) {
 
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track) {
-  // If gear 2 drives, rotations in N and in the housing have opposite signs.
+  // If gear 2 drives, a rotation in N has the opposite sign of the rotation in the housing, so the
+  // positions in N are in reverse order.
   const ContactPair& pair = transmission.pair();
   const double from = pair.gear2_drives() ? -first - (n - 1) * (pair.pitch() / n) : first;
   if (track) *track = detail::LaneTrack::of(transmission, from, n);
@@ -97,7 +98,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // Each search, each description of a touch, and each influence at a touch count as one step.
+  // Finding a touch counts as one step. At every position, the description of the touch counts
+  // as one step, and so does each influence.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +
@@ -110,7 +112,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
                                   : "computing the positions",
               wanted);
   if (rotations.empty()) {
-    // Errors of mounting do not rotate with the gears, so only the pair number changes per pitch.
+    // Errors of mounting do not rotate with the gears, so every pitch repeats the first one,
+    // but the number of the tooth pair increases by one per pitch.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);
     for (int i = 0; i < request.pitches * n; ++i) {

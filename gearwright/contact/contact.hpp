@@ -28,7 +28,8 @@ struct ContactRequest {
 struct ContactResult {
   ContactResult() = default;  ///< empty; analyse_contact() fills it
   std::vector<ContactPoint> positions;
-  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if lost
+  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
+                                                        ///< lost
   Angle peak_to_peak;                                   ///< over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
   std::vector<Angle> harmonics;  ///< harmonics of TE; empty if the request has rotations
@@ -38,24 +39,30 @@ struct ContactResult {
   TouchCount work;
 };
 
+/// Analyses the contact of the pair at the requested positions.
+///
 /// Domain    positions ≥ 2, pitches ≥ 1, marking > 0 (contract)
 /// Accuracy  TE is exact to rounding; ledger rows `contact.*`
 ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& request);
 
-/// The angle by which gear 2 can rotate at one position between contact of the working flanks and
-/// contact of the non-working flanks; negative if the gears jam. None if either has no contact.
+/// The play of gear 2 at one position: the angle by which gear 2 can rotate between contact of
+/// the working flanks and contact of the non-working flanks. It is negative if the gears jam.
+/// None if the working or the non-working flanks have no contact.
 std::optional<Angle> play_between(const ContactPoint& working, const ContactPoint& non_working,
                                   bool gear2_drives);
 /// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
-/// True if least_play · r cos β is at most −kNoBacklash, where r and β are the reference radius and
-/// the helix angle of `moved`: gear 2, or the pinion if gear 2 is a rack. A smaller overlap may
-/// result from rounding of the centre distance.
+/// True if the gears jam at this least play. This is the case if least_play · r cos β is at
+/// most −kNoBacklash, where r and β are the reference radius and the helix angle of `moved`. A
+/// smaller overlap may result from rounding of the centre distance. `moved` is gear 2, or the
+/// pinion if gear 2 is a rack.
 ///
 /// Formula   r cos β times the play is the backlash in the normal section at the reference
-///           cylinder, j_n cos α_wn/cos α_n. kNoBacklash limits j_n, and not j_bn. For α_n = 20°
-///           and α_wn from 15° to 30°, it differs from j_n by 8 % at most, 4e-6 mm at the limit
+///           cylinder, j_n cos α_wn/cos α_n. The limit kNoBacklash applies to j_n, so the
+///           factor cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from
+///           15° to 30°, the product differs from j_n by 8 % at most, which is 4e-6 mm at the
+///           limit
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the

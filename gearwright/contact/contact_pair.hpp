@@ -36,8 +36,8 @@ struct ContactErrors {
   bool operator==(const ContactErrors&) const = default;
 };
 
-/// The errors of a mounting after reflection in the plane z = 0. Errors of the teeth are the same
-/// for both halves of a double-helical gear and do not change.
+/// The errors of a mounting after reflection in the plane z = 0. Errors of the teeth do not change,
+/// because they are the same for both halves of a double-helical gear.
 ContactErrors mirrored(const ContactErrors& errors);
 
 struct ContactGear {
@@ -107,9 +107,10 @@ class ContactPair {
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< −1 if z in N is −z of f
   /// z of the middle of a face, mm, in N.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
-  /// Radius at which the root fillet ends, mm; none without a fillet or ContactMount::fillets.
+  /// Radius at which the root fillet ends, mm; none if ContactMount::fillets is false or if the
+  /// gear has no fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
-  /// κ in N for f_Hβ = 1 mm on the reference cylinder over the face width.
+  /// κ in N for f_Hβ = 1 mm, measured on the reference cylinder over the face width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:

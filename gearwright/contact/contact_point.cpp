@@ -52,7 +52,8 @@ struct Place {
   double s, z;
 };
 
-// A straight line through the touch, in the direction in which T has the least curvature.
+// A straight line through the touch, in the direction in which T has the least curvature, as far as
+// the flanks stay in contact.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -76,7 +77,7 @@ class LineWalk {
   // True if the curvature at the touch permits a gap below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // The points at which the line leaves D; none if the gap opens before the line leaves D.
+  // The two points at which the line leaves D; none if the gap opens before the line leaves D.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -85,7 +86,8 @@ class LineWalk {
       if (!together(at(sense * 0.5 * t)) || !together(end)) return std::nullopt;
       found[sense > 0 ? 1 : 0] = end;
     }
-    constexpr double kPoint = 1e-6;  // relative to half the patch; a shorter line counts as a point
+    // A line shorter than kPoint cannot be distinguished from a point and counts as a point.
+    constexpr double kPoint = 1e-6;  // shortest line, relative to half the patch
     const double long_s = (found[1].s - found[0].s) / s_half_;
     const double long_z = (found[1].z - found[0].z) / z_half_;
     if (std::hypot(long_s, long_z) < kPoint) return std::nullopt;
@@ -153,7 +155,8 @@ class LineWalk {
   double soft_ = 0.0, arm_ = 0.0;
 };
 
-// True if an active bound has a positive multiplier. The touch is then at an edge.
+// True if a bound is active with a positive multiplier. The touch is then at an edge, even if the
+// edge touches along its whole length.
 bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
   const double weight = std::max(touch.touch.multiplier[0], touch.touch.multiplier[1]);
   const Touch& t = touch.touch;

@@ -37,7 +37,8 @@ bool is_edge(TouchKind kind);
 /// ellipse, and a computed pressure is only a lower bound.
 bool is_sharp(TouchKind kind);
 
-/// A line along which the gap stays below this value, mm, counts as a contact line.
+/// A line along which the gap stays below this value, mm, counts as a contact line. No real flank
+/// is that smooth.
 inline constexpr double kLineGap = 1e-6;
 
 struct ContactEllipse {
@@ -59,7 +60,8 @@ struct ContactRidge {
   bool by_height = false;    ///< true if the two sides differ by height, false if by diameter
 };
 
-/// Converts angles of gear 2 to lengths if gear 2 is a rack, whose travel is stored as travel/r.
+/// Converts angles of gear 2 to lengths if gear 2 is a rack. Results store the travel of a rack as
+/// the angle travel/r, by which the pinion rolls along the rack.
 struct RackTravel {
   double radius = 0.0;  ///< reference radius r of the pinion, mm; 0 if gear 2 is not a rack
   explicit operator bool() const { return radius > 0.0; }
@@ -73,7 +75,8 @@ struct ContactPoint {
   TouchKind kind = TouchKind::none;
   Vec3 point = Vec3::Zero();   ///< mm, housing
   Vec3 normal = Vec3::Zero();  ///< points out of gear 1, in the housing
-  /// 2ρ (for a rack, the height above its datum line) and z in the frame of each gear, mm.
+  /// 2ρ and z in the frame of each gear, mm; for a rack, the height above its datum line instead
+  /// of 2ρ
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
   std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1, at the touch
@@ -87,9 +90,12 @@ struct ContactPoint {
 /// True if a touch lies at a seam and T rises beyond it. Such a touch is not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
-/// is_edge() of the kind that describe() returns, computed with less work.
+/// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,
+/// computed with less work.
 bool on_edge(Transmission& transmission, const PairTouch& touch);
 
+/// Describes a touch.
+///
 /// Units     mm; `rotation1` is the rotation in the housing
 /// Accuracy  curvatures are exact at the computed point; ledger rows `contact.*`
 ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle rotation1,

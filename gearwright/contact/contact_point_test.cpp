@@ -78,8 +78,8 @@ TEST(ContactPoint, kinds) {
   EXPECT_NEAR(inside.rack_angle->rad(), std::numbers::pi / 6, 0.01);
 }
 
-// The path of contact is shorter than a pitch. Between the paths of two tooth pairs, a tip edge is
-// in contact along the whole face. An edge has no curvature.
+// The gears are so far apart that the path of contact is shorter than a pitch. Between the paths of
+// two tooth pairs, a tip edge is in contact along the whole face. An edge has no curvature.
 TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 2.3;
@@ -111,7 +111,8 @@ TEST(ContactPoint, a_line_ends_at_a_nanometre) {
   }
 }
 
-// Crowning C_β over the face width b gives the gap a curvature of 8 C_β/b² along the tooth.
+// Crowning C_β over the face width b gives the gap a curvature of 8 C_β/b² along the tooth, from
+// which the ellipse follows.
 TEST(ContactPoint, curvature_of_crowning) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications m;

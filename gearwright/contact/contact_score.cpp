@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNoPlace = 1e-9;  // smaller mean positions (h, p, q) are rounding errors
 
-// mm: the density of the contact pattern falls to 1/e at this gap, which a small load closes.
+// The gap at which the density of the contact pattern is 1/e, mm. A small load closes such a gap.
 constexpr double kPatternGap = 1e-3;
 
 struct Interval {
@@ -28,8 +28,9 @@ Interval face_of(const ContactPair& pair, int gear) {
   return face;
 }
 
-// The middle of the contact pattern, relative to the common face. It is the mean height along the
-// contact line with the weight exp(−gap/kPatternGap). Slope and curvature of T give the gap.
+// The middle of the contact pattern at one position, relative to the common part of the faces. The
+// gap opens along the contact line from the touch, with the slope and the curvature of T there. The
+// middle is the mean height with the weight exp(−gap/kPatternGap).
 double pattern_middle(Transmission& transmission, const PairTouch& t,
                       const std::array<Interval, 2>& faces) {
   const GapJet j = transmission.jet_at(t, t.touch.s, t.touch.z);

@@ -5,8 +5,9 @@
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile, relative to a target; 0 without a target
 //
-// A slope error of a nanometre moves the touches of a flank without crowning to an end of the face,
-// although the teeth bear on the whole face. h is then ±1, and q is 0.
+// The touches are the points at which rigid teeth meet. If a flank without crowning has a slope
+// error of a nanometre, its touches lie at an end of the face, although the teeth bear on the whole
+// face. h is then ±1, and q is 0.
 //                                 theory: docs/theory/08-contact.md, [T8.24]
 #pragma once
 
@@ -44,6 +45,7 @@ struct ProfileTarget {
   Angle width{};  ///< deviation from `angle` for which p is 1; 0 without a target
 };
 
+/// TE and score of a pair over one pitch.
 struct ContactCurve {
   std::vector<double> te;  ///< rad; NaN where contact is lost
   ContactScore score;
@@ -61,6 +63,7 @@ ContactCurve contact_curve(const ContactPair& pair, int positions, const Profile
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target);
 
+/// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
   return contact_curve(pair, positions, target).score;

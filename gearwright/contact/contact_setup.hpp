@@ -1,5 +1,7 @@
-// A mounted pair for the contact analysis. It owns the gears and the fields of removed material to
-// which a ContactPair points. Corrections turn it into another setup.
+// A mounted pair for the contact analysis, with its gears, modifications and errors. Corrections
+// turn it into another setup.
+//
+// A ContactSetup owns the gears and the fields of removed material to which a ContactPair points.
 #pragma once
 
 #include <array>
@@ -33,7 +35,8 @@ struct SetupChange {
 
 class ContactSetup {
  public:
-  /// `fields` selects gears that get a field for derivatives, even if no material is removed.
+  /// Makes the setup of a pair. `fields` selects gears that get a field of removed material even if
+  /// nothing is removed, because derivatives need the field.
   ///
   /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;
   ///           `errors.cutter_lead[N]` as check_cutter_lead
@@ -64,7 +67,8 @@ class ContactSetup {
   /// One half of a double-helical pair. `middle` contains z of the middle of each face. If `below`,
   /// the half is at z < 0 and is represented by its mirror image in the plane z = 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
-  /// The setup in which the `wanted` gears have fields of removed material, for derivatives.
+  /// The setup in which the gears selected by `wanted` have fields of removed material, even if
+  /// nothing is removed, because derivatives need the fields.
   ContactSetup with_fields(std::array<bool, 2> wanted) const;
   /// The gear that a rack F cuts, 1 or 2; none for other teeth.
   std::optional<int> convex_gear() const;
@@ -82,12 +86,15 @@ class ContactSetup {
 /// True if a flank has material removed, or a relief with a reach, even if its amount is 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
+/// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it can.
+///
 /// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
 ///           or if the lead angle is not between kMinLead and kMaxLead
 std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change);
 constexpr Angle kMinLead = Angle::degrees(0.5), kMaxLead = Angle::degrees(90);
 
-/// Converts an error of a flank to an error of gear `which`. Side 0 is the right flank.
+/// Converts an error in the modifications of a flank to an error of gear `which`. Side 0 is the
+/// right flank.
 Error of_flank(int which, int side, Error error);
 
 /// The usable flank of a gear, to which its modifications apply.
@@ -95,8 +102,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position, with the reason. `name` is the name of a
-/// corner of [compensate.range].
+/// The error for a pair whose teeth touch at no position. The text of the error gives the
+/// reason, for example tips that do not reach each other. The second function makes the error
+/// for a corner of [compensate.range], and `name` is the name of this corner.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

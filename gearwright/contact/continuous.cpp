@@ -40,9 +40,11 @@ class Branches {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
 
-  // The touch on the branch of `touch`, `steps` later; not found if the branch has no contact.
+  // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
+  // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The search begins at `start`, another touch on this branch that may be nearer to the result.
+  // The same, but the search begins at `start`, another touch on this branch, which may be nearer
+  // to the result.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
@@ -50,7 +52,8 @@ class Branches {
 
   // True if the branch that leads at i also leads at i + 1.
   bool same(long i) const { return same(at(i), at(i + 1), 1.0); }
-  // True if touches `width` steps apart are on one branch. On wavy flanks, each crest is a branch.
+  // True if two touches, `width` steps apart, are on the same branch. On wavy flanks, each crest of
+  // a tooth pair is a branch.
   bool same(const PairTouch& a, const PairTouch& b, double width) const {
     const bool patches = a.fields == b.fields || transmission_.crosses_patches();
     const bool pair = a.found() && b.found() && patches &&
@@ -80,7 +83,8 @@ class Branches {
     double t;                       // steps from the touch a
     std::array<PairTouch, 2> both;  // the second touch is not found if TE jumps
   };
-  // The handover between branches a and b, which lead `width` steps apart; none without a handover.
+  // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
+  // none if there is no handover.
   std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
     // Branch b begins at lo, or before a if lo = 0. Branch a ends at hi, or beyond b if hi = width.
     double lo = width * (1.0 - reach(b, -width));
@@ -111,8 +115,9 @@ class Branches {
     return std::nullopt;
   }
 
-  // The touches of both branches at the handover between i and i + 1. If T of a third branch, which
-  // leads at i − 1 or i + 2, exceeds T of both, its touch replaces both touches.
+  // The touches of both branches at the handover between i and i + 1. At this handover, T of a
+  // third branch, which leads at position i − 1 or i + 2, may exceed T of both. The touch of the
+  // third branch then replaces both touches.
   std::optional<std::array<PairTouch, 2>> handover(long i) const {
     const auto found = handover(at(i), at(i + 1), 1.0);
     if (!found) return std::nullopt;
@@ -130,10 +135,12 @@ class Branches {
     return lead;
   }
 
-  // Passes each point between a and b, `width` steps apart, at which TE may be less than `least` to
-  // `take`: the minimum if a and b are on one branch, otherwise the handover. On wavy flanks, a
-  // third crest may lead at the point. The point then divides the interval, and both parts are
-  // examined. If a crest ends before the branches meet, the interval is halved.
+  // Finds the points between a and b, which are `width` steps apart, at which TE may be less
+  // than `least`, and passes each point to `take`. If a and b are on one branch, the point is
+  // the minimum of this branch. Otherwise, it is the handover between both branches. On wavy
+  // flanks, a third crest may lead at the point. In this case, the point divides the interval,
+  // and both parts are examined in the same way. If the branches do not meet because a crest
+  // ends, the interval is halved.
   template <class Take>
   void valleys(const PairTouch& a, const PairTouch& b, double width, const double& least,
                int divisions, const Take& take) const {
@@ -172,7 +179,8 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // A single step to the end that reach() found in small steps may lose the branch.
+    // reach() found the end of the branch in small steps. The single step to this end may lose the
+    // branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);
     if ((at_lo > 0.0) == (at_hi > 0.0)) {
@@ -205,7 +213,8 @@ class Branches {
   double slope(const PairTouch& touch) const {
     return step_ * rotation_slope(transmission_, touch);
   }
-  // Narrows the bracket of a root after the evaluation at t (Illinois method).
+  // Narrows the bracket of a root after the evaluation at t. If an end is kept twice, its value is
+  // halved (Illinois method).
   static void narrow(bool low, double t, double value, double& lo, double& at_lo, double& hi,
                      double& at_hi, int& stays) {
     (low ? lo : hi) = t;
@@ -259,8 +268,9 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     // the straight line through this position and a neighbouring position does.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
-    // The maximum of a branch is never too great. Beyond a handover, a branch lies below TE, so its
-    // minimum is used only if this branch leads here and at both neighbours.
+    // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,
+    // a branch lies below TE, so its minimum may be too small. The minimum is used only if the same
+    // branch leads here and at both neighbours.
     if (here.te() + reach > e.greatest) {
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
     }

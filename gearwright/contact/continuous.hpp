@@ -11,7 +11,8 @@
 // A maximum of TE lies inside a branch or at its end. A minimum lies inside a branch or at a
 // handover T_a = T_b. TE jumps where a branch begins with a greater T than the others.
 //
-// The peak to peak of the positions alone is too small, by up to half of the change in a step.
+// The peak to peak of the values at the positions alone is too small, by up to half of the change
+// of TE within a step. The missing part depends on where the handovers lie between the positions.
 #pragma once
 
 #include <array>
@@ -27,7 +28,8 @@ namespace gearwright {
 struct CurveExtremes {
   double least, greatest;
   PairTouch top;                    ///< the touch with the greatest value
-  std::array<PairTouch, 2> bottom;  ///< the least value; at a handover, one touch of each branch
+  std::array<PairTouch, 2> bottom;  ///< the touch with the least value; at a handover, one touch of
+                                    ///< each branch
   double span() const { return greatest - least; }
 };
 

@@ -1,4 +1,6 @@
-// Laws (1) to (3) of continuous.hpp. The oracle is a comb: TE at thousands of positions.
+// The oracle is the peak to peak of TE at thousands of positions (a comb). Laws: (1) the range from
+// `least` to `greatest` contains TE of all touches   (2) the result does not depend on the number
+// of positions   (3) span_slope() is the limit of differences of the span.
 #include "gearwright/contact/continuous.hpp"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,8 @@ bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 /// lead crowning of gear 1.
 std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 
-/// `value` is in the units of the corrections. `gear2_drives` selects the flanks for slopes.
+/// The change of the setup for these values, which are in the units of the corrections.
+/// `gear2_drives` selects the flanks on which slopes act.
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
@@ -57,10 +58,12 @@ std::optional<std::vector<Influence>> influences_of(
 ContactSetup with_fields_for(const ContactSetup& setup,
                              const std::vector<WorkshopCorrection>& corrections);
 
-/// Usual bounds and step in the unit of the correction. A tool setting is at most module/10.
+/// The usual bounds of a correction and the usual step, in the unit of the correction. A tool
+/// setting is at most a tenth of the module.
 Correction bounds_of(const ContactSetup& setup, const WorkshopCorrection& correction);
 
-/// The task of improving the worst of the `scenarios` within bounds_of().
+/// The task of computing these corrections, within bounds_of(), so that the worst of the
+/// `scenarios` is as good as possible.
 ///
 /// Domain    can_take() is true for every correction (contract)
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -1,5 +1,7 @@
-// Peak to peak of the transmission error over a grid of two errors, computed on all cores. The
-// result does not depend on the number of threads.
+// Peak to peak of the transmission error over a grid of two errors, computed on all cores.
+//
+// The curve of every grid point is computed independently, so the result does not depend on the
+// number of threads.
 #pragma once
 
 #include <functional>
@@ -14,9 +16,10 @@ struct ErrorMap {
   std::vector<std::vector<double>> value;  ///< rad, [iy][ix]; NaN if nothing touches
 };
 
-/// `te_at(x, y)` must return TE over a pitch under the errors x and y, rad, as transmission_error()
-/// does. It is called from several threads at once.
+/// The map of the peak to peak of TE. `te_at(x, y)` must return TE over a pitch under the errors x
+/// and y, rad, as transmission_error() does. It is called from several threads at once.
 ///
+/// Units     rad
 /// Domain    x and y not empty (contract); `threads` 0 means one per core
 ErrorMap map_of_errors(const std::vector<double>& x, const std::vector<double>& y,
                        const std::function<std::vector<double>(double, double)>& te_at,

@@ -7,10 +7,12 @@ namespace gearwright::detail {
 
 namespace {
 
-// Accepted rounding errors: a scaled length beyond a bound, and a multiplier below 0.
+// Limits of rounding errors. A point counts as within a bound even if it lies beyond it by up
+// to kOnBound, a scaled length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Two bounds count as parallel, without a corner, if the sine of their angle is smaller.
+// Two bounds count as parallel and have no corner if the sine of the angle between them is
+// smaller than this value.
 constexpr double kParallel = 1e-14;
 
 class Candidates {
@@ -69,7 +71,8 @@ class Candidates {
     return mu_a >= kNoMultiplier && mu_b >= kNoMultiplier && within(step);
   }
 
-  // The corner of two bounds, or the point on a bound nearest to d = 0, that violates bounds least.
+  // The candidate that violates the bounds least. Candidates are the corners of two bounds, and the
+  // point on each bound that is nearest to d = 0.
   FeasibleStep min_broken() const {
     FeasibleStep best;
     double least = std::numeric_limits<double>::infinity();

@@ -10,7 +10,8 @@ namespace {
 // Smaller values of `early` are rounding errors, for example where a fillet continues the flank.
 constexpr double kTouching = 1e-8;  // mm
 
-// With fillets, a position takes several times as long, and the user may request 10⁶ positions.
+// The number of rotations is limited, because a position with fillets takes several times as long
+// as with flanks alone, and the user may request up to 10⁶ positions.
 constexpr std::size_t kMaxRotations = 64;
 
 // Arm of the normal at the touch about axis 2.

@@ -24,7 +24,8 @@ struct FilletContact {
 struct FilletContacts {
   std::vector<std::size_t> asked;         ///< examined positions, as indices of `flanks`
   std::vector<ContactPoint> whole;        ///< contact of the whole outlines at these positions
-  std::optional<FilletContact> earliest;  ///< greatest `early`; none if flanks touch first
+  std::optional<FilletContact> earliest;  ///< the contact with the greatest `early`; none if the
+                                          ///< flanks touch first at all examined positions
 };
 
 /// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the

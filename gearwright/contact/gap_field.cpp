@@ -13,7 +13,8 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C of a flank due to removed material C, with derivatives. [T8.7]
+// The rotation m = −c k C of a flank from which material C is removed, with its derivatives with
+// respect to u and z. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);
@@ -89,7 +90,8 @@ double GapField::value(const Place2& place, double& s2) const {
 
 GapJet GapField::at(double s, double z, double& s2) const {
   const PolarJet p = one_->profile.at(s);
-  // Flank 1 is w1 = e^{λ} in its transverse section. l_s, l_z, … are the derivatives of λ.
+  // Flank 1 in its transverse section is w1 = e^{λ}. The derivatives of λ with respect
+  // to s and z are l_s, l_z, …
   Complex l_s = p.d1;
   Complex l_ss = p.d2;
   double turn = 0.0;

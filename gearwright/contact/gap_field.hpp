@@ -14,7 +14,8 @@
 //   line replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r
 //   [T8.29].
 //
-// The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2.
+// The flanks touch where T is greatest over the part of flank 1 that lies opposite flank 2. One
+// evaluation returns all data of a Newton step, without memory allocation or virtual calls.
 #pragma once
 
 #include <array>
@@ -37,15 +38,16 @@ struct FlankPatch {
   const RemovalField* removal = nullptr;
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
-  /// At a ridge, the next patch continues with another slope, and at a seam with the same slope. At
-  /// all other borders, the flank ends.
+  /// The kind of border at each end of a patch. At a ridge, the next patch continues with another
+  /// slope, and at a seam with the same slope. At a border of any other kind, the flank ends.
   enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
   /// The part of the profile that the patch uses: its range of s, and its range of u = ln ρ.
   double s_lo = 0.0, s_hi = 0.0, u_lo = 0.0, u_hi = 0.0;
 };
 
-/// x_2 = rotation x_1 + shift, from the frame of gear 1 to the frame of gear 2, at rotation 0.
+/// The transformation from the frame of gear 1 to the frame of gear 2, both at rotation 0:
+/// x_2 = rotation x_1 + shift.
 struct RelativeMount {
   Mat3 rotation = Mat3::Identity();
   Vec3 shift = Vec3::Zero();
@@ -64,8 +66,9 @@ struct GapJet {
   double bend2_uu, bend2_uZ, bend2_ZZ;  ///< derivatives of these slopes
   Complex w1, w1_s, w1_z;  ///< the point of gear 1 in the transverse plane, mm, before mounting
   Complex w1_ss, w1_sz, w1_zz;
-  /// ∂w/∂(u + iψ), and its derivatives with respect to s and z. For a gear, it is w, the point in
-  /// the frame of gear 2. For a rack, it is −r, and its derivatives are 0.
+  /// The derivative ∂w/∂(u + iψ), and its derivatives with respect to s and z. For a gear,
+  /// ∂w/∂(u + iψ) is equal to w, the point in the frame of gear 2. For a rack, it is −r, and
+  /// its derivatives are 0.
   Complex w, w_s, w_z;
 };
 
@@ -78,7 +81,8 @@ class GapField {
 
   void set_rotation(double phi1);
   double rotation() const { return phi1_; }
-  /// The field at (s, z) of flank 1. Updates `s2`, the parameter on flank 2 from the last call.
+  /// The field at (s, z) of flank 1. On entry, `s2` is the parameter on flank 2 from the last call;
+  /// on return, it is the parameter for this call.
   GapJet at(double s, double z, double& s2) const;
   /// The point at (s, z) of flank 1 in the transverse plane at rotation 0, mm, before mounting.
   Complex point_at_rest(double s, double z) const;
@@ -117,8 +121,9 @@ struct GapForm {
   Eigen::Matrix2d of_distance;  ///< maps a step in (e1, e2) to (ds, dz) on flank 1
 };
 
-/// `r_s` and `r_z` are derivatives of the point of flank 1, in any frame. `e1`, `e2` are an
-/// orthonormal basis of the tangent plane in that frame.
+/// The quadratic form of the gap. `r_s` and `r_z` are the derivatives of the point of flank 1 with
+/// respect to s and z, in any frame, and `e1`, `e2` are an orthonormal basis of the tangent plane
+/// in that frame.
 GapForm gap_form(const GapJet& j, const Vec3& r_s, const Vec3& r_z, const Vec3& e1, const Vec3& e2);
 
 }  // namespace gearwright

@@ -29,7 +29,8 @@ std::vector<testing::SamplePair> samples() {
   return all;
 }
 
-// φ2* is the azimuth of the point about axis 2 minus the azimuth of flank 2 at (ρ, Z).
+// φ2* by its definition: the azimuth of the point about axis 2, minus the azimuth of flank 2 at the
+// same radius and height.
 TEST(GapField, is_the_rotation_at_which_flank_2_passes) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();
@@ -70,7 +71,7 @@ TEST(GapField, derivatives) {
       double s2 = 0.5 * (two.s_lo + two.s_hi);
       const auto at = [&](double ds, double dz) {
         double own = s2;
-        // The second evaluation starts with the parameter of the first evaluation.
+        // The second evaluation starts with the parameter that the first evaluation found.
         field.at(s + ds, z + dz, own);
         return field.at(s + ds, z + dz, own);
       };

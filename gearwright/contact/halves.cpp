@@ -43,7 +43,8 @@ std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
   return harmonics(te);
 }
 
-// Converts the analysis of the mirror image to half B. `per_pitch` is 0 for given rotations.
+// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.
+// `per_pitch` is the number of positions in one pitch; 0 if the caller gave the rotations.
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch) {
   ContactResult result = image;
@@ -90,8 +91,9 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions, the
-// TE of a half is the greatest of the branches that lead at these positions.
+// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions,
+// the TE of a half is the greatest of the branches that lead at these positions. If the same
+// branch leads at both, it is followed from the nearer position.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)
@@ -246,7 +248,8 @@ std::optional<Angle> continuous_span(const HalvesMesh& mesh, int positions) {
     for (int i = 0; i < positions; ++i) best = std::max(best, value(i));
     for (int i = 0; i < positions; ++i) {
       if (value(i) < value(i - 1) || value(i) < value(i + 1)) continue;
-      // Between two positions, the curve may exceed both values by at most its change in one step.
+      // Between two positions, the curve may exceed the values at both positions, but at most
+      // by the change of the curve in one step.
       const double reach = value(i) - std::min(value(i - 1), value(i + 1));
       if (value(i) + reach < best) continue;
       const auto lowered = [&](double x) { return -sign * mean.at(x); };

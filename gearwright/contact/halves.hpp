@@ -24,13 +24,16 @@
 
 namespace gearwright {
 
-/// z of the middle of half A, mm.   Domain: a gear with a gap, which may be 0 (contract)
+/// z of the middle of half A of a double-helical gear, mm.
+///
+/// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
 /// The rotation of half B minus the rotation of gear 1.
 Angle behind(double stagger, const Gear& gear_1);
-/// The rotations of half B if gear 1 is analysed at `rotations` or, if this list is empty, in
-/// `positions` equal steps per pitch. Without a stagger, `rotations` is returned unchanged.
+/// The rotations at which half B is analysed if the whole gear 1 is analysed at `rotations`. If
+/// `rotations` is empty, there are `positions` equal steps per pitch. Without a stagger, both
+/// halves have the same rotations, and `rotations` is returned unchanged.
 std::vector<Angle> rotations_of_second(const Gear& gear_1, double stagger,
                                        std::vector<Angle> rotations, int positions, int pitches);
 
@@ -78,22 +81,25 @@ class HalvesSetup {
 struct HalvesContact {
   std::array<ContactResult, 2> half{};  ///< A and B
   ContactResult image{};                ///< the mirror image of half B, at rotations_of_second()
-  /// Rotations and TE of the whole gears. The point of contact is NaN, as each half has a point.
-  /// `kind` is from half B if only half B touches at an edge, otherwise from half A.
+  /// The rotations and the TE of the whole gears at every position. The point of contact is
+  /// NaN, because each half touches at a point of its own. `kind` is taken from half B if only
+  /// half B touches at an edge, and otherwise from half A.
   ContactResult whole{};
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2; NaN without contact
 
-  /// The positions of half A and of the mirror image of half B, so that the verdict judges both.
+  /// The positions of half A, followed by the positions of the mirror image of half B, so that the
+  /// verdict judges both halves.
   ContactResult on_halves() const;
 };
 
-/// Derivatives are with respect to the errors of the whole pair, and not of the mirror image.
+/// Analyses the contact of both halves and of the whole gears. The derivatives of both halves are
+/// taken with respect to the errors of the whole pair, and not of the mirror image.
 ///
 /// Formula   [T8.27]
 /// Domain    as for a ContactPair
 HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& request);
 
-/// TE of the whole gears, at the positions of transmission_error() for a ContactPair.
+/// TE of the whole gears over one pitch, at the positions of transmission_error() of a ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
 /// Peak to peak of the continuous curve of TE; none if a half loses contact.

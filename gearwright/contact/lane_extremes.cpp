@@ -1,6 +1,7 @@
-// Extremes of the transmission error between the positions of a track. A cubic through T and the
-// slopes at two positions predicts an extreme or a handover. LaneSearch then computes the touches
-// at all predicted points of a pitch together.
+// Extremes of the transmission error between the positions of a track. T and its slope are
+// known at every position. A cubic through two positions therefore predicts where T is extreme,
+// or where one tooth pair hands over to the next. LaneSearch then computes the touches at all
+// predicted points of a pitch together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +19,8 @@ constexpr double kClose = 1e-7;     // rad, margin for tooth pairs that may lead
 constexpr int kMostRounds = 30;     // two are usual
 constexpr int kNewton = 5;          // rounds with Newton steps
 
-// T between two positions from the values and slopes at both. t is in steps from the first.
+// T between two positions, from the values and slopes at both. t is counted in steps from the first
+// position.
 struct Cubic {
   double v, s, a, b;
   double at(double t) const { return v + t * (s + t * (a + t * b)); }
@@ -52,7 +54,8 @@ struct LaneTrack::Candidate {
   std::optional<int> other;
   bool up;
   double t;  // steps from m
-  // The ends of the interval. `value` is T of m minus T of `other`, or the slope at an extreme.
+  // The ends of the interval that contains the predicted point. At a handover, `value` is T of
+  // the pair at m minus T of the pair at `other`. At an extreme, it is the slope of T.
   struct End {
     double t, value;
     std::array<PairTouch, 2> touch;
@@ -61,15 +64,16 @@ struct LaneTrack::Candidate {
   int stays = 0;
   bool done = false;
 
-  // Narrows the interval by the Illinois method.
+  // If the same end of the interval stays in two successive steps, its value is halved
+  // (Illinois method).
   void narrow(bool low, const End& here) {
     (low ? lo : hi) = here;
     const int stayed = low ? 1 : -1;
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // The next t, within the interval. T may consist of two nearly straight lines that meet at a
-  // kink, so the tangents at both ends are intersected at an extreme.
+  // The next t, within the interval. At an extreme, T may consist of two nearly straight lines that
+  // meet at a kink. The next t is therefore the point at which the tangents at both ends cross.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;
@@ -117,9 +121,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
                    {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
                    {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
   }
-  // The maximum of a branch never exceeds the maximum of TE, so every maximum is examined. A
-  // minimum is examined only if the branch leads at both positions. An extreme is skipped if the
-  // crossing of the tangents does not exceed the extremes found so far.
+  // TE is the greatest T of all branches, so the maximum of a branch never exceeds the maximum
+  // of TE, and every maximum can be examined. A minimum is examined only if the branch leads at
+  // both positions. An extreme is skipped if the crossing of the tangents at both positions
+  // shows that it does not exceed the extremes found so far.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);
@@ -163,9 +168,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
       }
       const auto& [a, b] = here.touch;
       here.value = c.other ? a.te() - b.te() : a.touch.slope * step_;
-      // The derivative of `value`. At an extreme, it is computed from this touch and the last touch
-      // if both have the same active bounds, otherwise from the cubic. The cubic is less accurate,
-      // because the second derivative of T jumps where the active bounds change.
+      // The derivative of `value`. At an extreme, it is computed from the slopes at this touch
+      // and the previous one if both have the same active bounds. Otherwise, it is computed
+      // from the cubic. This is less accurate, because the second derivative of T jumps where
+      // the active bounds change.
       const bool alike = c.before && c.before->touch[0].fields == a.fields &&
                          c.before->touch[0].touch.active == a.touch.active;
       const double bend = c.other ? (a.touch.slope - b.touch.slope) * step_

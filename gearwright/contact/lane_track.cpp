@@ -14,8 +14,8 @@ constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes, with an error of the centre distance only. At
-// every z, the parameter s of the line changes by the angle by which gear 1 turns.
+// The line of contact of involutes on parallel axes. It includes only the error of the centre
+// distance. At every z, the parameter s of the line changes by the angle by which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // common to both flanks
@@ -223,10 +223,11 @@ LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
   return rough;
 }
 
-// The first and the last position at which T of pair 0 may exceed T of all other pairs. None if
-// there is no such position.
+// The first and the last position at which T of pair 0 may be greater than T of all other pairs.
+// None if there is no such position.
 std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const {
-  // Limits of T at every position. The tangents at two touches limit T between them.
+  // The lower and the upper limit of T at every position. The tangents at two neighbouring
+  // touches limit the distance of T from the straight line between these touches.
   const int all = (static_cast<int>(rough.touches.size()) - 1) * rough.stride + 1;
   std::vector<std::array<double, 2>> limits(static_cast<std::size_t>(std::max(0, all)),
                                             {-kInfinity, -kInfinity});
@@ -255,9 +256,9 @@ std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const
   return window;
 }
 
-// The start of the search at position m. If four rough touches around m have the same active
-// bounds, it comes from the cubic through them, and otherwise from the two nearest rough touches.
-// Not found if there is no rough touch near m.
+// The touch from which the search at position m starts. If four rough touches around m have the
+// same active bounds, its s and z come from the cubic through them, and otherwise from the two
+// nearest rough touches. Not found if there is no rough touch near m.
 PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   const int last = static_cast<int>(rough.touches.size()) - 1;
   const int k = std::clamp((m - rough.from) / rough.stride, 0, last);
@@ -303,7 +304,8 @@ void LaneTrack::search_window(const Rough& rough, const std::array<int, 2>& wind
     if (track_[i].found()) offer(lo_ + static_cast<int>(i), track_[i]);
 }
 
-// Continues the track until T decreases and is well below T of another pair.
+// Continues the track in one direction until T decreases and is well below T of another pair,
+// as in Transmission.
 void LaneTrack::extend(int direction) {
   const int most = transmission_->farthest_pair_ * n_;
   const int last = direction > 0 ? lo_ + static_cast<int>(track_.size()) - 1 : lo_;

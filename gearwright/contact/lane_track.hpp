@@ -4,9 +4,10 @@
 //        the touch of pair (i − m)/n at position i = m mod n of the pitch
 //                                    theory: docs/theory/14-scatter.md, section 14.4
 //
-// Touches an eighth of a pitch apart are searched first, from the middle of the line of contact. A
-// polynomial through these touches gives the starts for all others. The slope of T is exact, so two
-// or three steps find each extreme between the positions.
+// The touches at positions an eighth of a pitch apart are searched first, from the middle of
+// the line of contact. The touches at all other positions are then searched from a polynomial
+// through those already found. Because the slope of T is exact at every touch, two or three
+// steps find each extreme between the positions.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,7 @@
-// Laws: (1) a step in lanes returns the bits of its scalar twin   (2) the touches of a pitch
-// equal over_a_pitch()   (3) the extremes equal continuous_extremes()   (4) arm and slope: exact
+// The search in lanes against the search of one position after the other. Laws: (1) a step in
+// lanes returns the bits of its scalar twin   (2) the touches of a pitch are those of
+// over_a_pitch()   (3) the extremes are those of continuous_extremes()
+// (4) arm and slope are exact.
 #include "gearwright/contact/lane_track.hpp"
 
 #include <gtest/gtest.h>
@@ -73,7 +75,8 @@ TEST(LaneTrack, TouchesAndExtremesAreThoseOfOneSearchAfterTheOther) {
     ++spans;
     const auto extremes = continuous_extremes(transmission, exact);
     EXPECT_NEAR(found->least, extremes.least, 2e-12) << k;
-    // Where the active bounds change, continuous_extremes() finds a maximum only to 1e-10 rad.
+    // Where the bounds of the touch change, continuous_extremes() finds a maximum only to 1e-10
+    // rad. The search of whole flanks at the same rotation confirms the value of the track.
     EXPECT_NEAR(found->greatest, extremes.greatest, 1e-10) << k;
     const double top = found->top.phi + found->top.pair * pair.pitch();
     EXPECT_NEAR(transmission.at(top).te(), found->greatest, 2e-12) << k;
@@ -82,7 +85,8 @@ TEST(LaneTrack, TouchesAndExtremesAreThoseOfOneSearchAfterTheOther) {
   EXPECT_GT(spans, kPairs / 2);
 }
 
-// On parallel axes, unmodified flanks and spur flanks with a modified profile touch along lines.
+// On parallel axes, unmodified flanks touch along lines, and flanks of spur gears with a modified
+// profile do so too. A family in which only the centre distance varies has only such members.
 TEST(LaneTrack, LinesOfContactAreSearchedInLanes) {
   for (std::uint64_t k = 0; k < 60; ++k) {
     testing::SamplePair p = testing::involutes(20, k % 3 == 1 ? -61 : 43, k % 3 ? 15.0 : 0.0);

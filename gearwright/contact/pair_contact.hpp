@@ -3,7 +3,8 @@
 //   const auto touching = contact(*pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->peak_to_peak);
 //
-// The caller need not keep `pair`, because its gears and the modifications are copied.
+// A ContactPair points to its gears and their modifications. The functions of this file copy both,
+// and the copies live as long as the ContactPair, so the caller need not keep `pair`.
 #pragma once
 
 #include <array>
@@ -16,11 +17,13 @@
 
 namespace gearwright {
 
-/// For all teeth of a gear. Right and left are defined in gear/modifications.hpp.
+/// The modifications of the right and left flanks of all teeth of a gear. Right and left are
+/// defined in gear/modifications.hpp.
 struct GearModifications {
   FlankModifications right{}, left{};
 };
 
+/// A gear with these modifications on its right and left flanks.
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {
@@ -44,7 +47,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
-/// If contact is lost, the result is not an error, but `contact_lost` is set.
+/// Analyses the contact of the pair under its errors. If contact is lost, the result is not an
+/// error, but `contact_lost` is set.
 ///
 /// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)

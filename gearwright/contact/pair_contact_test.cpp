@@ -1,4 +1,4 @@
-// The result of contact() outlives the pair and equals the result for a ContactPair.
+// The result of contact() outlives the pair. It equals the result for a ContactPair made directly.
 #include "gearwright/contact/pair_contact.hpp"
 
 #include <type_traits>
@@ -42,8 +42,8 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
 }
 
 // The backlash j_t on the working pitch cylinders is the pitch minus both tooth thicknesses. The
-// play of gear 2 is j_t/r_w2. jams() compares j_t cos β_w times r cos β/(r_w cos β_w) with the
-// limit, and not j_bn = j_t cos α_wt cos β_b.
+// play of gear 2, found by turning its flanks, is j_t/r_w2. jams() compares the product
+// j_t cos β_w times r cos β/(r_w cos β_w) with its limit, and not j_bn = j_t cos α_wt cos β_b.
 TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
   for (const double helix_deg : {0.0, 15.0, 30.0}) {
     testing::SamplePair p = testing::involutes(20, 41, helix_deg);

@@ -84,7 +84,8 @@ class Rasterer {
     }
   }
 
-  // Adds the gaps of tooth pair 0 at φ in N under the transmission error `te`; φ must increase.
+  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`.
+  // Rotations must increase from call to call.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
@@ -152,7 +153,8 @@ class Rasterer {
   Seen look(const Node& node) const {
     Seen seen;
     if (node.patch < 0) return seen;
-    // The position (u, Z) relative to gear 2 does not depend on the patch of flank 2.
+    // The position (u, Z) relative to gear 2 does not depend on the patch of flank 2, so it is
+    // computed with the first patch.
     GapJet j = jet(node.patch, 0, node.s, node.z);
     seen.near = true;
     seen.u = j.u.v;
@@ -164,8 +166,8 @@ class Rasterer {
     return seen;
   }
 
-  // Maps each cell of flank 1 to a quadrangle on flank 2. For a node of flank 2 in the quadrangle,
-  // the search for the opposite point starts in this cell.
+  // Maps each cell of the raster of flank 1 to a quadrangle on flank 2. If a node of flank 2
+  // lies inside the quadrangle, the search for its opposite point starts in this cell.
   void fill_second() {
     const FlankRaster& r = rasters_[1];
     const std::size_t columns = rasters_[0].height.size();
@@ -228,9 +230,9 @@ class Rasterer {
     }
   }
 
-  // The gap at (u, Z) of flank 2. Newton steps, which may change the patch, lead from an
-  // approximate to the exact opposite point (u1, z) on flank 1. A series replaces the last step.
-  // The gap is infinite if the steps leave flank 1 or do not converge.
+  // The gap at the point (u, Z) of flank 2. Newton steps, which may change the patch, lead from
+  // an approximate opposite point (u1, z) on flank 1 to the exact one. A series of second order
+  // replaces the last step. The gap is infinite if the steps leave flank 1 or do not converge.
   Gap gap_on_2(double u1, double z, double u, double Z) const {
     const int two = patch_at(pair_.patches(2), u, Z);
     if (two < 0) return {};

@@ -29,12 +29,12 @@ struct RasterSize {
   int columns = 65;
 };
 
-/// Least gap over a mesh with `positions` per pitch, on the flanks of gear 1 and gear 2.
+/// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of both gears.
 ///
-/// Accuracy  the parabola through three positions is exact if the contact moves at constant speed;
-///           otherwise, the error is some nm with 64 positions per pitch. If the gap at a point is
-///           least when the mating flank just begins to lie opposite, the gap at the next position
-///           is used
+/// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
+///           This is exact if the contact moves at constant speed; otherwise, the error is some nm
+///           with 64 positions per pitch. If the gap at a point is least when the mating flank just
+///           begins to lie opposite this point, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},

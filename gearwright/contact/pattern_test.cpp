@@ -47,7 +47,7 @@ TEST(Pattern, gaps_fall_with_the_step) {
   EXPECT_LT(worst[1], worst[0] / 8);
 }
 
-// Lead crowning C_β leaves the ends without marking. The gap there is the removed material.
+// Lead crowning C_β leaves the ends without marking. The least gap there is the removed material.
 TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   auto p = testing::involutes(20, 41, 0);
   p.gears[1].spec.face_width = 20.0;
@@ -61,7 +61,8 @@ TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   EXPECT_NEAR(r.at(4, 6), 0.02 / 4, 2e-5);
 }
 
-// The raster of gear 2 has its own frame, so contact at the lower end of its face is marked there.
+// The raster of gear 2 has its own frame. An edge contact at the lower end of its face is marked
+// there.
 TEST(Pattern, heights_belong_to_their_gear) {
   for (const bool second : {false, true}) {
     auto p = testing::involutes(20, 41, 0);
@@ -75,8 +76,9 @@ TEST(Pattern, heights_belong_to_their_gear) {
   }
 }
 
-// Each contact point stays at a constant diameter, so the pattern of both gears consists of two
-// bands. A circle about the axis of the mating gear meets the flank twice.
+// Without errors, the pattern of a double-arc pair consists of two bands along the face on both
+// gears, because each contact point stays at a constant diameter. The case is difficult, because a
+// circle about the axis of the mating gear meets the flank twice.
 TEST(Pattern, of_double_arcs_is_two_bands) {
   const auto gear = [](int teeth, double helix_deg) {
     CylindricalSpec s = testing::plain_spec(

@@ -8,13 +8,14 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 4e-16;  // rounding error, absolute for ln ρ, relative for a parameter
-// On the base circle, θ″ = −(1 + ξ²)/ξ of an involute is infinite. The slopes are therefore
-// computed for at least this ξ², where the radius exceeds r_b by 5e-13 r_b.
+// On the base circle, θ″ = −(1 + ξ²)/ξ of an involute is infinite. Below kMinRollSquare, the slopes
+// are therefore computed at ξ² = kMinRollSquare. The radius there is greater than r_b by 5e-13 r_b.
 constexpr double kMinRollSquare = 1e-12;  // rad²
 
 Complex with_side(const Complex& w, double side) { return {w.real(), side * w.imag()}; }
 
-// Converts ℓ′ and ℓ″, derivatives by the parameter, to θ′ and θ″, derivatives by u. [T8.5]
+// Converts ℓ′ and ℓ″, the derivatives with respect to the parameter, to θ′ and θ″, the
+// derivatives with respect to u. [T8.5]
 void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2) {
   const double inverse = 1.0 / d1.real();
   theta1 = d1.imag() * inverse;
@@ -81,8 +82,9 @@ RadialJet Profile::involute_at_radius(double u) const {
 }
 
 RadialJet Profile::circle_at_radius(double u, double& s) const {
-  // Steps of second order from the last solution, within a bracket, because a step may jump to the
-  // other end of the circle. Squares of the radii need no logarithm near the solution.
+  // Iterates from the last solution with steps of second order. The steps are limited to a
+  // bracket, because otherwise a step may jump to the other end of the circle. The squares of
+  // the radii are compared, so that no logarithm is needed near the solution.
   constexpr int kMax = 60;
   constexpr double kClose = 1e-8;  // in u; the series covers a smaller remainder
   // Below this limit of |x|, three terms of the logarithm have an error of x⁴/8 ≤ 1.3e-17.

@@ -40,7 +40,8 @@ struct TurnPerRemoval {
 
 class Profile {
  public:
-  /// One arc of an outline, on the side c. The twist τ, rad/mm, determines the surface normal.
+  /// The piece of an outline that consists of one arc, on the side c. `twist` is the twist τ of the
+  /// gear, rad/mm, from which the normal of the surface is computed.
   Profile(const Arc& arc, double side, double twist);
 
   /// The straight flank of a rack, θ(u) = side (half − slope u) for u_lo ≤ u ≤ u_hi.
@@ -56,7 +57,9 @@ class Profile {
   bool grows() const { return grows_; }  ///< true if the radius grows with s
   double side() const { return side_; }
 
-  /// The point at s, with derivatives. The formulas continue beyond the ends of the piece.
+  /// The point at the parameter s, with derivatives.
+  ///
+  /// Domain    on the piece and near it, because the formulas continue beyond the ends
   PolarJet at(double s) const;
   /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
   /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.

@@ -1,8 +1,9 @@
 // Tooth contact of a pinion with its rack under errors of mounting.
 //
-// The travel of the rack replaces the rotation of gear 2 [T8.29]. Travel and its error are stored
-// as angles x/r with the reference radius r of the pinion. A positive travel has the direction −y
-// of the housing, in which the rim of an external gear 2 moves.
+// The analysis is the same as for two gears, but with the travel of the rack instead of the
+// rotation of gear 2 [T8.29]. Travel and its error are stored as angles x/r, where r is the
+// reference radius of the pinion. A positive travel has the direction −y of the housing. The rim of
+// an external gear 2 moves in the same direction.
 //
 //   const auto touching = contact(*rack_pair, {.crossing = 0.02_deg});
 //   if (touching) use(touching->rack.of(touching->peak_to_peak));   // mm
@@ -26,7 +27,8 @@ struct RackContact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
-/// The error for `errors.helix_twist[1]` or `errors.cutter_lead[1]` if it is not 0.
+/// The error `errors.helix_twist[1]` or `errors.cutter_lead[1]` if it is not 0. The teeth of a rack
+/// are exact.
 std::optional<Error> check_rack_errors(const ContactErrors& errors);
 
 /// A pinion and a rack for contact analyses. The result owns the pinion.
@@ -38,6 +40,8 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
+/// Analyses the contact of a pinion and a rack under errors.
+///
 /// Errors    as contact_pair
 /// Domain    `options.request` as analyse_contact (contract)
 /// Accuracy  as analyse_contact

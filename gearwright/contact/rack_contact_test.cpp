@@ -174,7 +174,8 @@ TEST(RackContact, AgreesWithNestedGrids) {
   }
 }
 
-// Mirror images in the plane z = 0 under mirrored errors have the same transmission error.
+// The mirror image of a pair in the plane z = 0 under mirrored errors has the same transmission
+// error.
 TEST(RackContact, BothHandsAreMirrorImages) {
   ContactOptions options;
   options.modifications[0] = on_both_flanks(crowned_flank());

@@ -21,8 +21,9 @@ double same_radius(const Curve& curve, double was, double rho, bool grows, doubl
   if (more == 0.0) return was;
   const double sense = (more > 0.0) == grows ? 1.0 : -1.0;
   double last = was;
-  // The first step, relative to the width of the arc. Usual changes of lead move the ends by less
-  // than a few such steps. Each step is twice as long as the last.
+  // The first step, relative to the width of the arc. Changes of lead that occur in a workshop
+  // move the ends by less than a few such steps. Each step is twice as long as the previous
+  // one, so 19 steps reach half the width.
   constexpr double kFirstStep = 1e-6;
   for (double step = kFirstStep * width; step < 0.5 * width; step *= 2) {
     const double next = was + sense * step;

@@ -22,8 +22,9 @@ Mat2d hessian(const Jet2& j) {
   return h;
 }
 
-// Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If T has a slope,
-// the curvature of the coordinate lines in the surface is subtracted (Christoffel symbols).
+// Slope and curvatures of the gap at a touch, in the tangent plane of flank 1. If the slope of
+// T is not 0, the second derivatives of T with respect to s and z also contain the curvature of
+// the coordinate lines within the surface. This part is subtracted (Christoffel symbols).
 ContactRidge::Side side_of(const GapJet& j) {
   const Vec3 r_s = space(j.w1_s, 0.0);
   const Vec3 r_z = space(j.w1_z, 1.0);
@@ -57,8 +58,10 @@ double curvature_along(const GapJet& j, const Vec2d& c, const Mat2d& c_bend) {
   return -GapField::arm(j) * t.dot((hessian(j.t) + mu * c_bend) * t) / step.squaredNorm();
 }
 
-// The index of the patch beyond a border of `here`, which is an end of u (`of_u`) or of z. Both
-// patches store the common border as the same number, except for the rounding of ln ρ.
+// The index of the patch beyond a border of `here`. At a border of u (`of_u`), both patches
+// have the same range of z, and their ranges of u adjoin. At a border of z, both have the same
+// range of u, and their ranges of z adjoin. Both patches store the common border as the same
+// number, except for the rounding of ln ρ.
 int across(const std::vector<FlankPatch>& patches, const FlankPatch& here, bool of_u, bool below) {
   constexpr double kSame = 1e-9;
   const auto same = [](double a, double b) { return std::abs(a - b) < kSame; };

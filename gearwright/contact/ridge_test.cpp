@@ -1,4 +1,5 @@
-// Contact on the ridge of a linear relief: when a touch is on a ridge, and how the gap opens.
+// Contact on the ridge of a linear relief: when a touch is on a ridge, and how the gap opens around
+// it. The gap is compared with the field itself, sampled on both sides of the touch.
 #include "gearwright/contact/contact_point.hpp"
 
 #include <gtest/gtest.h>

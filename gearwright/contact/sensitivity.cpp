@@ -7,7 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// Derivatives by e at a fixed point (s, z) of flank 1, and their derivatives by s and z.
+// The derivatives with respect to e at a fixed point (s, z) of flank 1, and the derivatives of
+// these with respect to s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
@@ -183,7 +184,8 @@ double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   return pair.turned() * te;
 }
 
-// The derivatives of TE and of the point of contact, from the KKT system. [T8.10]
+// The derivatives of TE and of the point of contact, from the KKT system of the active bounds.
+// [T8.10]
 Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch& touch,
                       const GapJet& j) {
   const Holding h = holding(c, touch, j);

@@ -16,7 +16,8 @@
 
 namespace gearwright {
 
-/// An error of mounting or of the lead, with the unit of derivatives with respect to it.
+/// An error of mounting or of the lead. A derivative with respect to an error is per the unit
+/// that is given here.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad
@@ -41,6 +42,8 @@ struct Sensitivity {
   Vec3 point;  ///< ∂r/∂e    mm per unit, in the housing
 };
 
+/// The derivatives at a touch.
+///
 /// Units     rad, mm; per mm or rad of the influence
 /// Domain    a touch with contact; a modified gear has a RemovalField (contract)
 /// Accuracy  `te` to rounding; `point` as accurate as the contact point. For a line contact,
@@ -64,12 +67,13 @@ struct RemovalTurn {
   RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 
-/// The effect of material removed from `gear` on T* of row_slope(), which lies at s.
+/// The effect of material removed from `gear` on T*, the greatest T over the profile at a fixed
+/// height z of flank 1. T* lies at the parameter s.
 ///
 /// Units     rad, mm
 /// Domain    gear 1 or 2; patches of this pair (contract)
 /// Accuracy  rounding
-/// Laws      `te` times the removal per unit of a modification equals its row_slope()
+/// Laws      `te` times the removal per unit of a modification is row_slope() of this modification
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
 /// dTE/dφ1, rad/rad, exact. It is computed like a sensitivity in which e is the rotation of gear 1.

@@ -22,7 +22,7 @@ constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty o
 constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
 constexpr double kSamePlace = 1e-5;    // scaled; and if they are also closer together than this
 // Makes H negative definite by changing the sign of positive eigenvalues. If T is constant in one
-// direction within rounding, sets the slope in that direction to 0 and returns true.
+// direction within rounding, the function sets the slope in that direction to 0 and returns true.
 bool make_concave(detail::StepProblem& p) {
   const double mean = 0.5 * (p.h_ss + p.h_zz);
   const double half = 0.5 * (p.h_ss - p.h_zz);
@@ -146,7 +146,8 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
       t.z -= d_z * kz;
       continue;
     }
-    // The bounds of flank 2 are curved, so their curvature times the multiplier is added to H.
+    // The bounds of flank 2 are curved, so the curvature of an active bound, times its multiplier,
+    // is added to H.
     for (int m = 0; m < 2; ++m) {
       const int j = m == 0 ? t.active.first : t.active.second;
       const double mu = t.multiplier[m];
@@ -245,7 +246,8 @@ bool is_peak(const Grid& grid, int i, int k) {
   return true;
 }
 
-// The row with the greatest value inside D or, if no node lies inside, the row nearest to D.
+// The row of a section from which a search starts: the row with the greatest value inside D, or the
+// row nearest to D if no node lies inside.
 int best_row(const std::array<GridNode, kRows>& section) {
   int best = 0;
   for (int k = 1; k < kRows; ++k) {
@@ -265,9 +267,10 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. In each section (constant z),
-// Newton steps along the profile find the maxima of T, from every row (constant s) with a greater T
-// than its neighbours. A search starts from each maximum that no neighbouring section exceeds.
+// T varies slowly along the line of contact and rapidly across it. In each section, which is a line
+// of constant z, the maxima of T are therefore computed first. The Newton steps along the profile
+// start at every row, which is a line of constant s, with a greater T than its neighbours. A search
+// then starts from each of these maxima that no neighbouring section exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

@@ -1,5 +1,5 @@
-// D is the part of flank 1 that lies opposite flank 2. Newton steps within the eight bounds of D
-// find the point at which T (gap_field.hpp) is greatest.
+// Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
+// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over D.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
@@ -48,7 +48,8 @@ class TouchSearch {
   /// must outlive this object.
   TouchSearch(const GapField& field, double mesh_azimuth, double reach);
 
-  /// Searches from (s, z) on flank 1, opposite s2 on flank 2, where the bounds `active` are active.
+  /// Searches from the point (s, z) of flank 1, opposite s2 on flank 2. `active` contains the
+  /// bounds that are active at this point.
   Touch from(double s, double z, double s2, const detail::ActiveSet& active) const;
   /// Searches from the best of nine points. If this search fails, cold() is used. The result is the
   /// greatest T if T has only one maximum.

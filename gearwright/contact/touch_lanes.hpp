@@ -42,7 +42,9 @@ struct LaneBlock {
   std::array<std::array<double, kLaneBlock>, kLaneOut> out{};
 };
 
-/// Does one step at all positions of a block. Both functions return the same bits.
+/// Does one step at all positions of a block.
+///
+/// Laws      both functions return the same bits
 void touch_step(LaneBlock& block);
 void touch_step_scalar(LaneBlock& block);
 

@@ -1,4 +1,5 @@
-// touch_step() without Google Highway, by the scalar code.
+// Implements touch_step() without Google Highway. A step uses the scalar code, which is also
+// the reference for the tests of the vector code.
 #include "gearwright/contact/touch_lanes.hpp"
 
 namespace gearwright::detail {

@@ -69,6 +69,8 @@ TEST(TouchSearch, a_flat_ridge_is_one) {
   EXPECT_NEAR(t.te, 0.0, 1e-15);
 }
 
+// If the gears are too far apart, no point of flank 1 lies opposite flank 2, and the result gives
+// this reason.
 TEST(TouchSearch, no_room) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 5.0;
@@ -78,7 +80,8 @@ TEST(TouchSearch, no_room) {
   EXPECT_EQ(Search(testing::involutes(20, 41, 0), 2.0).search.cold().stop, Touch::Stop::no_room);
 }
 
-// A search from the linear extrapolation of the last two touches needs one evaluation.
+// A search that starts at the linear extrapolation of the last two touches needs one evaluation. A
+// cold start needs more.
 TEST(TouchSearch, work) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);
@@ -97,7 +100,8 @@ TEST(TouchSearch, work) {
   EXPECT_EQ(s.search.count().evaluations, cold + b.evaluations + 1);
 }
 
-// A flank with hollow lead touches at both ends of the face, so T has two maxima.
+// A flank with hollow lead touches at both ends of the face. T has two maxima, and the greater one
+// is returned first.
 TEST(TouchSearch, every_maximum) {
   auto p = testing::involutes(20, 41, 0);
   FlankModifications m;

@@ -40,8 +40,9 @@ bool reaches_beyond_action(const ContactPair& pair) {
   for (const FlankPatch& p : pair.patches(2)) tip = std::min(tip, std::exp(p.u_lo));
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double r_b2 = two->base_radius(), between = r_b2 - one->base_radius();
-  // This point has the distance √(r_b2² + (a sin α_w)²) from axis 2, where a sin α_w is the length
-  // of the line of action between the base circles.
+  // The point at which the line of action touches the base circle of the pinion has the
+  // distance √(r_b2² + (a sin α_w)²) from axis 2. Here, a sin α_w is the length of the line of
+  // action between the base circles.
   return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
@@ -157,7 +158,8 @@ PairTouch Transmission::at(double phi) {
   phi -= whole * pair_.pitch();
   count_step(progress_);
   PairTouch best;
-  // WaveCrests finds no crests far beyond the path of contact, where a pair may still touch.
+  // WaveCrests finds no crests far beyond the path of contact. If no tooth pair has a crest, a pair
+  // beyond its path may still touch, so the whole flanks are searched.
   for (const bool of_crests : {true, false}) {
     if (of_crests && crests_.empty()) continue;
     if (best.found()) break;
@@ -212,8 +214,8 @@ std::vector<PairTouch> Transmission::every_of_pair_0(double phi) {
   return all;
 }
 
-// For every position, searches from the crests that may be the highest. All crests are estimated
-// first, beginning near the centre line, where teeth usually touch.
+// For every position, searches from those crests that may be the highest. The crests of all
+// tooth pairs are estimated first, beginning near the centre line, where teeth usually touch.
 void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best) {
   struct Start {
     detail::WaveCrests::Crest crest;
@@ -251,8 +253,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, WaveCrests overestimates T and may have excluded the highest
-    // crest. The position is then searched again by at().
+    // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may have
+    // excluded the crest that is in fact the highest. The position is then searched again by at().
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

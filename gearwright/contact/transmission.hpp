@@ -5,9 +5,10 @@
 //   N     frame of contact_pair.hpp
 //   TE(φ1) = max over pairs k of T(φ1 − k·2π/z1)                 [T8.2], docs/theory/08-contact.md
 //
-// The other pairs repeat the motion of tooth pair 0 with a delay of whole pitches. On convex
-// flanks, the greatest T is followed across the borders of patches. On other flanks, every pair of
-// patches is followed separately.
+// Only tooth pair 0 is followed through its whole range, because the other pairs repeat its motion
+// with a delay of whole pitches. On convex flanks, the greatest T is followed across the borders of
+// patches. On other flanks, every pair of patches is followed separately, and the greatest of their
+// T is used.
 #pragma once
 
 #include <array>
@@ -59,14 +60,16 @@ class Transmission {
   /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
   /// found far beyond the path of contact.
   PairTouch of_pair_0(double phi);
-  /// The touch of the tooth pair of `from`, on its patches, at the rotation φ of pair 0. The search
-  /// starts at `from`. Not found if these patches do not touch at that rotation.
+  /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
+  /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// Like follow(), but on convex flanks, the touch moves to the patches with the greatest T.
+  /// Like follow(), but on convex flanks with several patches, the touch moves to those patches on
+  /// which T of this tooth pair is greatest.
   PairTouch follow_pair(const PairTouch& from, double phi);
   /// True if follow_pair() crosses the borders of patches.
   bool crosses_patches() const { return convex_ && fields_.size() > 1; }
-  /// All local maxima of T of tooth pair 0, including maxima at a seam beyond which T rises.
+  /// All local maxima of T of tooth pair 0 on all pairs of patches. Maxima at a seam are included,
+  /// even if T rises beyond the seam.
   std::vector<PairTouch> every_of_pair_0(double phi);
 
   const ContactPair& pair() const { return pair_; }

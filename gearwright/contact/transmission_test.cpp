@@ -67,7 +67,8 @@ TEST(Transmission, lost_contact_is_a_fact) {
   EXPECT_TRUE(r.harmonics.empty());
 }
 
-// The TE curve of misaligned circular arcs is a saw tooth.
+// The TE curve of misaligned circular arcs is a saw tooth. Its peak to peak and its harmonics agree
+// with the values of the curve.
 TEST(Transmission, numbers_of_a_curve) {
   auto p = testing::arcs();
   p.place.errors.crossing = Angle::radians(2e-4);
@@ -88,6 +89,7 @@ TEST(Transmission, numbers_of_a_curve) {
   EXPECT_EQ(r.unfinished, 0);
 }
 
+// The amount of work is limited. A larger number means that the search has become slower.
 TEST(Transmission, work) {
   auto arcs = testing::arcs();
   arcs.place.errors.crossing = Angle::radians(2e-4);

@@ -9,13 +9,16 @@ namespace gearwright {
 
 namespace {
 
-// A tooth pair is followed until its T decreases and is below T of another pair by more than a
-// limit, rad. The limit is kBelow on convex flanks, where T has one maximum, and else kFarBelow.
+// A tooth pair is followed until its T decreases and is less than T of another pair by more
+// than a limit, rad. On convex flanks, T has only one maximum, and the limit is kBelow. On
+// other flanks, another maximum may follow, and the limit is kFarBelow.
 constexpr double kBelow = 1e-5;
 constexpr double kFarBelow = 2e-3;
 
-// Predicts the next touch by the polynomial through the last four touches. If the active bounds
-// change, the path of the touches has a kink, and only one touch before the change is used.
+// Predicts the point of the next touch by the polynomial through the last four touches at equal
+// steps. If the active bounds change, the path of the touches has a kink. In this case, only
+// the touches after the change and one before it are used. Each additional order of the
+// polynomial saves a step of the search.
 class PlaceAhead {
  public:
   explicit PlaceAhead(const Touch& t) { add(t); }
@@ -44,9 +47,10 @@ class PlaceAhead {
 
 }  // namespace
 
-// The touch with the greatest T of a convex flank at φ, searched from `from`. T over the flank is
-// concave, so it is the greatest if no pair of patches beyond an active border has a greater T. On
-// a ridge, both sides have the same T, and the lower index is used.
+// The touch with the greatest T of a convex flank at φ. The search starts at `from`, which is a
+// touch or a point near one. T over the flank is concave. The T of a touch is therefore the
+// greatest if no pair of patches beyond an active border has a greater T. On a ridge, both
+// sides have the same T, and the pair of patches with the lower index is used.
 PairTouch Transmission::climb(const PairTouch& from, double phi) {
   const int count = static_cast<int>(fields_.size());
   const int most_crossings = 2 * count;  // a limit that rounding errors cannot exceed
@@ -79,7 +83,8 @@ PairTouch Transmission::climb(const PairTouch& from, double phi) {
   return best;
 }
 
-// Follows a touch of tooth pair 0 and records the greatest T at each position in `best`.
+// Follows a touch through the positions of tooth pair 0. For each position of a pitch, the touch
+// with the greatest T is recorded in `best`.
 class Transmission::Track {
  public:
   Track(Transmission& all, double first, int n, double below, std::vector<PairTouch>& best)
@@ -105,7 +110,7 @@ class Transmission::Track {
 
   // Follows a touch from position m in one direction. `step` computes the touch at a rotation from
   // a predicted touch. The track ends if no touch is found, if T decreases and is well below T of
-  // another pair, or if `known` returns true, because another track contains this touch.
+  // another pair, or if `known` returns true because another track contains this touch.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;
@@ -158,7 +163,8 @@ PairTouch Transmission::first_touch(double phi) {
   return {};
 }
 
-// Follows the only maximum of T on convex flanks, which touch in one interval of rotation.
+// Follows the maximum of T on convex flanks, where T has only one maximum. These flanks touch in
+// only one interval of rotation.
 void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, first, n, kBelow, best);
   const int stride = std::max(1, n / 4);
@@ -169,7 +175,8 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
       track.offer(m, t);
       const auto never = [](int, const Touch&) { return false; };
       const auto step = [&](const PairTouch& start, double phi) { return climb(start, phi); };
-      // Rising T is followed first, so that the other direction ends early where T is well below.
+      // The direction in which T rises is followed first. The search in the other direction then
+      // ends early if T is well below the values in the first direction.
       const PairTouch ahead = follow(t, track.own(m + 1));
       const int uphill = ahead.found() && ahead.te() < t.te() ? -1 : 1;
       for (const int direction : {uphill, -uphill}) track.walk(m, t, direction, step, never);
@@ -178,9 +185,10 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
   }
 }
 
-// Follows the maxima of T for one pair of patches, which may touch in several intervals. Searches
-// of the whole flank at regular positions find the maxima. Each maximum is followed until it meets
-// another track. On uneven flanks, every position is searched, because a crest may touch only for a
+// Follows the maxima of T for one pair of patches, on flanks on which T may have several maxima
+// and which may touch in several intervals of rotation. Searches of the whole flank at regular
+// positions find the maxima. Each maximum is followed until it meets another track. On uneven
+// flanks, the whole flank is searched at every position, because a crest may touch only for a
 // small part of a pitch.
 void Transmission::follow_all(int fields, double first, int n, std::vector<PairTouch>& best) {
   Track track(*this, first, n, kFarBelow, best);

@@ -79,8 +79,8 @@ TEST(TransmissionTracks, relieved_flanks_have_the_greatest_touch_of_all_patches)
   for (int i = 0; i < 60; ++i) expect_greatest_touches(relieved(draw, i), i);
 }
 
-// These rings reach beyond the point at which the line of action touches the base circle of the
-// pinion, so T has a maximum at the tip as well.
+// The tips of these rings reach beyond the point at which the line of action touches the base
+// circle of the pinion, so T has a maximum at the tip as well.
 TEST(TransmissionTracks, tips_of_rings_beyond_the_line_of_action) {
   Draw draw(12);
   for (int i = 0; i < 24; ++i) {

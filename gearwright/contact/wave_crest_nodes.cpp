@@ -13,7 +13,8 @@ namespace {
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 constexpr int kAcross = 5;  // points examined over the profile if T may have several maxima there
 
-// A wave over the profile. Its phase advances from point to point, and its value is Im `at`.
+// A wave over the profile, as a complex number whose phase advances from point to point. The value
+// of the wave is the imaginary part of `at`.
 struct Phasor {
   Complex at{}, turn{}, faster{};
 };
@@ -40,7 +41,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2 = roll2_.along_x(y).at(x);
   const double roll2_s = roll2_s_.along_x(y).at(x);
   const double roll2_ss = roll2_ss_.along_x(y).at(x);
-  // The point of flank 1 opposite an end of flank 2; the vertex if the parabola does not reach it.
+  // The points of flank 1 that lie opposite the ends of flank 2. If the parabola does not reach an
+  // end, its vertex is used.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;

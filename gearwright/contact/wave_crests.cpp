@@ -99,9 +99,9 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
 }
 
 std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair) {
-  // With an error of the centre distance only, L_1 + L_2 (L_2 − L_1 for an internal gear) is
-  // `action`, the length of the line of action between the base circles. The pitch point has the
-  // roll angle s_w on flank 1.
+  // Without errors other than that of the centre distance, L_1 + L_2 (L_2 − L_1 for an internal
+  // gear) is `action`, the distance between the two points at which the line of action touches
+  // the base circles. The pitch point is the point of flank 1 with the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.mirror();
@@ -114,7 +114,8 @@ std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair
   path.from = std::max(one_.s_lo, least);
   path.to = std::min(one_.s_hi, greatest);
   if (!(path.from < path.to)) {
-    // An edge may touch a little beyond the path of contact. Further away, the patches never touch.
+    // An edge may touch a little beyond the path of contact, where the quadratic functions are not
+    // valid. Further away, the patches never touch.
     if (!(path.from - path.to < kBeyondPath * (greatest - least))) z_hi_ = z_lo_;
     return std::nullopt;
   }

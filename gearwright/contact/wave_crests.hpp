@@ -10,8 +10,9 @@
 //                                    theory: docs/theory/08-contact.md, [T8.28]
 //
 // On involutes with parallel axes, φ, T of the smooth flanks, and the point of flank 2 are
-// quadratic in x and y up to a small fraction of a micron. They are interpolated from nine exact
-// ridges. The waves are added in closed form, with one Newton step along the profile.
+// quadratic functions of x and of y up to a small fraction of a micron. These functions are
+// interpolated from nine exact ridges. The waves are added in closed form, with one Newton step
+// along the profile.
 //
 // Internal to contact/.
 #pragma once
@@ -26,9 +27,9 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if there is no wave, or if the quadratic functions are not valid. They require involutes
-  /// without topography on parallel axes, nine exact ridges, and an error half way between the
-  /// ridges of at most a hundredth of the amplitude of the waves.
+  /// None if there is no wave, or if the quadratic functions are not valid. They are valid for
+  /// involutes without topography on parallel axes, if all exact ridges can be computed, and if the
+  /// error half way between the ridges is at most a hundredth of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -37,12 +38,13 @@ class WaveCrests {
     double te;    ///< T  rad, as estimated
     double s, z;  ///< on flank 1
   };
-  /// The crests of tooth pair 0 in order of z. Crests with T below `least` may be missing.
+  /// The crests of tooth pair 0 at a rotation, in order of z. Crests that cannot reach a T of
+  /// `least` may be missing.
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of another
-  /// crest is greater by more than this margin.
+  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of
+  /// another crest exceeds its own by more than this margin.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -68,7 +70,8 @@ class WaveCrests {
     bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   using Ridges = std::array<std::array<Ridge, 3>, 3>;  // [y + 1][x + 1]
-  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function.
+  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function of s
+  // and z.
   struct Path {
     double from = 0.0, to = 0.0;      // range of s
     double phi = 0.0;                 // in the middle of the range, at z_mid_
@@ -79,7 +82,8 @@ class WaveCrests {
   // path, and apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
-  // Moves the ends of the path to exact ridges. False if a ridge fails, or if the path is empty.
+  // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge
+  // cannot be computed, or if the path is empty.
   bool adjust(GapField& field, Path& path);
   // The exact ridge at a point, for smooth flanks; none if the search does not converge.
   std::optional<Ridge> solve(GapField& field, double s, double z, double phi) const;

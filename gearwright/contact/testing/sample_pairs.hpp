@@ -41,7 +41,7 @@ inline Gear involute_gear(int teeth, double helix_deg, double face) {
   return g.internal() ? *cut_by_default(g) : g;
 }
 
-/// m = 2 mm, no backlash, face widths of 20 and 18 mm. If z2 < 0, gear 2 is internal.
+/// A pair with m = 2 mm, no backlash and faces of 20 and 18 mm. If z2 < 0, gear 2 is internal.
 inline SamplePair involutes(int z1, int z2, double helix_deg) {
   SamplePair p{
       {involute_gear(z1, helix_deg, 20), involute_gear(z2, z2 < 0 ? helix_deg : -helix_deg, 18)},
@@ -53,7 +53,8 @@ inline SamplePair involutes(int z1, int z2, double helix_deg) {
   return p;
 }
 
-/// Cut by the racks F and P. 16 and 48 teeth, m_n = 4 mm, β = 20°, faces of 1.3 axial pitches.
+/// A pair cut by the racks F and P, with 16 and 48 teeth, m_n = 4 mm, β = 20° and face widths of
+/// 1.3 axial pitches.
 inline SamplePair arcs() {
   const auto gear = [](int teeth, double helix_deg, ArcRack::Cutter cutter) {
     CylindricalSpec s = testing::plain_spec(
