@@ -45,9 +45,10 @@ double lagrange_slope(int i, double x) {
   return sum;
 }
 
-// A range of columns that includes all columns of a load matrix that are not zero. It consists of
-// whole panels of kPanel columns and is never a single column, because Eigen adds their terms in
-// another order. The rounding of a column must not depend on zeros in other columns.
+// A range of columns, begin … begin + count − 1, that includes all columns of a matrix of loads
+// that are not zero. The range consists of whole panels of kPanel columns and has more than one
+// column. Eigen would add up the terms of a narrower panel or of a single column in another order,
+// but the rounding of a column must not depend on zeros in other columns.
 struct LoadedColumns {
   Index begin = 0, count = 0;
 
@@ -71,7 +72,8 @@ struct LoadedColumns {
 
 }  // namespace
 
-// Stiffness of an element whose inner nodes (i) are eliminated, with its ends (e) and r modes.
+// The stiffness matrices of an element after elimination of the inner nodes (i), which leaves the
+// ends (e). r is the number of modes.
 struct Face::Element {
   Eigen::LLT<MatrixXd> inner;  // 2r × 2r
   MatrixXd inner_to_ends;      // K_ie
@@ -176,7 +178,9 @@ void Face::solve(MatrixXd& x) const {
   const auto part = [&](Index i, const LoadedColumns& c) {
     return x.block(i * r, c.begin, r, c.count);
   };
-  // Eliminates the inner nodes. Each column is a load on one slice, so most elements have no load.
+  // In each element, the loads at the inner nodes are transferred to the ends, and the
+  // displacements of the inner nodes are computed for fixed ends. Each column is a load on one
+  // slice, so it is zero in most elements.
   for (Index e = 0; e < n; ++e) {
     const Index i = e * kDegree;
     LoadedColumns here;

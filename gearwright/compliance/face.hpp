@@ -4,7 +4,8 @@
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element with the shape functions N
 //
-// Eliminating the two inner nodes of each element leaves a block-tridiagonal system. Both end faces
+// The two inner nodes of each element are eliminated first, which leaves a block-tridiagonal
+// system. All elements have the same length, so this elimination is done once. Both end faces
 // z = const are unconstrained.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
@@ -27,13 +28,16 @@ class Face {
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
-  /// Weights of the nodal values that give the value at z, its slope, and the mean over [lo, hi].
+  /// Weights of the nodal values that give the value at z.
   Eigen::VectorXd at(double z) const;
+  /// Weights of the nodal values that give the slope at z.
   Eigen::VectorXd slope_at(double z) const;
+  /// Weights of the nodal values that give the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
-  /// Replaces each column, which is a load, by the amplitudes under this load. A column lists all
-  /// modes at the first node, then all modes at the second, and so on. The amplitudes at the inner
-  /// nodes of an element lack the part that the amplitudes at its ends cause.
+  /// Solves in place: each column contains a load and is replaced by the amplitudes under this
+  /// load. A column lists all modes at the first node, then all modes at the second, and so on.
+  /// In the result, the amplitudes at the inner nodes of an element lack the part that the
+  /// amplitudes at its ends cause.
   void solve(Eigen::MatrixXd& columns) const;
   /// Returns `weights`ᵀ times the amplitudes at each node, including the missing part at the
   /// inner nodes. `columns` is a result of solve().

@@ -35,7 +35,8 @@ struct BumpPlace {
   double s, c;
 };
 
-/// The bump at s, with its force along the inward normal of the flank, a screw surface if τ ≠ 0.
+/// The bump at s, with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
+/// of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
 /// The bump at s, with its force along the gear axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);

@@ -5,14 +5,16 @@
 //   R² = Δs² + 2g Δs Δz + G Δz²   metric of the flank; g = 0 and G = 1 for a spur gear
 //                                               theory: docs/theory/12-loaded-contact.md, [T12.10]
 //
-// Forces act on slices of the face, and displacements are means over slices. The integrals use the
-// second integral of 1/R over z, F(x, z) = z asinh(z/|x|) − √(x² + z²).
+// Forces are distributed over slices of the face, and displacements are means over slices. The
+// integrals use F(x, z) = z asinh(z/|x|) − √(x² + z²), the second integral of 1/R with respect to
+// z.
 #pragma once
 
 #include <vector>
 
 namespace gearwright::detail {
 
+/// Metric of the flank in terms of arc length s and height z.
 struct FlankMetric {
   double sz = 0.0;  ///< g
   double zz = 1.0;  ///< G
@@ -30,10 +32,12 @@ struct Offsets {
 };
 /// The quadrature rule for ∫∫ b_c(x) b_c′(x′) f(Δs + x′ − x) dx dx′.
 Offsets bump_offsets(double ds, double c, double c_other);
-/// The quadrature rule for the mean of f(x), weighted by the Hertz pressure. x = 0 is the centre.
+/// The quadrature rule for the mean of f(x) over a Hertz strip, weighted by the pressure. x is the
+/// distance from the centre line of the strip.
 Offsets hertz_offsets(double a);
 
-/// Mean of 1/R between slices of width h, whose middles are d apart along z and `offset` along s.
+/// Mean of 1/R between the points of two slices of width h. The slices are d apart along z,
+/// measured between their middles, and `offset` apart along s.
 double slices_inverse(const FlankMetric& metric, double offset, double d, double h);
 /// Mean of 1/R between the points of a slice [z_lo, z_hi] and a point at z, `offset` apart along s.
 double slice_to_point(const FlankMetric& metric, double offset, double z, double z_lo, double z_hi);

@@ -12,13 +12,15 @@ namespace {
 
 constexpr double kElement = 0.5;        // modules: length of an element along the face
 constexpr double kHalfWidth = 0.05;     // modules: default half width of the Hertz strip
-constexpr double kOnFace = 1e-9;        // rounding of positions, relative to half the face width
+constexpr double kOnFace = 1e-9;        // relative to half the face width: tolerance for rounded
+                                        // positions
 constexpr double kNearestToTip = 0.02;  // modules: least distance of the load from the tip
 
 using detail::FlankMetric;
 
-// The indentation under a Hertz strip minus the indentation under a bump, at a position or as a
-// mean over the loaded part of the face. Mirror images of the load at both ends are included.
+// The indentation of a half space under a Hertz strip minus the indentation under a bump. This
+// difference is computed at a position on the face, or as the mean over the loaded part of the
+// face. The mirror images of the load at both ends of the face are included.
 class Local {
  public:
   Local(const FlankMetric& metric, double c, double a, double nu)

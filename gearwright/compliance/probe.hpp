@@ -11,7 +11,8 @@
 
 namespace gearwright {
 
-/// A load on the flank at y > 0 of tooth 0, which is the flank that the verb `outline` prints.
+/// The position of the load on the flank at y > 0 of tooth 0. The verb `outline` prints the same
+/// flank.
 struct ComplianceProbe {
   double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
   std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,
@@ -30,12 +31,14 @@ struct ProbeAnswer {
   bool wide = false;            ///< true for an infinitely wide gear, in plane strain
 };
 
+/// Computes the compliance of a tooth of the gear at the position of the probe.
+///
 /// Errors    as make_section_mesh; `diameter` if it does not lie on the flank; `z` and
 ///           `read_z` if they do not lie on the face
 Result<ProbeAnswer> probe_compliance(const Gear& gear, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
-/// The compliance of a tooth with the transverse section of the gear but another helix. `twist` is
-/// the rotation of the section along the face, rad/mm.
+/// Computes the compliance of a tooth that has the transverse section of the gear but another
+/// helix. The section of this tooth turns by `twist` along the face, rad/mm.
 Result<ProbeAnswer> probe_compliance(const Gear& gear, double twist, const ElasticBody& body,
                                      const ComplianceProbe& probe, ComplianceAccuracy accuracy);
 

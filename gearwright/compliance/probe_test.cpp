@@ -44,10 +44,12 @@ TEST(ToothCompliance, InTheSectionAgreesWithTriangles) {
   }
 }
 
-// The closed form is compared with the value that the reference prints for this part.
+// The compliance includes the twist of the body. Its closed form is compared with the value that
+// the reference prints for this part.
 TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(12.5 * std::cos(20 * M_PI / 180), 6.0, 11.25, 0.3), 0.567, 5e-4);
-  // The ring is held at its outside. Its rotation is the integral of dφ = M/(2πG) dr/r³.
+  // The ring is held at its outside. Its rotation is the integral of dφ = M/(2πG) dr/r³, starting
+  // at the root.
   constexpr int kSteps = 1000;
   const double step = (33.75 - 31.25) / kSteps;
   double sum = 0.0;
@@ -56,8 +58,9 @@ TEST(ToothCompliance, TwistOfTheBodyInClosedForm) {
   EXPECT_NEAR(body_twist(28.0, 33.75, 31.25, 0.3), want, 1e-6 * want);
 }
 
-// Two teeth in contact at the pitch point, for 300 N/mm, m = 5 and rims 4 modules thick, without
-// the twist of the bodies. c'_th of ISO 6336-1 approximates the formulas of Weber and Banaschek.
+// The stiffness of two teeth in contact at the pitch point, for 300 N/mm, m = 5 and rims 4 modules
+// thick, without the twist of the bodies. It is compared with independent finite elements and with
+// c'_th of ISO 6336-1, which approximates the formulas of Weber and Banaschek.
 TEST(ToothCompliance, StiffnessOfAPairIsThatOfTheStandard) {
   struct Row {
     int z1, z2;
@@ -120,7 +123,8 @@ TEST(ToothCompliance, AlongTheFaceAgreesWithBricks) {
                  0.03);
 }
 
-// Errors are relative to the greatest displacement, which occurs under the load.
+// Compliance at the obtuse and acute ends of a helical tooth. Errors are relative to the greatest
+// displacement, which occurs under the load.
 TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   const double twist = std::tan(20 * M_PI / 180) / 12.5;
   const std::vector<double> z{0, 2, 4, 6, 8, 10};
@@ -130,7 +134,9 @@ TEST(ToothCompliance, AlongAHelicalFaceAgreesWithBricks) {
   expect_profile(twist, 12.5, 4.5, z, {0.114, 0.362, 1.097, 0.883, 0.309, 0.094}, 0.04);
 }
 
-// The error is 0.9 % of the greatest displacement of a row, and 1.8 % at the acute end.
+// Compliance with a helix angle of 45° at both ends and in the middle of the face, including the
+// point under the load. The error is 0.9 % of the greatest displacement of a row, and 1.8 % at the
+// acute end.
 TEST(ToothCompliance, AlongASteepHelixAgreesWithBricks) {
   const auto data = nlohmann::json::parse(
       std::ifstream(testing::source_file("tests/oracle/bricks/tooth_bricks.json")));
@@ -200,6 +206,7 @@ TEST(ToothCompliance, OfOneToothIsSymmetricAndPositive) {
   }
 }
 
+// A table of some slices contains the same coefficients as a table of all slices of the face.
 TEST(ToothCompliance, OfPartOfTheFaceIsPartOfThatOfTheFace) {
   for (const double twist : {0.0, 0.012}) {
     auto section =

@@ -14,8 +14,9 @@ namespace gearwright::detail {
 struct RootPoints {
   std::vector<double> t;                    ///< position along the outline (section_mesh.hpp)
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
-  /// Stresses at the points of teeth −1, 0 and 1, due to each mode and due to its slope along the
-  /// face. Each point has six rows, one for each component.
+  /// Stresses at the points of teeth −1, 0 and 1: due to each mode (`of_mode`), and due to the
+  /// slope of each mode along the face (`of_slope`). Each point has six rows, one for each
+  /// component.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 

@@ -12,7 +12,8 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // least Jacobian at a node, relative to the middle of the element
+constexpr double kPoint = 1e-4;  // least Jacobian determinant at a node, as a fraction of the value
+                                 // in the middle of the element, for computing slopes at the node
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -23,7 +24,7 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// Sparsity pattern of the stiffness matrices: a 3 × 3 block for nodes that share an element.
+// The sparsity pattern of the stiffness matrices. Nodes that share an element have a 3 × 3 block.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -37,7 +38,7 @@ class BlockPattern {
         first_.push_back(first_.back() + 3 * static_cast<int>(list.size()));
     }
   }
-  // The index of the first row of node i in column c of node j.
+  // The index of the first of the three rows of node i, in column c of node j.
   Eigen::Index place(int i, int j, int c) const {
     const auto& list = beside_[j];
     const auto rank = std::lower_bound(list.begin(), list.end(), i) - list.begin();
@@ -216,6 +217,7 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
       place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
       parts_->free.push_back(3 * i + c);
     }
+  // All three matrices have an entry for every two degrees of freedom that share an element.
   const Sparse back = matrices.ab.transpose();
   const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());

@@ -44,7 +44,8 @@ SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, do
 /// The trace ε_x + ε_y of each displacement field, averaged over the elements at each node and
 /// stored as the component w of the node. At the bore, it is 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
-/// Displacement waves of the wave number k at unconstrained nodes. [T12.6], [T12.18]
+/// Solves for displacements that vary along the face as waves with the wave number k. Only
+/// unconstrained nodes are included. [T12.6], [T12.18]
 ///
 ///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
 ///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ
@@ -53,7 +54,8 @@ class StripSolver {
  public:
   using Fields = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// Domain    `matrices` made with `wave` true if Scalar is real, and false if it is complex
+  /// If Scalar is double, `matrices` must be made with `wave` true. If Scalar is complex, they
+  /// must be made with `wave` false.
   StripSolver(const SectionMesh& mesh, const SectionMatrices& matrices);
   ~StripSolver();
   /// Displacements of all degrees of freedom under the columns of `loads`. If k = 0 and τ = 0, the

@@ -28,7 +28,8 @@ double arc_length(const Arc& arc) {
   return arc.begin == arc.end ? 0.0 : ArcLength(*arc.curve, arc.begin, arc.end).length();
 }
 
-// Distributes elements among the arcs with this name by their length, at least one to each arc.
+// Distributes a number of elements among all arcs with the same name, in proportion to their
+// length. Each arc receives at least one element.
 void share_out(std::vector<Part>& parts, ArcName name, int elements) {
   double sum = 0.0;
   for (const Part& p : parts)
@@ -38,7 +39,7 @@ void share_out(std::vector<Part>& parts, ArcName name, int elements) {
       p.elements = std::max(1, static_cast<int>(std::lround(elements * arc_length(p.arc) / sum)));
 }
 
-// Merges nodes that two blocks have in common.
+// Adds nodes. Nodes that two blocks have in common are merged.
 class Nodes {
  public:
   explicit Nodes(std::vector<Complex>& nodes) : nodes_(nodes) {}
@@ -87,7 +88,7 @@ class Builder {
  public:
   explicit Builder(SectionMesh& mesh) : mesh_(mesh), nodes_(mesh.nodes) {}
 
-  // Returns the nodes of the block in the order of its points.
+  // Adds the elements of a block and returns its nodes in the order of the points.
   std::vector<int> add(const Block& b) {
     std::vector<int> id(b.points.size());
     for (std::size_t k = 0; k < id.size(); ++k) id[k] = nodes_.add(b.points[k]);

@@ -71,7 +71,9 @@ struct SectionMesh {
   double to_tip = 1.25;
   std::vector<double> lengths;  ///< arc lengths at kLengthSteps positions per element
 };
-/// Domain    0 < bore_radius (contract); for an internal gear, the outside radius of the rim
+/// Makes the mesh. For an internal gear, `bore_radius` is the outside radius of the rim.
+///
+/// Domain    0 < bore radius (contract)
 /// Errors    `bore.diameter` if no rim remains; `teeth` if elements fold, which happens if the
 ///           outline is too undercut or too pointed for this mesh
 Result<SectionMesh> make_section_mesh(const Outline& outline, double module, double bore_radius,

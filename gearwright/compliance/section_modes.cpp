@@ -14,7 +14,8 @@ namespace {
 // Wave numbers along the face, per module, without k = 0. The wave number 0.15 means a wavelength
 // of 42 modules, and 13 means half a module.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
-// Waves along the helix. Without them, the root stress of a 17:43 pair at β = 20° is 6 % too high.
+// Wave numbers of the waves that follow the helix. Without such waves, the root stress of a 17:43
+// pair with β = 20° is 6 % too high.
 constexpr std::array kHelixWaves{0.5, 2.0, 6.0};
 constexpr double kNoEnergy = 1e-20;  // snapshots with less energy are ignored
 
@@ -24,7 +25,9 @@ Eigen::MatrixXd columns(const std::vector<Functional>& list, Eigen::Index n) {
   return m;
 }
 
-// The rows of u and v if `in_plane`, otherwise the rows of w. A wave does not couple their energy.
+// Returns the rows with the displacements in the plane of the section (u, v) if `in_plane`,
+// otherwise the rows with the displacements along the axis (w). The energy of a wave does not
+// couple these two groups.
 RowMajor part(const RowMajor& fields, bool in_plane) {
   const Eigen::Index nodes = fields.rows() / 3;
   RowMajor out(in_plane ? 2 * nodes : nodes, fields.cols());
@@ -77,8 +80,9 @@ RowMajor side_by_side(const std::vector<Eigen::MatrixXd>& fields) {
   return all;
 }
 
-// Waves, plane strain and plane stress, and the warping due to plane strain and to plane stress,
-// which accounts for the unloaded end faces. If τ ≠ 0, waves under axial loads are added.
+// Displacement fields of a spur section: waves, plane strain, plane stress, and the warping due
+// to plane strain and to plane stress. The warping accounts for the unloaded end faces. If τ ≠
+// 0, waves under axial loads are added.
 std::vector<Eigen::MatrixXd> fields_of_a_spur(const SectionMesh& mesh, const SectionMatrices& wave,
                                               double nu, const std::vector<BumpPlace>& places,
                                               double tau, Progress* progress) {
@@ -128,7 +132,8 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const S
 }
 
 // The products of a matrix and the modes: the rows of u and v, and the rows of w. The first modes
-// are `across`, in the plane of the section, and the others are `along`, parallel to the axis.
+// consist of the displacements `across` in the plane of the section, and the others of the
+// displacements `along` the axis.
 std::array<RowMajor, 2> product(const Sparse& matrix, const RowMajor& across,
                                 const RowMajor& along) {
   const Eigen::Index modes = across.cols() + along.cols();

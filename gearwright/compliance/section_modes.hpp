@@ -24,14 +24,15 @@ struct SectionModes {
   Eigen::MatrixXd fields;  ///< Φ, with a column per mode and 3·nodes rows
   ModeMatrices matrices;   ///< in coordinates that turn with the helix
 };
-/// `places` are on the flank. If τ ≠ 0, waves along the helix are included. A mode is dropped if
-/// its singular value is below `tolerance` times the greatest singular value. Each solved field and
-/// each matrix counts as one step of `progress`.
+/// Computes the modes for loads at `places` on the flank. For a helical gear (τ ≠ 0), waves along
+/// the helix are included. A mode is dropped if its singular value is below `tolerance` times the
+/// greatest singular value. Each solved field and each matrix counts as one step of `progress`.
 SectionModes section_modes(const SectionMesh& mesh, double poisson_ratio,
                            const std::vector<BumpPlace>& places, double tau, double tolerance,
                            Progress* progress = nullptr);
 
-/// Displacements in plane strain under loads that are uniform along the face, without modes.
+/// Displacements of the section in plane strain under loads that are uniform along the face. The
+/// displacements are computed directly, without modes.
 Eigen::MatrixXd plane_strain(const SectionMesh& mesh, double poisson_ratio,
                              const std::vector<Functional>& loads);
 

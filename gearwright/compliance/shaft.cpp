@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-// Bending stiffness E I and shear stiffness κ G A.
+// Stiffness of a shaft section: bending stiffness E I and shear stiffness κ G A.
 struct ShaftSection {
   double bending, shear;
 };
@@ -108,7 +108,8 @@ ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                              [](const ShaftState& s, double value) { return s.z < value; });
   };
 
-  // A rigid motion of the shaft is added so that the deflections of shaft and bearings are equal.
+  // A rigid displacement and a rigid rotation of the shaft are added, so that the deflection of
+  // the shaft at each bearing equals the deflection of this bearing.
   std::array<double, 2> off{};
   for (std::size_t i = 0; i < 2; ++i) {
     const double place = shaft.bearing_stiffness ? -R[i] / (*shaft.bearing_stiffness)[i] : 0.0;
@@ -138,8 +139,9 @@ std::vector<double> shaft_twist(const Shaft& shaft, double torque, double body, 
   twist.reserve(z.size());
   for (const double place : z) {
     GW_EXPECTS(place >= lo && place <= hi);
-    // The torque decreases linearly over the face width b from the end at which it acts. Its
-    // integral from 0 to t is t (1 − t/(2b)) times the whole torque.
+    // t is the distance from the end at which the torque acts. From this end, the torque
+    // decreases linearly to 0 over the face width b. Its integral from 0 to t is t (1 − t/(2b))
+    // times the whole torque.
     const double t = left ? place - lo : hi - place;
     twist.push_back(torque * t * (1 - t / (2 * (hi - lo))) * per_length);
   }

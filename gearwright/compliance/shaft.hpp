@@ -6,8 +6,9 @@
 //   I, A       second moment and area of a section of diameter d
 //   κ          shear coefficient of a solid circle, 6(1 + ν)/(7 + 6ν) (Cowper 1966)
 //
-// Between the points at which section or load change, deflection and twist are polynomials. A shaft
-// on two bearings is statically determinate.
+// Section and load change only at certain points. Between these points, deflection and twist are
+// polynomials, which are evaluated in closed form. A shaft on two bearings is statically
+// determinate.
 //                                                          theory: docs/theory/11-rating.md
 #pragma once
 
@@ -41,7 +42,9 @@ struct ShaftLoad {
   double lo = 0.0, hi = 0.0;  ///< z of the ends of the face, mm
 };
 
-/// Reactions on the shaft, N, in the direction of w.   Domain: shaft.possible() (contract)
+/// Reaction forces of the bearings on the shaft, N, in the direction of w.
+///
+/// Domain    shaft.possible() (contract)
 std::array<double, 2> bearing_reactions(const Shaft& shaft, const ShaftLoad& load);
 
 struct ShaftDeflection {
@@ -57,7 +60,9 @@ struct ShaftDeflection {
 ShaftDeflection shaft_deflection(const Shaft& shaft, const ShaftLoad& load,
                                  const std::vector<double>& z);
 
-/// 1/(G I_p) of a solid body of the diameter `body`, rad/(N mm²)  [T11.51]
+/// Twist per torque and length of a solid body of the diameter `body`, 1/(G I_p)  rad/(N mm²).
+///
+/// Formula   [T11.51]
 double shaft_twist_per_length(const Shaft& shaft, double body);
 
 /// Twist of a gear at each z of its face, rad, relative to the end of the face at which the torque

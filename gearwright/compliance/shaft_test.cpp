@@ -100,7 +100,8 @@ RandomShaft random_shaft(std::mt19937& random) {
   return r;
 }
 
-// `parts` elements in each interval between ends, and the deflection w at the nodes.
+// Nodes of a mesh with `parts` elements in each interval between ends, and the deflection w at the
+// nodes.
 struct BeamMesh {
   std::vector<double> z, w;
 };
@@ -183,7 +184,8 @@ TEST(Shaft, BendingAgreesWithHermiteElements) {
   }
 }
 
-// The error of linear elements is a series in even powers of h. Two meshes remove the term in h².
+// The error of linear elements is a series in even powers of h. Combining two meshes removes the
+// term in h².
 TEST(Shaft, ShearAgreesWithLinearElements) {
   constexpr int kParts = 12;
   std::mt19937 random(11);
@@ -220,6 +222,7 @@ TEST(Shaft, LawsOfScale) {
   }
 }
 
+// The twist is compared with a sum over thin discs, for both sides of the torque.
 TEST(Shaft, TwistOfThinDiscs) {
   Shaft s = plain_shaft(-60, 60, 40);
   constexpr double T = 2e5, b = 40, body = 55;

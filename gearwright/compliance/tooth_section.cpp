@@ -11,8 +11,10 @@ namespace {
 constexpr int kPlaces = 8;           // positions along the flank
 constexpr int kRadii = 400;          // steps of radius_lengths, interpolation error 1e-5 modules
 constexpr double kBump = 0.3;        // modules: half width of a bump
-constexpr double kFromRoot = 0.12;   // modules: lowest position, from the start of the flank
-constexpr double kFromTip = 0.16;    // modules: highest position, from the end of the flank
+constexpr double kFromRoot = 0.12;   // modules: distance of the lowest position from the start of
+                                     // the flank
+constexpr double kFromTip = 0.16;    // modules: distance of the highest position from the end of
+                                     // the flank; the tables are extrapolated beyond this position
 constexpr double kInsideTip = 0.98;  // greatest half width of a bump, relative to its distance from
                                      // the end of the flank
 
@@ -51,8 +53,8 @@ SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccura
     o.to_outline = 1.6;
   }
   // The flanks of an internal gear are longer, and their deflection near the root is small. For 40
-  // teeth, the options above cause an error of 2.4 % at the root. The following options cause 1 %
-  // there, and 0.4 % at a fifth of the flank above the root.
+  // teeth, the options above cause an error of 2.4 % at the root. The following options cause an
+  // error of 1 % at the root, and of 0.4 % at a fifth of the flank above the root.
   if (gear.internal()) {
     o.flank += 2;
     o.rim = 3;

@@ -1,5 +1,6 @@
-// The section of a tooth: the mesh, the positions on the flank for the tables, and the modes. These
-// data depend on the outline and the helix but not on the face width.
+// The section of a tooth for the computation of the compliance: the mesh, the positions on the
+// flank that the tables use, and the modes. These data depend on the outline and the helix but not
+// on the face width.
 //
 //   Lengths are in normal modules, and E = 1. A compliance is E·u·m_n/F, or E·u/F′ in plane strain.
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -17,6 +18,7 @@ namespace gearwright {
 /// `draft` uses a coarser mesh and fewer modes than `full` and is two to three times as fast.
 enum class ComplianceAccuracy { full, draft };
 
+/// The properties of the body of a gear on which the compliance depends.
 struct ElasticBody {
   double bore_diameter = 0.0;  ///< mm, diameter at which the body is fixed; for an internal gear,
                                ///< the outside diameter of the rim
@@ -43,7 +45,8 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-/// `twist` is the rotation of the section along the face, rad/mm.
+/// Mesh options for the section of a gear. `twist` is the rotation of the section along the face,
+/// rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 

@@ -17,7 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kElement = 0.5;     // modules: length of an element along the face
-constexpr double kImageReach = 2.0;  // modules: farther images of bump and strip are equal
+constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
+                                     // cause equal displacements
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
@@ -66,7 +67,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   const Index r = face.mode_count();
   const Index nodes = face.node_count();
   const Index n3 = s.modes.fields.rows();
-  // Projections onto the modes of loads on tooth 0 and of displacements on teeth −side … side.
+  // Projections onto the modes: of loads at the positions on tooth 0, and of displacements at the
+  // positions on teeth −side … side.
   MatrixXd load(r, places_);
   MatrixXd read(r, places_ * (2 * side + 1));
   for (int i = 0; i < places_; ++i) {
@@ -169,7 +171,8 @@ void ToothTable::make(const ToothTableRequest& request) {
   }
 }
 
-// Subtracts H[b, b] under the bumps and computes H[a, a] under the Hertz strip.
+// Subtracts H[b, b], which is the indentation under the bumps, and computes H[a, a], which is the
+// indentation under the Hertz strip along the contact line.
 void ToothTable::make_local(const ToothTableRequest& request) {
   using namespace detail;
   const ToothSection& s = *section_;
@@ -215,7 +218,8 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
     }
   });
-  // H[a, a] along the contact line. All positions use the metric of the middle of the flank.
+  // H[a, a] along the contact line, including the mirror images at the ends of the face. The metric
+  // in the middle of the flank is used for all positions.
   const Offsets o = hertz_offsets(request.half_width);
   const double per = request.line_per_height;
   const FlankMetric along{0.0, per * per};

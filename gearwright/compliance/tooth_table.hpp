@@ -1,5 +1,6 @@
-// Tables of influence coefficients between positions on the flank of a tooth, for slices of the
-// face and positions along the flank. The tables hold for all rotations, torques and errors.
+// Tables of influence coefficients between positions on the flank of a tooth. The positions are
+// given by slices of the face and positions along the flank. The same tables are used for all
+// rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
 //                                                theory: docs/theory/12-loaded-contact.md
@@ -52,9 +53,10 @@ class ToothTable {
   const detail::ToothSection& section() const { return *section_; }
   /// Coefficients C between the slices of one contact line, as a symmetric matrix.
   Eigen::MatrixXd same_tooth(const LinePlaces& line) const;
-  /// Coefficients for displacements on the line `read` of tooth k ≠ 0 (rows) under forces on the
-  /// line `loaded` of tooth 0 (columns). If |k| > side_teeth(), the coefficients of the farthest
-  /// meshed tooth are returned, because only the rotation of the body has an effect there.
+  /// Coefficients for displacements on the line `read` of tooth k (≠ 0) under forces on the line
+  /// `loaded` of tooth 0. Rows are slices of `read`, and columns are slices of `loaded`. If |k|
+  /// exceeds side_teeth(), the result for the farthest tooth in the finite-element mesh is
+  /// returned, because only the rotation of the body has an effect at such distances.
   Eigen::MatrixXd other_tooth(int k, const LinePlaces& read, const LinePlaces& loaded) const;
   int side_teeth() const { return section_->mesh.side_teeth; }
   int slices() const { return n_; }
@@ -64,9 +66,10 @@ class ToothTable {
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   /// Distributes a unit force at a position over the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// Displacement on tooth k, averaged with the weights `read`, under the forces `loaded` on tooth
-  /// 0. It is the sum of the first two terms of [T12.9], without the deformation at the contact
-  /// itself. The mirror images in H[b, b] at the ends of the face are omitted, as is H[a, a].
+  /// Displacement on tooth k under the forces `loaded` on tooth 0, averaged with the weights
+  /// `read`. It does not include the deformation at the contact itself, and is the sum of the first
+  /// two terms of [T12.9]. The mirror images in H[b, b] at the ends of the face are omitted,
+  /// because the result contains no H[a, a] with corresponding images.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
   /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces
   /// on the grid of tooth 0. `stress` has six rows per point and a column per slice.
@@ -91,7 +94,8 @@ class ToothTable {
   std::vector<double> middles_;             // middles of the slices
   std::vector<double> same_;                // C_FE − H[b, b] of one tooth, in the order
                                             // [load slice][read slice][load place][read place]
-  std::vector<double> image_;               // images of H[b, b] at the ends of the face, as same_
+  std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
+                                            // ends of the face
   std::vector<std::vector<double>> other_;  // C_FE of teeth −side … side, without tooth 0
   Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
