@@ -9,9 +9,10 @@
 //                                                                            [T12.2], [T12.3]
 //   w_i = Σ_j A_ij p_j + λ ln(a0/a_i) p_i,    a_i = √(4 p_i R_i/(π E*))      [T12.12]
 //
-// An active set method with Newton steps [T12.14] removes places with tension from the set of
-// loaded places and adds places at which the bodies overlap. The solution is unique, because A is
-// symmetric and positive definite, and because the local term is monotone.
+// The loads are computed by an active set method with Newton steps [T12.14]. Each step removes
+// places with tension from the set of loaded places, and adds places at which the bodies overlap.
+// The solution is unique, because A is symmetric and positive definite, and because the local term
+// is monotone.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,9 +35,10 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// No place was added or removed, and the last step was below 1e-11 of the greatest load or
-    /// below the rounding error that is caused by cancelling terms. A rounding error of up to a
-    /// thousandth of the greatest load is accepted.
+    /// No place was added to the loaded places or removed from them, and the last step was
+    /// small. A step is small if it is below 1e-11 of the greatest load, or below the rounding
+    /// error that is caused by cancelling terms. A rounding error of up to a thousandth of the
+    /// greatest load is accepted.
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
     too_long     ///< the limit of steps was reached
@@ -51,8 +53,9 @@ struct ContactSolution {
   bool found() const { return stop == Stop::converged; }
 };
 
-/// The iteration starts from the loads `start`, N/mm, or from equal loads if `start` is empty.
-/// Apart from rounding errors, the solution does not depend on `start`.
+/// Solves the problem. The iteration starts from the loads `start`, N/mm, for example from the
+/// solution of a similar problem. If `start` is empty, all places start with the same load. Apart
+/// from rounding errors, the solution does not depend on `start`.
 ///
 /// Domain    at least one place; moment > 0; one start load ≥ 0 for each place (contract)
 ContactSolution solve_contact(const ContactProblem& problem, const Eigen::VectorXd& start = {});

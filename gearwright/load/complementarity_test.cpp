@@ -1,5 +1,6 @@
-// The active set is compared with non-negative least squares by Lawson and Hanson on the dual
-// problem, which share no code with it.
+// The active set is compared with a slow search that shares no code with it, non-negative least
+// squares by Lawson and Hanson on the dual problem, for random positions. The laws of the result
+// are tested too.
 #include "gearwright/load/complementarity.hpp"
 
 #include <gtest/gtest.h>

@@ -60,8 +60,9 @@ TouchKind edge_of_one(End end) {
   return end == End::tip ? TouchKind::tip1 : end == End::form ? TouchKind::form1 : TouchKind::line;
 }
 
-// The signed distance, in u or z, of a point of flank 1 from the nearest border of the patch `b` of
-// flank 2, and its derivative by s. The distance is ≥ 0 if the point lies opposite the patch.
+// The signed distance, in u or z, of a point of flank 1 from the nearest border of the patch
+// `b` of flank 2, and the derivative of this distance with respect to s. The distance is ≥ 0 if
+// the point lies opposite the patch.
 struct Margin {
   double v, s;
 };

@@ -19,7 +19,8 @@ struct GapPlace {
   double arm = 0.0;                  ///< mm
   std::array<double, 2> radius{};    ///< mm, distance of the place from the axis of each gear
   double curvature = 0.0;            ///< 1/R of the gap across the contact line, 1/mm
-  TouchKind kind = TouchKind::line;  ///< edge of the maximum of T in the slice, or `line`
+  TouchKind kind = TouchKind::line;  ///< the edge on which the maximum of T in the slice lies;
+                                     ///< `line` if it lies on no edge
   double s = 0.0;                    ///< parameter on the patch of flank 1
   std::size_t patches = 0;           ///< index of the pair of patches
 };
@@ -31,6 +32,7 @@ struct PairPlaces {
       at;  ///< by slice; absent for a slice in which the flanks do not face each other
 };
 
+/// Finds the place of least gap for each tooth pair and slice.
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
@@ -52,7 +54,8 @@ class GapSearch {
  private:
   using Rows = std::array<Complex, kRows>;
 
-  // A pair of patches of both flanks. `rows` contains the points of flank 1 at rotation 0.
+  // A patch of flank 1 and a patch of flank 2. `rows` contains the points of flank 1 at every
+  // height, at rotation 0.
   struct Patches {
     GapField field;
     double least_square, most_square;  // mm², range of the squared radius on gear 2

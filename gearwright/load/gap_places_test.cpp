@@ -66,7 +66,8 @@ struct Scanned {
   double share = 0.0;  // fraction of flank 1 that lies inside flank 2
 };
 
-// The greatest T at one height on the parts of flank 1 inside flank 2, on grids that become finer.
+// The greatest T at one height over the parts of flank 1 that lie inside flank 2, on grids that
+// become finer about the best point.
 std::optional<Scanned> scanned(const ContactPair& pair, double turn, double z) {
   std::optional<Scanned> best;
   for (const FlankPatch& a : pair.patches(1)) {
@@ -133,6 +134,8 @@ TEST(GapPlaces, AreThoseOfAScan) {
   EXPECT_GT(edges, 100);
 }
 
+// The kind of a position is an edge if and only if its radius equals the radius of a tip or of an
+// end of a flank.
 TEST(GapPlaces, EdgesLieAtTheEndsOfTheFlanks) {
   std::array<int, 4> seen{};
   for (const Case& c : cases()) {
@@ -217,7 +220,8 @@ TEST(GapPlaces, TheStartOfAReliefHasOneCurvature) {
   }
 }
 
-// Positions that move to another patch are left out, because the slope changes there.
+// The slopes with respect to modifications are compared with differences. Positions that move to
+// another patch are left out, because the slope changes at the start of a relief.
 TEST(GapPlaces, SlopesAreThoseOfDifferences) {
   using P = Modification;
   struct Change {

@@ -22,7 +22,8 @@ using testing::run;
 constexpr int kPositions = 8;
 constexpr int kSlices = 12;
 
-// The tips of the internal gear are shortened so that they do not reach the root of the pinion.
+// A pinion with 25 teeth and an internal gear with 65 teeth, whose tips are shortened so that they
+// do not reach the root of the pinion.
 Drive internal_drive(double helix_deg, double face = 30.0, double module = 3.0) {
   const auto spec = [&](int teeth) {
     CylindricalSpec s = testing::plain_spec(
@@ -206,7 +207,8 @@ TEST(LoadedInternalPair, FairSlicesAreWiderThanTheContact) {
   }
 }
 
-// The contact line has the same length on either gear as in the plane of action.
+// The sections of both gears turn in the same sense as their flanks, so that the contact line has
+// the same length on either gear as in the plane of action.
 TEST(LoadedInternalPair, ContactLinesLieOnBothFlanks) {
   for (const double helix : {15.0, -15.0}) {
     const Drive d = internal_drive(helix);

@@ -13,8 +13,9 @@ namespace {
 
 using Solved = std::vector<const LoadedPosition*>;
 
-// Mean, least and greatest stiffness, in N/(mm µm) for a line load or N/µm for a force. `yield`
-// returns the approach at a position. The mean stiffness is the load divided by the mean approach.
+// Returns the mean, least and greatest stiffness (load divided by approach), in N/(mm µm) for a
+// line load or N/µm for a force. `yield` returns the approach at a position. The mean stiffness is
+// the load divided by the mean approach.
 template <class Yield>
 LoadedTorque::Stiffness stiffness(const Solved& positions, double load, Yield yield) {
   double sum = 0.0;
@@ -45,7 +46,7 @@ void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& 
 void summarise_points(LoadedTorque& t, const Solved& solved) {
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
-  // The force differs between positions, so each approach is divided by its own force.
+  // The force differs between positions, so each approach is divided by the force at its position.
   t.stiffness = stiffness(solved, 1.0, [](const auto& p) { return p.approach / p.force; });
   t.tangent = stiffness(solved, 1.0, [](const auto& p) { return p.tangent; });
 }

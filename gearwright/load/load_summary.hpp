@@ -54,11 +54,14 @@ struct LoadedScore {
 /// does not converge, or if the slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
+/// The score if there is no result.
 LoadedScore no_score();
-/// Each member is the worse of the two values in `a` and `b`. NaN is worse than any number.
+/// The score in which each member is the worse of the two values in `a` and `b`. NaN is worse than
+/// any number.
 LoadedScore worse_of(const LoadedScore& a, const LoadedScore& b);
 
-/// Each member of a score is the worst value over all scenarios.
+/// The effect of corrections under a torque. Each member of a score is the worst value over all
+/// scenarios.
 struct AimedLoad {
   double torque;  ///< N mm, on gear 1
   LoadedScore before, after;

@@ -1,11 +1,12 @@
-// Loaded tooth contact of a mounted pair of cylindrical gears over one pitch.
+// Computes the loaded tooth contact of a mounted pair of cylindrical gears over one pitch.
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
-// At each rotation, the loads solve a complementarity problem. It is linear except for the
-// logarithm of the Hertz contact. The compliance is computed from the section modes of both gears.
+// The gap at every position is computed by the functions of contact/, and the compliance is
+// computed from the section modes of both gears. At each rotation, the loads are the solution of a
+// complementarity problem. The problem is linear except for the logarithm of the Hertz contact.
 #pragma once
 
 #include <array>
@@ -77,7 +78,8 @@ struct LoadedTorque {
   double torque = 0.0;  ///< N mm
   std::vector<LoadedPosition> positions;
   Angle peak_to_peak = Angle::radians(kNoNumber);
-  /// Empty if the caller gave rotations or if a position is not solved.
+  /// Empty if the caller gave rotations or if a position is not solved, because harmonics require a
+  /// whole pitch.
   std::vector<Angle> harmonics{};
   struct Stiffness {
     /// N/(mm µm), for point contact N/µm; `mean` is the load divided by the mean approach
@@ -122,16 +124,18 @@ struct LoadedContact {
 /// The rotations of the request, or its positions over one pitch of gear 1.
 std::vector<Angle> rotations_of(const ContactPair& pair, const LoadRequest& request);
 
-/// `perfect` is the same pair without mounting errors and deflections, and is used for K_Hα. It is
-/// null if `pair` itself has no errors and no deflections.
+/// Computes the loaded contact of `pair`. K_Hα is computed by means of `perfect`, which is the same
+/// pair without mounting errors and deflections. `perfect` is null if `pair` itself has no errors
+/// and no deflections.
 ///
 /// Domain    `pair` consists of `gear_1` and `gear_2`; torques > 0 (contract)
 LoadedContact loaded_contact(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                              const PairCompliance& compliance, const LoadRequest& request,
                              const ContactPair* perfect = nullptr);
 
-/// Computes loaded_contact() in parts. Before result(), solve() must be called for ranges that
-/// cover all positions, in any order and from any thread. The inputs must outlive the object.
+/// Performs the computation of loaded_contact() in parts. Before result(), the caller must call
+/// solve() for ranges that together cover all positions. The order of these calls does not
+/// matter, and they may run in several threads. The inputs must outlive the object.
 class LoadedTurn {
  public:
   LoadedTurn(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,

@@ -48,9 +48,10 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
   return sum;
 }
 
-// PAIR2D-25 is the contact of two finite-element gears in plane strain, node to node and without a
-// Hertz formula, for E = 206 000 MPa, m = 3 mm and 100 N/mm. A face of 120 modules is nearly in
-// plane strain, but its ends make it softer by 0.12 %.
+// The reference PAIR2D-25 is a contact computation of two gears with a fine finite-element mesh in
+// plane strain, with node-to-node contact and without a Hertz formula, for E = 206 000 MPa,
+// m = 3 mm and 100 N/mm. A face of 120 modules is nearly in plane strain, but its ends make it
+// softer by 0.12 %.
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
   const Drive m = external_drive(0, face);
@@ -226,8 +227,9 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
 }
 
-// FE2D-ROOT, converged triangles with the load at the outer point of single contact, gives σ_F b
-// m_n/F_t = 2.797 for two gears with 25 teeth. Only the middle of a face is in plane strain.
+// The reference FE2D-ROOT, a converged mesh of triangles with the load at the outer point of single
+// contact, gives σ_F b m_n/F_t = 2.797 for two gears with 25 teeth. The ends of a real face are
+// free, but its middle is in plane strain.
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
@@ -260,9 +262,9 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
 }
 
 // The reference values were computed with a finer model: twenty waves along the face, ten waves
-// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five. The
-// bores are half of the root diameters. If coupling ended at the neighbouring teeth, the peak to
-// peak would be 2.85". Without the waves along the helix, the root stress would be 257 MPa.
+// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five.
+// The bores are half of the root diameters. If coupling ended at the neighbouring teeth, the peak
+// to peak would be 2.85". Without the waves along the helix, the root stress would be 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
     CylindricalSpec s =
@@ -302,6 +304,7 @@ TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   EXPECT_LT((along[0] - along[1]).cwiseAbs().maxCoeff(), 1e-9 * along[0].maxCoeff());
 }
 
+// The greatest fraction of the load that a single tooth pair carries, computed from the line loads.
 double greatest_share(const LoadedTorque& t) {
   double greatest = 0.0;
   for (const LoadedPosition& p : t.positions) {

@@ -1,7 +1,8 @@
 // Computes the loaded contact of a double-helical pair from the results of its two halves.
 //
-// The axial forces on a gear that floats along its axis cancel, so each half carries half of the
-// torque. With or without load, the transmission error of the gears is the mean of both halves.
+// The axial forces on a gear that floats along its axis cancel, so each half carries half of
+// the torque. The loaded transmission error of the whole gears is the mean of the loaded
+// transmission errors of both halves. The same is true without load.
 //                                    theory: docs/theory/12-loaded-contact.md, [T12.26]
 #pragma once
 
@@ -17,7 +18,8 @@ namespace gearwright {
 LoadedContact second_half(LoadedContact image, Angle behind, bool whole_pitch);
 
 /// The result for the whole gears under twice the torque of a half. Maxima are taken over both
-/// halves. Values along the face, shares of tooth pairs and stress fields are left empty.
+/// halves. Values along the face, the shares of the tooth pairs and stress fields are left empty,
+/// because they are contained in the results of the halves.
 ///
 /// Formula   [T12.26]
 /// Domain    the same torques and rotations in both halves (contract)

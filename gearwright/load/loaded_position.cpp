@@ -9,7 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// If gear 2 drives, the z axis of the frame N is opposite to the z axis of the housing frame.
+// Reverses the order of the slices. This is necessary if gear 2 drives, because the z axis of frame
+// N is then opposite to the z axis of the housing frame.
 void reverse(LoadedPair& pair) {
   pair.line_load.reverseInPlace();
   pair.pressure.reverseInPlace();
@@ -155,7 +156,7 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.unfinished = !x.found();
   if (out.unfinished) return out;
   out.max_pressure = out.max_width_ratio = 0.0;
-  // The displacement of the axes does not belong to the deflection of the mesh. [T12.36]
+  // The displacement of the axes is not a deflection of the mesh, so it is subtracted. [T12.36]
   const double arm = base_radius_ * std::sqrt(1 - sin_b_ * sin_b_);
   const double of_axes = shafts_.of_axes() / (arm * arm);  // rad/(N mm)
   const double approach = x.approach - of_axes * q.moment;

@@ -45,15 +45,17 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in N. Slices::all is necessary if the flanks are changed
-  /// afterwards, because a change can close the gap of any slice.
+  /// Gaps and compliance at a rotation in N. Slices::all includes all slices of the tooth
+  /// pairs. This is necessary if the flanks are changed afterwards, because a change can close
+  /// the gap of any slice.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
   double slope(const PairPlaces& pair, int slice, const Influence& influence) {
     return search_.slope(pair, static_cast<std::size_t>(slice), influence);
   }
-  /// Adds the root stresses to `swing`. If the slices are too fine, sets `too_fine`.
+  /// Solves the contact problem and adds the root stresses to `swing`. If the slices are too fine,
+  /// sets `too_fine`.
   LoadedPosition solve(Position& at, double torque, Angle rotation1, bool& too_fine,
                        RootStress& swing) const;
   /// The greatest share of a single tooth pair; NaN if the forces do not converge.

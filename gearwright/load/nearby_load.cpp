@@ -32,8 +32,9 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
         at.turn(row, k) = solver.slope(found.pairs[static_cast<std::size_t>(place.pair)],
                                        place.slice, influences[static_cast<std::size_t>(k)]);
     }
-    // Places with a wide gap carry no load in the solution and start without load. If all places
-    // were loaded at the start, the matrix of a helical pair could be indefinite.
+    // The iteration starts without load at places with a wide gap, as in loaded_contact().
+    // These places carry no load in the solution either. If all places were loaded at the
+    // start, the matrix of a helical pair could be indefinite.
     const Eigen::ArrayXd arms =
         (at.problem.gap.array() <= detail::kFarGap * gear_1.spec.normal_module)
             .select(at.problem.arm, 0.0);

@@ -22,7 +22,8 @@ namespace gearwright {
 
 class NearbyLoad {
  public:
-  /// Computes the positions for e = 0. The pair may be a half of a double-helical pair.
+  /// Computes the positions of the request for e = 0, as loaded_contact() does. The pair may be a
+  /// half of a double-helical pair.
   ///
   /// Domain    LoadRegime::line; a gear whose modification is an influence must have a removal
   ///           field (contract)

@@ -19,10 +19,11 @@ constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints =
 // Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
 constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
-constexpr double kFairWidth = 0.15;  // modules: the same for internal pairs with R = 1 module
+constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
+                                     // if R is one module
 constexpr int kSlices = 32;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
-// True if one table serves for both gears, because tooth and face are equal to the last bit.
+// True if tooth and face of both gears are equal to the last bit, so that one table serves both.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
   const auto& x = a.tooth->outline.arcs;
@@ -46,8 +47,9 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
 }
 
 // The slices of the part of the face that may be loaded, in N, mm from the middle of the gear's
-// face. For line contact, this part is the narrower of the two faces. For point contact, it is the
-// part within the reach, or the nearest part of the same width on the face.
+// face. For line contact, this part is the narrower of the two faces, because it lies within
+// the wider face. For point contact, it is the part that the reach allows, or the nearest part of
+// the same width on the face.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime, request.reach);
@@ -122,7 +124,8 @@ std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegim
   const double m = gear_1.spec.normal_module;
   double fair = gear_1.spec.helix_angle.rad() == 0.0 ? kFairSpur : kFairHelical;
   if (gear_2.internal()) {
-    // R is greatest where the tip of the pinion touches, here at the reference centre distance.
+    // The relative radius of curvature R of the flanks is greatest where the tip of the pinion
+    // touches. It is computed for the reference centre distance.
     const double between = (gear_2.base_radius() - gear_1.base_radius()) *
                            std::tan(gear_1.reference().transverse_pressure_angle);
     const double rho = roll_length(gear_1.tip_form_radius(), gear_1.base_radius());

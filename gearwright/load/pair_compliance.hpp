@@ -28,7 +28,8 @@ struct LoadRequest {
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
   /// Numbers of slices of the loaded part of each face; equal for line contact; see fair_slices().
   std::array<int, 2> slices{32, 32};
-  /// Greatest |z| in N with loaded teeth, mm, for point contact only; see crossed_reach().
+  /// Greatest |z| in N at which the teeth are loaded, mm, for point contact only; see
+  /// crossed_reach().
   double reach = kInfinity;
   LoadRegime regime = LoadRegime::line;
   ComplianceAccuracy accuracy = ComplianceAccuracy::full;
@@ -39,7 +40,7 @@ struct LoadRequest {
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
-  /// z of the middle of each face in frame N, mm. With shafts, both values are equal.
+  /// z of the middle of each face in frame N, mm. Both values are equal if the gears have shafts.
   std::array<double, 2> middle{};
   bool root_stress = true;  ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
@@ -51,26 +52,28 @@ struct LoadRequest {
   LoadRequest undeflected() const;
 };
 
-/// Numbers of slices of the loaded part of each face for accurate results and, usually, a solution.
-/// Each number is 32, or less if the slices would be narrower than a quarter of a module (0.4
-/// modules for helical teeth), but at least 4. For line contact, the loaded part is the common
-/// face, and both numbers are equal.
+/// Numbers of slices of the loaded part of each face that are great enough for accurate results,
+/// and usually small enough for a solution to exist. Each number is 32, or less if the slices would
+/// be narrower than a quarter of a module (0.4 modules for helical teeth), but at least 4. For line
+/// contact, the loaded part is the common face, and both numbers are equal.
 ///
-/// Narrower slices may make the matrix of [T12.14] indefinite. This happened for spur teeth at 0.17
-/// modules and less, and for a quarter of 24 random helical pairs at 0.32 modules, but for none at
-/// 0.36 modules.
+/// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
+/// widths of 0.17 modules and less. Of 24 random helical pairs, no pair had an indefinite
+/// matrix at a width of 0.36 modules, but a quarter of the pairs had one at 0.32 modules.
 ///
-/// Internal pairs have a wider contact and need wider slices: at least four times the half width of
-/// the contact at the pinion's tip under 125 N/mm per mm of module. All six tested pairs, from
-/// 14:30 to 40:52 teeth, then had a solution up to 400 MPa at the roots.
+/// The contact of internal pairs is wider, so their slices must also be wider. The least width
+/// is four times the half width of the contact at the pinion's tip under a line load of 125
+/// N/mm per mm of module. With slices of this width, all six tested pairs, with tooth numbers
+/// from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
 ///
 /// For point contact, the root stress depends on the width of the slices. Crossed gears with 17 and
 /// 31 teeth at 90° have 2 % less at 0.6 modules than at 0.2, and 10 % less at 1.25 modules.
 std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime,
                                double reach = kInfinity);
 
-/// LoadRequest::reach for crossed axes: the path of contact beyond the pitch point (at most
-/// h_a/sin α_n) and 2 modules for ellipses and errors; at least half of the width of 32 slices.
+/// The value of LoadRequest::reach for crossed axes: the length of the path of contact beyond the
+/// pitch point, which is at most h_a/sin α_n, and 2 modules for the ellipses and errors; at least
+/// half of the width of 32 slices.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
@@ -85,13 +88,15 @@ NarrowestSlices narrowest_slices(const Gear& gear_1, const Gear& gear_2,
 
 /// True if the slices are too narrow for the section modes and the finite elements. The limit is
 /// 0.15 modules for spur teeth, 0.2 modules for helical teeth with line contact, and 0.18 modules
-/// for helical teeth with point contact. The matrix of [T12.14] is then indefinite for any torque.
-/// Of a dozen external and internal pairs, none had a solution at 0.16 modules (spur teeth) or 0.2
-/// modules (helical teeth). For point contact, the compliance of a place would be negative.
+/// for helical teeth with point contact. The matrix of [T12.14] is indefinite for such slices,
+/// whatever the torque is. A dozen external and internal pairs were tested with draft and full
+/// accuracy. None had a solution at a width of 0.16 modules (spur teeth) or 0.2 modules (helical
+/// teeth). For point contact, the compliance of a place would be negative.
 ///
-/// For line contact, slices narrower than twice the half width of the contact, if three tooth pairs
-/// shared the greatest torque, are also too narrow. Steel spur pairs with 20:40 and 60:90 teeth had
-/// no solution at less than 2.2 times the greatest half width. The check needs no tooth table.
+/// For line contact, slices narrower than twice the half width of the contact, computed as if three
+/// tooth pairs shared the greatest torque, are also too narrow. Spur pairs of steel with 20:40 and
+/// 60:90 teeth had no solution at less than 2.2 times the greatest half width. The check needs no
+/// tooth table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The compliance of both gears. The tables depend only on the outlines, faces and materials.
@@ -103,8 +108,9 @@ struct PairCompliance {
   std::array<std::optional<ShaftInfluence>, 2> shafts{};  ///< for the shafts of the request
 };
 
-/// `ready` may contain tables from an earlier call for which same_compliance() is true. They are
-/// used instead of new tables. The shafts are always computed.
+/// Computes the compliance. `ready` may contain tables from an earlier call, for which
+/// same_compliance() must be true. These tables are used instead of new ones. The shafts are
+/// always computed.
 ///
 /// Domain    gear 1 is external; with LoadRegime::line, involute gears on parallel axes; with
 ///           LoadRegime::point, gear 2 is also external (contract)
@@ -113,7 +119,10 @@ Result<PairCompliance> pair_compliance(
     const Gear& gear_1, const Gear& gear_2, const LoadRequest& request,
     const std::array<std::shared_ptr<const ToothTable>, 2>& ready = {});
 
-/// The table of gear `which` (1 or 2) of a pair.   Errors: as pair_compliance
+/// The table of gear `which` (1 or 2) of a pair. Most of the computing time of pair_compliance() is
+/// needed for the tables.
+///
+/// Errors    as pair_compliance
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
                                                            int which, const LoadRequest& request);
 

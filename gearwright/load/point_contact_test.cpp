@@ -1,5 +1,6 @@
-// The Hertz ellipse is compared with a numerical integral, load sharing with another solver, and
-// loaded pairs with unloaded contact and with line contact.
+// Tests of teeth with point contact under load. The Hertz ellipse is compared with a numerical
+// integral, and load sharing with another solver. Loaded pairs are compared with unloaded contact
+// and with line contact, and their laws are verified.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -91,7 +92,8 @@ TEST(HertzPoint, GrowsAsTheory) {
   EXPECT_EQ(point.under(0.0).pressure, 0.0);
 }
 
-// For each Θ, the forces are computed one after another, and Θ is found by bisection.
+// Solves the problem by another method: for each Θ the forces are computed one after another, and Θ
+// is found by bisection.
 VectorXd by_halving(const PointProblem& q, double* approach) {
   const Index n = q.gap.size();
   const auto forces = [&](double turn) {
@@ -169,6 +171,7 @@ TEST(PointSharing, HoldsItsConditions) {
         EXPECT_NEAR(open, 0.0, 1e-9 * all) << i;
       }
     }
+    // The tangent is computed from a difference.
     PointProblem more = q;
     more.moment *= 1 + 1e-6;
     const double step = share_points(more).approach - x.approach;
@@ -285,9 +288,10 @@ TEST(PointContact, TheOtherHandIsMirrored) {
   }
 }
 
-// Line contact uses slices with the logarithmic term of Hertz and the matrix of the whole line.
-// Point contact uses one ellipse on bodies that bend under the load. Its major semi-axis is 1.8 and
-// 3.6 modules. Without the bending, point contact would be 7 % too soft.
+// The contact of a crowned spur pair can be computed by both methods. Line contact uses slices with
+// the logarithmic term of Hertz and the matrix of the whole line. Point contact uses one ellipse on
+// bodies that bend under the load. Its major semi-axis is 1.8 and 3.6 modules under the two
+// torques. Without the bending, point contact would be 7 % too soft.
 TEST(PointContact, AgreesWithLinesWhereBothHold) {
   SamplePair p{{testing::involute_gear(25, 0, 60), testing::involute_gear(25, 0, 60)}, {}, {}};
   p.place.center_distance = p.gears[0].reference_diameter;

@@ -16,13 +16,16 @@ struct HertzEllipse {
   double approach;                ///< δ  mm  [T12.23]
 };
 
-/// Factors of a point contact: a and b are proportional to F^(1/3), and δ to F^(2/3). [T12.22]
+/// A point contact with given curvatures and reduced modulus. a and b are proportional to F^(1/3),
+/// and δ is proportional to F^(2/3). The class stores the factors. [T12.22]
 class HertzPoint {
  public:
   /// Domain    0 < k1 ≤ k2, E* > 0 (contract)
   HertzPoint(const std::array<double, 2>& gap_curvature, double reduced_modulus);
 
-  /// The ellipse under a force.   Domain: force ≥ 0  N (contract)
+  /// The ellipse under a force.
+  ///
+  /// Domain    force ≥ 0  N (contract)
   HertzEllipse under(double force) const;
   /// δ/F^(2/3)  mm/N^(2/3)
   double softness() const { return softness_; }

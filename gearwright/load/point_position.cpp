@@ -241,7 +241,8 @@ Ellipse PointSolver::bent(const PointPosition& at, const std::vector<Laid>& laid
   return e;
 }
 
-// Footprints and bending depend on the forces, so footprints and forces are computed alternately.
+// A larger force causes a longer footprint and more bending of the bodies, so forces and footprints
+// are computed alternately.
 PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   const auto n = static_cast<Index>(at.places.size());
   PointProblem q;
@@ -256,15 +257,17 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
   all.laid.resize(at.places.size());
   VectorXd force = VectorXd::Constant(n, q.moment / q.arm.sum());
   double approach = 0.0;
-  // After full steps, the step length is computed from the last two steps. It is longer than a full
-  // step if convergence is slow, and shorter if the steps oscillate.
+  // Full steps are used first. If they do not converge, the step length is computed from the last
+  // two steps. It is longer than a full step if convergence is slow, and shorter than a full step
+  // if the steps oscillate.
   double part = 1.0;
   VectorXd last;
   bool still = false;
   for (int turn = 0; turn < kMostTurns && !still; ++turn) {
     for (Index i = 0; i < n; ++i) {
       const PointPlace& p = at.places[i];
-      // Without a force, the ellipse is not defined, so the force of an unloaded place is small.
+      // For an unloaded place, the footprint is computed with a small force, because the
+      // contact ellipse is not defined without a force.
       const double least = kIdle * q.moment / q.arm[i];
       all.laid[i] = lay(p, std::max(force[i], least), ellipse[i]);
       q.gap[i] = (at.te - p.te) * p.arm + ellipse[i].relief;

@@ -1,5 +1,6 @@
-// The loads of a pair with point contact at one rotation, in three steps: the point of least gap of
-// each tooth pair, the compliance, and the loads under a torque.
+// Computes the loads of a pair with point contact at one rotation, in three steps: the point of
+// least gap of each tooth pair, the compliance, and the loads under a torque. Crossed and
+// circular-arc gears have point contact.
 //
 // Internal to load/.                       theory: docs/theory/12-loaded-contact.md, 12.6
 #pragma once
@@ -77,11 +78,13 @@ class PointSolver {
   }
   Eigen::MatrixXd yields(const PointPosition& at, const std::vector<Laid>& laid) const;
   AxisPlace on_axis(const PointPlace& place, double x);
-  // Returns x if it lies on both flanks, otherwise the last point on the way from `from` to x that
-  // does. x and `from` are points on the major axis, mm, and `from` lies on both flanks.
+  // `from` and x are points on the major axis, mm, and `from` lies on both flanks. If x lies on
+  // both flanks, the result is x. Otherwise, the result is the last point on the way from `from` to
+  // x that lies on both flanks.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // The next ellipse of place i, due to the displacement of the bodies by `force`.
+  // The next ellipse of place i, computed from the displacement of the bodies by `force` along
+  // the major axis of the present ellipse.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

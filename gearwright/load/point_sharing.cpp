@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 
 constexpr int kMost = 100;
 constexpr int kHalvings = 40;     // greatest number of halvings of a step
-constexpr double kStill = 1e-13;  // greatest last residual, relative to the gaps and the moment
+constexpr double kStill = 1e-13;  // greatest last residual, relative to the scale of the gaps and
+                                  // to the moment
 // The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {
  public:
@@ -50,7 +51,7 @@ class Sharing {
     j.bottomLeftCorner(1, n_) = q_.arm.cwiseProduct(d).transpose() / q_.moment;
     return j;
   }
-  // The point that touches at the least rotation carries the whole load.
+  // At the start, the point that touches at the least rotation carries the whole load.
   VectorXd start() const {
     Index first = 0;
     q_.gap.cwiseQuotient(q_.arm).minCoeff(&first);
@@ -102,7 +103,8 @@ PointSharing share_points(const PointProblem& q) {
   constexpr double kEnough = 1e-10;  // accepted residual if rounding prevents a further decrease
   out.found = size(r) <= kEnough;
   out.force = all.force(x);
-  // Scaling to the exact moment removes the remaining rounding error.
+  // The forces are scaled so that they give the exact moment. This removes the remaining residual,
+  // which is a rounding error.
   out.force *= q.moment / q.arm.dot(out.force);
   out.approach = x[n];
   VectorXd unit = VectorXd::Zero(n + 1);

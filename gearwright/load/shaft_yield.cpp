@@ -16,7 +16,8 @@ using Eigen::VectorXd;
 FaceDeflection face_deflection(const VectorXd& approach) {
   const Index n = approach.size();
   GW_EXPECTS(n >= 3);
-  // The slices are symmetric about x = 0, so the linear part of the fit does not depend on the bow.
+  // The middles of the slices are symmetric about x = 0, so the linear part of the fit does
+  // not depend on the constant and parabolic parts.
   const VectorXd x = (VectorXd::LinSpaced(n, 0.5, double(n) - 0.5) / double(n)).array() - 0.5;
   VectorXd bow = 1 - 4 * x.array().square();
   bow.array() -= bow.mean();

@@ -47,13 +47,15 @@ class ShaftYield {
     std::array<double, 2> radius;  ///< mm, on each gear
   };
   bool any() const { return shafts_[0].influence || shafts_[1].influence; }
-  /// S between these places, mm/N. [T12.35]
+  /// S between these places, mm/N.
+  ///
+  /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
   /// S for a contact at the pitch point in every slice. The slices are in the order of z in the
   /// housing frame, from −z on.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
-  /// The displacement of the axes, mm/N, which is excluded from the approach, the transmission
-  /// error and the stiffness of the mesh.
+  /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
+  /// from the approach, the transmission error and the stiffness of the mesh.
   double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
   /// Slope and bow of the approach of the flanks under a line load, N/mm for each slice from −z on.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;

@@ -1,4 +1,6 @@
-// The oracle uses vectors in the housing frame, and integrates the curvature of beams numerically.
+// The yield of the shafts is compared with an oracle that uses vectors in the housing frame, and
+// beams whose curvature is integrated numerically. Loaded contact on shafts must satisfy the laws
+// of mirrored and exchanged gears.
 #include "gearwright/load/shaft_yield.hpp"
 
 #include <gtest/gtest.h>
@@ -61,6 +63,7 @@ LoadRequest request_of(int slices) {
   return r;
 }
 
+// A compliance without tables of teeth.
 PairCompliance shafts_only(const Drive& d, const LoadRequest& r) {
   PairCompliance c;
   c.slices[0] = c.slices[1] = {r.slices[0], -kFace / 2, kFace / 2};
@@ -77,7 +80,8 @@ struct BeamPlace {
   double w, slope;
 };
 
-// A beam without shear on two bearings. Its curvature is integrated twice on a fine grid.
+// A beam without shear on two bearings. The curvature, bending moment over E I, is integrated twice
+// on a fine grid.
 BeamPlace beam_at(const Shaft& s, std::vector<PointLoad> loads, double place) {
   const auto [A, B] = s.bearings;
   double about = 0.0;
@@ -195,7 +199,8 @@ TEST(ShaftYield, AgreesWithBeamsInSpace) {
       }
 }
 
-// Without a helix, the deviation equals shaft_deviation() of the rating.
+// Without a helix there is no axial force, and the deviation equals shaft_deviation() of the
+// rating.
 TEST(ShaftYield, OfSpurGearsUnderUniformLoadIsTheDeviationOfTheRating) {
   constexpr int kSlices = 32;
   const Drive d = drive_of(0, {19, 31}, false);

@@ -77,7 +77,8 @@ std::vector<TipPlace> tip_places(const PathPlace& path, const TipPath& ends,
   return list;
 }
 
-// The distance s at a place; 0 if the place carries load, NaN if the forces do not converge.
+// The distance s between tip and flank at a place; 0 if the place carries load, NaN if the forces
+// do not converge.
 double distance_at(PositionSolver& solver, const TipPlace& tip, double moment) {
   Position at = solver.prepare(tip.rotation);
   if (at.rows.empty()) return std::numeric_limits<double>::infinity();
@@ -143,9 +144,10 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
     tips = tip_places(path_place(solver.prepare(0.0), compliance.slices[0], one.base_radius()),
                       path, compliance.slices[0], alike_sections(setup, request));
   }
-  // The first reliefs are usually so great that no tip carries load. Each iteration reduces the
-  // relief of a gear by the least distance at its tips. Less relief spreads the load over more
-  // teeth, so the distance decreases by less than the relief, and the reliefs converge from above.
+  // The iteration starts with reliefs that are usually so great that no tip carries load. Each
+  // iteration reduces the relief of a gear by the least distance that remains at its tips. With
+  // less relief, the load is spread over more teeth. The distance therefore decreases by less
+  // than the relief, and the reliefs approach the least possible reliefs from above.
   const double greatest = kGreatest * one.spec.normal_module;
   UnloadedTips found;
   found.amount = {greatest, greatest};

@@ -5,8 +5,9 @@
 //   ρ_1   mm, radius of curvature of flank 1, as the coordinate along the path of contact
 //
 // Under load, the gears approach each other. Without relief, a tooth pair would therefore overlap
-// (s < 0) at the tip of gear 2 where it enters the mesh, and at the tip of gear 1 where it leaves
-// the mesh. If a tip carries no load, its relief is too great by about s.
+// (s < 0) at both ends of the path of contact: at the tip of gear 2 where it enters the mesh, and
+// at the tip of gear 1 where it leaves the mesh. The reliefs are computed from the solution of the
+// complementarity problem. If a tip carries no load, its relief is too great by about s.
 //                                     theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 
@@ -30,8 +31,9 @@ struct UnloadedTips {
   std::array<bool, 2> unloaded{true, true};
 };
 
-/// Computes the least reliefs under the greatest torque, with the errors, deflections and helix
-/// modifications of `setup`. Its profile modifications and topographies are ignored.
+/// Computes the least reliefs of the pair of `setup` under the greatest torque of the request.
+/// The errors, deflections and helix modifications of the pair are included. The profile
+/// modifications and topographies of the pair are ignored, because the reliefs replace them.
 ///
 /// Formula   [T12.27]
 /// Domain    involute teeth with line contact; `compliance` belongs to the gears of `setup`

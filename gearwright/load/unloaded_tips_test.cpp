@@ -1,4 +1,5 @@
-// The least reliefs are compared with loaded contact at many rotations.
+// The least reliefs are compared with loaded contact at many rotations, which does not use the
+// positions at which tips begin and end contact.
 #include "gearwright/load/unloaded_tips.hpp"
 
 #include <gtest/gtest.h>
@@ -69,6 +70,7 @@ struct TipCase {
         unloaded_tips(setup, path, compliance, tip_request(torque), gear2_drives));
   }
 
+  // True if an edge carries load at any position of the pitch.
   bool edge_carries(const std::array<double, 2>& amount, double torque) const {
     PairModifications m;
     for (std::size_t g = 0; g < 2; ++g)
@@ -130,8 +132,9 @@ TEST(UnloadedTips, GrowWithTheTorqueFromZero) {
   }
 }
 
-// Equal gears have equal amounts within the accuracy of the tables of neighbouring teeth. If gear 2
-// drives, the amounts are the same, because half a turn maps the pair to itself.
+// Equal gears have equal amounts within the accuracy of the tables of neighbouring teeth. If the
+// gears are exchanged, the amounts are exchanged. If gear 2 drives, the amounts are the same,
+// because half a turn maps the pair to itself.
 TEST(UnloadedTips, AreSymmetric) {
   const UnloadedTips equal = TipCase({25, 25, 0}).at(2e5);
   EXPECT_NEAR(equal.amount[0], equal.amount[1], 0.01 * equal.amount[0]);
