@@ -58,9 +58,10 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   return moved;
 }
 
-// The range of the correlation c in which R is positive definite if all other correlations stay the
-// same; none if there is no such range. If the rows of its two inputs are at the end of R, c
-// affects only the last row of L, and the last pivot is positive within the range.
+// The range of correlation c in which R is positive definite if all other correlations stay the
+// same; none if there is no such range. The rows of the two inputs are moved to the end of R. The
+// correlation c then affects only the last row of L, and the last pivot is positive within the
+// range.
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();
@@ -83,14 +84,16 @@ std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCo
   return std::array{middle - half, middle + half};
 }
 
-// Limits `value` to the interval between the outermost multiples of kShownStep inside the range.
+// Returns `value`, limited to the interval between the least and the greatest multiple of
+// kShownStep that lie inside the range.
 double nearest_inside(double value, const std::array<double, 2>& range) {
   const double lo = (std::floor(range[0] / kShownStep) + 1) * kShownStep;
   const double hi = (std::ceil(range[1] / kShownStep) - 1) * kShownStep;
   return std::clamp(value, std::min(lo, hi), std::max(lo, hi));
 }
 
-// The greatest multiple of kStep that makes R positive definite as a factor of all correlations.
+// The greatest multiple of kStep by which all correlations can be multiplied so that R is
+// positive definite.
 double common_factor(std::size_t size, std::span<const ToleranceCorrelation> correlations) {
   double factor = 1.0;
   const auto exists = [&](double f) {

@@ -4,9 +4,11 @@
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
 //   u = Φ(L Φ⁻¹(u′))                theory: docs/theory/14-scatter.md, [T14.30], [T14.32]
 //
-// The two scores of a bore are a point with the normal distribution of the plane, so the position
-// of the bore stays uniform in its circle. The copula does not change the distribution of any
-// input. For an input without a correlation, u and u′ are equal bit for bit.
+// The two scores of a bore are the coordinates of a point with the normal distribution of the
+// plane, so the position of the bore stays uniform in its circle.
+//
+// The copula does not change the distribution of any input. For an input without a correlation, u
+// and u′ are equal bit for bit.
 #pragma once
 
 #include <optional>
@@ -29,9 +31,10 @@ struct ToleranceCorrelation {
 ///
 /// Domain    each pair of coordinates at most once, |value| < 1, no coordinate with itself
 ///           (contract)
-/// Errors    `correlations[N].between` if a coordinate has no score, or if both are of one bore. If
-///           R is not positive definite, `correlations[N].value` with the nearest possible value of
-///           one correlation or, if there is none, `correlations` with a common factor for all
+/// Errors    `correlations[N].between` if a coordinate has no score, or if both are of one bore.
+///           `correlations[N].value` if R is not positive definite, with the nearest possible
+///           value of one correlation in the text. If there is no such value, the field is
+///           `correlations`, and the text gives a common factor for all correlations
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
@@ -52,7 +55,8 @@ class Copula {
   std::vector<double> correlated(std::vector<double> u) const;
 
  private:
-  // A coordinate whose score is a weighted sum of its own and earlier independent scores.
+  // A coordinate whose score is a weighted sum of its own independent score and the independent
+  // scores of earlier coordinates.
   struct Row {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L

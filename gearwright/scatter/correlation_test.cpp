@@ -164,7 +164,8 @@ ScatterTolerance bore(bool far_end) {
                             VaryingBore{100.0, 0.0, far_end});
 }
 
-// Correlated normal points of the plane are moved along their radius to be uniform in the disc.
+// The oracle draws correlated normal points of the plane and moves each along its radius, so that
+// the point is uniform in the disc. It uses the generators of the standard library.
 double correlation_in_discs(double rho) {
   std::mt19937_64 generator(7);
   std::normal_distribution<double> normal;
@@ -196,7 +197,8 @@ TEST(Correlation, OfBoresIsThatOfTheirPositions) {
     EXPECT_NEAR(pearson(input(points, 0), input(points, 1)), 0.0, 0.005);
     EXPECT_NEAR(pearson(input(points, 2), input(points, 3)), 0.0, 0.005);
     EXPECT_NEAR(pearson(input(points, 0), input(points, 3)), 0.0, 0.005);
-    // In a uniform circle, the square of the distance and the direction have uniform distributions.
+    // The positions of the second bore are uniform in the circle: the square of the distance and
+    // the direction have uniform distributions.
     std::vector<double> square, direction;
     for (const auto& x : points) {
       square.push_back((x[2] * x[2] + x[3] * x[3]) / (0.02 * 0.02));
@@ -210,8 +212,8 @@ TEST(Correlation, OfBoresIsThatOfTheirPositions) {
   }
 }
 
-// [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L. If r is the correlation of x_A and x_B, var ΔC
-// = R²(1 + r)/8 and var Δδ = R²(1 − r)/(2L²).
+// [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L. If r is the correlation of x_A and x_B,
+// var ΔC = R²(1 + r)/8 and var Δδ = R²(1 − r)/(2L²).
 TEST(Correlation, OfBoresMovesTheAxisMoreAndTiltsItLess) {
   ScatterTask task = three_inputs({{0, 2, 0.9, 1}, {1, 3, 0.9, 1}});
   task.tolerances = {bore(false), bore(true)};

@@ -28,11 +28,14 @@ struct DistributionSpec {
 
 class Distribution {
  public:
+  /// Checks the spec and makes the distribution.
+  ///
   /// Errors    `range` if l > h or if an end is not finite; `cpk` ≤ 0; `offset` not inside the
   ///           range; `shape` ≤ 0. A range with l = h is valid, but the number does not vary
   static Result<Distribution> of(const DistributionSpec& spec);
 
-  /// F⁻¹(u), the inverse of the distribution function; 0 < u < 1 (contract).   Formula [T14.1]
+  /// F⁻¹(u), the inverse of the distribution function.   Formula [T14.1]
+  /// Domain    0 < u < 1 (contract)
   double at(double u) const;
   /// Mean and variance, in closed form.
   Moments moments() const;

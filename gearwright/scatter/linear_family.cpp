@@ -37,7 +37,8 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
   return heights;
 }
 
-// The maximum of a curve through equidistant values, refined by a parabola unless it is at an end.
+// The maximum of a curve through equidistant values. If the greatest value is not at an end, the
+// result is the maximum of the parabola through this value and the two neighbouring values.
 double greatest_of(const std::vector<double>& v) {
   const auto at = static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   if (at == 0 || at + 1 == v.size()) return v[at];
@@ -66,7 +67,8 @@ double least_between(const Branches& a, const Branches& b) {
   return std::min(least, first->second + part * (falls->second - first->second));
 }
 
-// True if the fields differ. Topographies are always equal and therefore not compared.
+// True if the field of a member differs from the field of the nominal pair. Topographies are not
+// compared, because they are always equal.
 bool changed(const RemovalField& member, const RemovalField& drawn) {
   return member.waves() != drawn.waves() || member.amounts() != drawn.amounts();
 }

@@ -1,5 +1,5 @@
-// First-order estimates of the peak-to-peak TE of the members of a family, fast enough for a
-// diagram that follows a slider.
+// Estimates the peak-to-peak TE of the members of a family to first order. The estimate is fast
+// enough for a diagram that follows a slider.
 //
 //   T_i    greatest gap angle over the profile at place i, which is one height on one tooth pair
 //   e      errors of a member minus nominal errors
@@ -42,7 +42,8 @@ class LinearFamily {
     std::array<RemovalTurn, 2> removal;  // ∂T_i/∂C of each gear
     std::array<double, 2> drawn;         // mm removed from each gear of the nominal pair
   };
-  // A tooth pair at a position. The places are the heights at which its flanks face each other.
+  // A tooth pair at a position. The places are the heights at which its flanks face each other, in
+  // ascending order.
   struct Row {
     int pair;
     std::vector<std::vector<Place>> runs;  // sequences of neighbouring heights

@@ -1,4 +1,5 @@
-// Laws (1) and (2) of LinearFamily::peak_to_peak().
+// Laws: (1) without a deviation, the result equals continuous_peak_to_peak()   (2) for small
+// deviations, the result changes like continuous_peak_to_peak().
 #include "gearwright/scatter/linear_family.hpp"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,7 @@ namespace {
 
 using P = Modification;
 
+// Tolerances of the housing, of the bores and of both flanks, all multiplied by `width`.
 std::vector<ScatterTolerance> tolerances_of_all(double width) {
   using testing::tolerance;
   return {
@@ -104,7 +106,8 @@ TEST(LinearFamily, ALostContactHasNoEstimate) {
   EXPECT_FALSE(LinearFamily::of(apart.setup(), {}));
 }
 
-// The effect of a removal times the removal per unit of a modification is the slope of T.
+// The effect of a removal by row_turn(), multiplied by the removal per unit of a modification, is
+// the slope of T with respect to this modification.
 TEST(RowTurn, TimesAFieldItIsTheSlope) {
   const ContactSetup setup = testing::crowned_helical_pair().setup().with_fields({true, true});
   for (const bool gear2_drives : {false, true}) {

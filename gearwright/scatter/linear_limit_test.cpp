@@ -21,7 +21,8 @@ struct Small {
   Influence influence;
 };
 
-// At a thousandth of usual widths, terms of second order are a thousandth of the linear terms.
+// The widths are a thousandth of usual widths, so that terms of second order are a thousandth of
+// the terms of first order.
 std::vector<Small> small_tolerances() {
   const auto range = [](const char* name, double width, auto of, Influence influence) {
     return Small{testing::tolerance(name, 1.0, -width, width, of), width, influence};
@@ -36,6 +37,7 @@ std::vector<Small> small_tolerances() {
                 {ErrorKind::center_distance, 1, Modification::profile_slope})};
 }
 
+// The derivatives of TE, averaged over the positions.
 std::vector<double> mean_slopes(const ContactSetup& setup, int positions,
                                 const std::vector<Small>& all) {
   const ContactPair pair = setup.pair(false);

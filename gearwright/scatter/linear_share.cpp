@@ -14,9 +14,10 @@ constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
 // smooth function, and 1/4 at a kink. A ratio above kBend indicates a kink.
 constexpr double kBend = 1.0 / 8;
 // A kink is ignored if its change of slope, multiplied by w_i, is at most this fraction of the
-// standard deviation of the quantity. It then explains at most 0.5 % of the variance.
+// standard deviation of the quantity. Such a kink explains at most 0.5 % of the variance.
 constexpr double kSmallBend = 0.5;
-// rad: rounding error of a second difference of the peak to peak, the least accurate quantity.
+// A second difference below this value, rad, is a rounding error of the peak to peak. Other
+// quantities are more accurate.
 constexpr double kRoundingBend = 4e-12;
 
 // True if the member is a continuous function of the coordinates at x = 0.
@@ -63,6 +64,7 @@ std::vector<Probes> probes_of(const ScatterTask& task) {
   return all;
 }
 
+// True if the teeth exist at every probe.
 bool teeth_exist(const ContactSetup& setup, const ScatterTask& task) {
   std::vector<ScatterTolerance> narrow;
   for (ScatterTolerance t : task.tolerances) {

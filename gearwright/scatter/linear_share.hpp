@@ -1,4 +1,5 @@
-// For each quantity, the part of the variance that its derivatives at the nominal pair explain.
+// Computes, for each quantity, the part of the variance that the derivatives of the quantity at the
+// nominal pair explain.
 //
 //   f     a quantity of a member       g_i = ∂f/∂x_i at x = 0, which is the nominal pair
 //   w_i   half width of the range of x_i
@@ -15,10 +16,11 @@
 
 namespace gearwright {
 
-/// The gradient g of each quantity, per user's unit of x; none if the quantity has no value or no
-/// derivative at the nominal pair. The members are not continuous in the coordinates of waves and
-/// pitches at x = 0. A quantity that varies with these coordinates has no gradient. For all other
-/// quantities, the derivatives by these coordinates are 0.
+/// The gradient g of each quantity, in the unit of the quantity per user's unit of x. A
+/// quantity that has no value or no derivative at the nominal pair has no gradient. The members
+/// are not continuous in the coordinates of waves and pitches at x = 0. A quantity that varies
+/// with these coordinates therefore has no gradient. For all other quantities, the derivatives
+/// by these coordinates are 0.
 ///
 /// `deviation` contains the standard deviation of each quantity. A kink of a quantity at x = 0
 /// is ignored if it explains at most 0.5 % of the variance.

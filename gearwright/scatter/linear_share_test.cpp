@@ -1,5 +1,5 @@
-// Laws (1) and (2) of linear_shares(). The gradients equal the exact derivatives of contact.
-// Golden: the closed forms of page 14 for spur gears.
+// The gradients are the exact derivatives of contact; a quantity that is linear in the inputs has
+// the share 1, and an even one the share 0. Golden: the closed forms of page 14 for spur gears.
 #include "gearwright/scatter/linear_share.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,9 @@
-// Transmission error, pressure and load distribution under torque for samples of a family.
+// Computes the transmission error, the pressure and the load distribution under torque for the
+// first samples of a family.
 //
-// All members share the tables of the teeth. All teeth of a gear are treated as identical, so pitch
-// deviations have no effect, and a change of thickness only turns gear 2.
+// The tables of the teeth do not depend on errors and modifications, so all members share them.
+// All teeth of a gear are treated as identical. Pitch deviations therefore have no effect, and a
+// change of thickness only turns gear 2.
 //
 // Internal to scatter/.                theory: docs/theory/14-scatter.md, [T14.24]
 #pragma once
@@ -14,6 +16,7 @@
 
 namespace gearwright {
 
+/// A pair of flanks under load, with its request.
 struct LoadedSide {
   std::shared_ptr<const ContactPair> pair;
   LoadRequest request;
@@ -23,8 +26,10 @@ struct LoadedSide {
 std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
                                      const MemberRequest& member, const LoadedFamily& load);
 
-/// For each member at the points `x`, a list with one score for each torque. The list is empty if
-/// the forces on this member have no solution at some position.
+/// The scores of the members at the points `x`. Each member has a list with one score for each
+/// torque. The list is empty if the forces on this member have no solution at some position.
+///
+/// Accuracy  as loaded_contact() for each member
 std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setup,
                                                         const ScatterTask& task,
                                                         const LoadedFamily& load,
@@ -33,7 +38,8 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
 /// The greatest peak-to-peak TE of each member over the torques, rad; `none` without scores.
 std::vector<double> loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores, double none);
 
-/// `scores` are stored replicate by replicate, and Percentile::sample is an index of `scores`.
+/// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index
+/// of `scores`.
 std::vector<LoadedSpread> spreads_under_load(const ScatterTask& task, const LoadedFamily& load,
                                              const std::vector<std::vector<LoadedScore>>& scores);
 

@@ -31,6 +31,7 @@ ScatterTask task_of(const ContactSetup& setup, std::vector<ScatterTolerance> tol
   return task;
 }
 
+// The scores of the first samples of each replicate, and the indices of these samples.
 struct Members {
   std::vector<std::size_t> sample;
   std::vector<std::vector<LoadedScore>> scores;

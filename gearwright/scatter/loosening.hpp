@@ -9,11 +9,12 @@
 
 namespace gearwright {
 
-/// All other tolerances stay the same. To make a tolerance s times as wide, its coordinates x are
-/// multiplied by s in the samples of the first replicate.
+/// The effect of each tolerance if all others stay the same. To make a tolerance s times as wide,
+/// its coordinates x are multiplied by s in the samples of the first replicate.
 ///
-/// Accuracy  Change::factor is at most 1 % below the smallest s for which P(s) exceeds the limit,
-///           which is searched on a grid. With other samples, s changes by the sampling error
+/// Accuracy  Change::factor is at most 1 % below the smallest s for which P(s) exceeds the limit.
+///           This s is searched on a grid and refined by halving. With other samples, it would
+///           change by the sampling error of the percentile
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task);
 
 }  // namespace gearwright

@@ -52,7 +52,8 @@ namespace {
 // of a double-helical pair. If both halves are equal, they are computed once.
 class FlankTouches {
  public:
-  // `lanes` permits the search in SIMD lanes, whose touches differ by rounding.
+  // `lanes` permits the search in SIMD lanes. The touches that this search finds differ by
+  // rounding from those of the verb `contact`.
   FlankTouches(const ContactSetup& setup, const ContactErrors& errors, const MemberRequest& request,
                bool gear2_drives, bool lanes) {
     if (request.stagger) {
@@ -79,7 +80,8 @@ class FlankTouches {
       sum += touches[position].found() ? touches[position].te() : kNoNumber;
     return sum / static_cast<double>(touches_.size());
   }
-  // Positions of the contact are from the half with the greater magnitude. edge_share is the mean.
+  // The score. Each position of the contact is taken from the half in which its magnitude is
+  // greater, and edge_share is the mean of both halves.
   ContactScore score(const ProfileTarget& profile) {
     ContactScore worst;
     double edges = 0.0;
@@ -108,7 +110,8 @@ class FlankTouches {
     const auto teeth = [&](int which) { return std::abs(setup.gear(which).spec.teeth); };
     return long_period_span(transmissions_[0], touches_[0], {teeth(1), teeth(2)}, deviation.pitch);
   }
-  // The derivative of span(), which must have been called and be > 0; not for double-helical pairs.
+  // The derivative of span(). Domain: span() has been called and is > 0; not for double-helical
+  // pairs (contract)
   double slope(const Influence& by) { return span_slope(transmissions_[0], *extremes_, by); }
 
  private:

@@ -53,7 +53,8 @@ struct MemberRequest {
   std::optional<double> stagger{};  ///< s of a double-helical pair; none for other pairs
 };
 
-/// The nominal setup, or a setup with the modifications of the member if they differ.
+/// The setup of a member. This is the nominal setup, unless the modifications of the member differ
+/// from the nominal modifications.
 ///
 /// Domain    modifications that check_ends() accepts (contract); `setup` must outlive the object
 class MemberSetup {
@@ -72,10 +73,11 @@ class MemberSetup {
 /// Domain    involute teeth, or no change (contract)
 double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickness);
 
-/// The numbers of the member. For a double-helical pair, TE and backlash describe the whole gears,
-/// one of which floats along its axis. Errors and deviations apply to both halves. `edge_share` is
-/// the mean of both halves. `along_face` and `along_profile` are each taken from the half with the
-/// greater magnitude, and `along_face` is > 0 away from the apex.
+/// The numbers of the member with this deviation. For a double-helical pair, TE and backlash
+/// describe the whole gears, one of which floats along its axis. Errors of mounting apply to both
+/// halves, and deviations of the teeth are the same on both halves. `edge_share` is the mean of
+/// both halves. `along_face` and `along_profile` are each taken from the half with the greater
+/// magnitude, and `along_face` is > 0 away from the apex.
 ///
 /// Domain    positions ≥ 2; modifications that check_ends() accepts; no deviations of pitch for a
 ///           double-helical pair (contract)
@@ -86,7 +88,8 @@ double play_taken(const ContactSetup& setup, const std::array<double, 2>& thickn
 FamilyMember member_at(const ContactSetup& setup, const Deviation& deviation,
                        const MemberRequest& request);
 
-/// Peak to peak of the continuous curve, rad, and its derivatives, rad per mm or rad.
+/// Peak to peak of the continuous curve, rad, and its derivative with respect to each influence,
+/// rad per mm or rad.
 struct MemberSpan {
   double value;  ///< NaN if contact is lost
   std::vector<double> slope;

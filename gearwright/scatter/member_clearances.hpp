@@ -17,14 +17,16 @@ struct MemberClearances {
   std::array<double, 2> tip, form;
 };
 
-/// Tilts of the axes do not change the clearances.
+/// The clearances of a pair with this centre distance and these thicknesses. Tilts of the axes
+/// do not change the clearances.
 ///
 /// Formula   [T14.31]
 /// NaN       if the nominal axes cross, if the teeth are not involutes, or if there is no working
 ///           pressure angle. After a change of the thickness, also if a pinion cutter has cut the
-///           teeth, if their root fillet is circular, or if the cutter determines their tip, and
-///           the form clearance also if the tooth is undercut
-/// Laws      (1) a new pair with this centre distance and these thicknesses has equal clearances
+///           teeth, if their root fillet is circular, or if the cutter determines their tip. The
+///           form clearance is also NaN after a change of the thickness if the tooth is undercut
+/// Laws      (1) the clearances are equal to those of a new pair with this centre distance and
+///           these thicknesses
 MemberClearances clearances_of(const ContactSetup& setup, const Deviation& deviation);
 
 }  // namespace gearwright

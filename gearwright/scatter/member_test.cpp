@@ -1,4 +1,4 @@
-// Laws: (1) without deviations, the numbers equal analyse_contact()   (2) a member equals a
+// Laws: (1) without deviations, the numbers are those of analyse_contact()   (2) a member equals a
 // pair with the same errors, modifications and thickness   (3) a double-helical pair without errors
 // that tilt an axis has the numbers of a half. Golden: closed forms of spur gears (page 14).
 #include "gearwright/scatter/member.hpp"

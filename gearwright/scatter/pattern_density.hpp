@@ -4,8 +4,9 @@
 //   δ   thickness of the marking compound, mm
 //                                    theory: docs/theory/14-scatter.md, [T14.27]
 //
-// A sample covers a place if the gap of contact_pattern() at this place is at most δ at some
-// position of the mesh. Marking compound of the thickness δ shows there after a full mesh.
+// A sample covers a place if the gap at this place is at most δ at some position of the mesh.
+// Marking compound of the thickness δ would show there after a full mesh of this pair. The gap is
+// the exact gap of contact_pattern() at each place, not an approximation by ellipses.
 #pragma once
 
 #include <array>
@@ -28,6 +29,7 @@ struct DensityRequest {
   RasterSize size{17, 33};
 };
 
+/// The places of one flank, and the number of samples that cover each place.
 struct FlankDensity {
   std::vector<double> diameter;     ///< mm, diameters of the rows, ascending
   std::vector<double> height;       ///< mm, z of the columns in the gear's own frame, ascending

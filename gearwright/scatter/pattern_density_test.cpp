@@ -1,4 +1,6 @@
-// Laws (1) to (3) of pattern_density(). Golden: the closed form of [T14.27].
+// Laws: (1) without deviations, the share of a place is 1 where the pattern of the pair covers the
+// place, and 0 elsewhere   (2) a greater δ does not lower any share   (3) the result does not
+// depend on the number of threads. Golden: the closed form of [T14.27].
 #include "gearwright/scatter/pattern_density.hpp"
 
 #include <gtest/gtest.h>

@@ -60,8 +60,9 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// An upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the second-order term
-// of both flanks together. None if the flanks can touch near a base circle.
+// Returns an upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the
+// second-order term of both flanks together. Returns none if the flanks can touch near a base
+// circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};
@@ -75,7 +76,8 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double tilt = e.crossing.half() + e.intersecting.half();
   const double twist = (e.twist[0].half() + e.twist[1].half()) * half_face;
   const double turn = tilt + twist;
-  // Greatest displacements of a place across the plane of action, along the axis, in any direction.
+  // Greatest displacement of a place across the plane of action, along the axis, and in any
+  // direction.
   const double across = e.distance.half() + tilt * half_face +
                         e.twist[0].half() * half_face * rho_tip[0] +
                         e.twist[1].half() * half_face * rho_tip[1];

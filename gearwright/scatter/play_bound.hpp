@@ -4,9 +4,9 @@
 //   δ_t       displacement of a place across the plane of action, mm
 //   ρ, r_b2   least radius of curvature of the touching flanks, base radius of gear 2, mm
 //
-// T + ½Λ|x|² is convex in x. TE of a flank is the greatest T, and the play is minus the sum of TE
-// of the working and the non-working flank. Up to a term of second order, the play is therefore
-// concave and least at a corner.
+// T + ½Λ|x|² is convex in the deviations x. TE of a flank is the greatest T. The play is minus the
+// sum of TE of the working and the non-working flank, so it is concave up to a term of second
+// order. Up to this term, the play is least at a corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.29]
 // Internal to scatter/.
 #pragma once

@@ -46,7 +46,8 @@ class RigidFamily final : public CorrectedFamily {
   }
 
  private:
-  // Corrections that remove material have exact slopes, except for double-helical pairs.
+  // Corrections that remove material from flanks have exact slopes. For tool settings, cutter leads
+  // and double-helical pairs, difference quotients are used.
   void add_slopes(Values& values, const std::vector<double>& v,
                   const std::vector<MemberSpan>& spans) const {
     values.slope.assign(spans.size(), std::vector<double>(v.size()));
@@ -75,7 +76,8 @@ std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTa
   const int samples = std::min(task.samples, kFineSamples);
   const RigidFamily coarse(setup, task, robust, std::min(samples, kCoarseSamples));
   const RigidFamily fine(setup, task, robust, samples);
-  // Estimate for two descents of about ten steps, the search of the box and the final local search.
+  // This estimate covers two descents of about ten steps, the search of the box, and the final
+  // local search.
   begin_stage(task.progress, "searching for corrections of the percentile",
               static_cast<std::int64_t>(robust.corrections.size()) *
                   (40 * std::min(samples, kCoarseSamples) + 55 * samples));

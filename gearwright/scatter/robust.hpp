@@ -4,8 +4,8 @@
 //   v     corrections         f_k   peak-to-peak TE of sample k, with the corrections v
 //                         theory: docs/theory/14-scatter.md, [T14.16] to [T14.18], [T14.25]
 //
-// Every v is evaluated with the same samples, so that differences are not due to chance. The result
-// is assessed with samples from another seed.
+// Every v is evaluated with the same samples, so that differences between corrections are not due
+// to chance. The result is assessed with other samples, from another seed.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,14 @@ struct RobustTask {
   std::optional<LoadedFamily> load{};
 };
 
-/// The family without or with corrections, with samples that the search does not use.
+/// The family without or with corrections, computed with samples from a different seed than
+/// those of the search.
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
   Spread peak_to_peak;                 ///< of f; the only percentile is the minimised percentile
-  Probability edge;  ///< probability that an edge touches (under load: carries load)
-  Probability lost;  ///< probability that a sample has no f
+  Probability edge;                    ///< probability that an edge touches or, under load, carries
+                                       ///< load
+  Probability lost;                    ///< probability that a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< one for each torque; empty for rigid teeth
 
   /// The percentile, rad.
@@ -47,15 +49,18 @@ struct RobustCorrections {
   }
 };
 
+/// Computes the corrections, and the family without and with them.
+///
 /// Domain    as scatter_of(); at least one correction, which the setup can take; bounds as stated;
 ///           0 < percent < 100; can_minimise() (contract)
 /// Errors    as scatter_of(); `scatter.robust`, if no sample has a peak to peak
 /// Accuracy  a local minimum, the best from a search of the whole box and descents by exact
 ///           derivatives; values are multiples of a hundredth of `step`
 /// Laws      (1) in the samples from the other seed, the corrections increase neither the
-///           percentile nor the number of samples without f; otherwise, they are replaced by 0
-///           (2) the result is the same, byte for byte, for any number of threads
-///           (3) with tolerances of width 0, the percentile is the value at the nominal optimum
+///           percentile nor the number of samples without f. Corrections that would increase one of
+///           them are replaced by 0   (2) the result is the same, byte for byte, for any number of
+///           threads   (3) with tolerances of width 0, the percentile with the corrections is equal
+///           to the value at the optimum of the nominal pair
 Result<RobustCorrections> robust_corrections(const ContactSetup& setup, const ScatterTask& task,
                                              const RobustTask& robust);
 

@@ -28,8 +28,9 @@ bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
   return load.request.regime == LoadRegime::point || !influences_of(robust.corrections);
 }
 
-// The family with corrections near a center. Unless the trials are exact, the contact is computed
-// only at the center, and each trial recomputes only the forces with changed gaps.
+// The family with corrections near a center. If the contact is line contact and every correction
+// has an influence, the contact is computed only at the center. Each trial then recomputes only the
+// forces with changed gaps. In all other cases, each trial repeats the whole contact computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
@@ -112,7 +113,8 @@ class LoadSearch {
       if (of) of->positions = std::min(of->positions, kPositions);
   }
 
-  // The best corrections for these samples. If the trials are exact, one center is sufficient.
+  // The best corrections for these samples. The trials near a center use the contact computed at
+  // this center. If the trials are exact, one center is sufficient.
   std::vector<double> lowest(const std::vector<std::vector<double>>& places,
                              std::vector<double> center) const {
     using Trials = std::unique_ptr<LoadedTrials>;

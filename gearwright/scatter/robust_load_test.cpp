@@ -1,5 +1,7 @@
-// The laws of robust.hpp under load. A scan finds the nominal optimum of law (3). Oracle: the
-// percentile from loaded_contact(), computed for each member separately.
+// Laws of corrections under load: (1) they never increase the percentile   (2) with tolerances of
+// width 0, they are the nominal optimum, which a scan finds   (3) they are the same, byte for byte,
+// for any number of threads. Oracle: the percentile from loaded_contact(), computed for each member
+// separately.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +45,7 @@ ContactSetup with_crowning(const ContactSetup& setup, double um) {
   return setup.changed(change).value();
 }
 
+// The loaded peak to peak of one member, rad.
 double span_of_member(const ContactSetup& setup, const ScatterTask& task, const LoadedFamily& load,
                       const std::vector<double>& x) {
   const Deviation d = deviation_at(setup, task.tolerances, x);
@@ -52,6 +55,7 @@ double span_of_member(const ContactSetup& setup, const ScatterTask& task, const 
       .peak_to_peak.rad();
 }
 
+// The quantile of the sorted values, interpolated between the two nearest samples.
 double sorted_quantile(std::vector<double> f, double p) {
   std::sort(f.begin(), f.end());
   const double at = p * static_cast<double>(f.size() - 1);

@@ -1,5 +1,6 @@
-// The corrections with the lowest percentile of a quantity over a family, found by a search of the
-// box, descents of the mean of the worst samples, and a local search for the percentile.
+// Finds the corrections with the lowest percentile of a quantity over a family. The steps are a
+// search of the box, descents of the mean of the worst samples, and a final local search for the
+// percentile.
 //
 //   v     corrections                       f_k   the quantity of sample k, with the corrections v
 //   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k
@@ -13,7 +14,8 @@
 
 namespace gearwright {
 
-/// A quantity of the family for given corrections, which are all evaluated with the same samples.
+/// Evaluates a quantity of the family for given corrections. All corrections are evaluated with one
+/// set of samples, so that differences between corrections are not due to chance.
 class CorrectedFamily {
  public:
   struct Values {
@@ -25,7 +27,8 @@ class CorrectedFamily {
   double percentile(const std::vector<double>& v, double p) const;
 };
 
-/// Computes the slopes with respect to correction i by difference quotients.
+/// Computes the slopes with respect to correction i by difference quotients, because it has no
+/// exact slopes.
 void add_difference(CorrectedFamily::Values& values, const CorrectedFamily& family,
                     const std::vector<double>& v, std::size_t i, const Correction& bounds);
 
@@ -38,7 +41,8 @@ struct RobustSearch {
   bool whole_box;  ///< false for a search around the start only
 };
 
-/// The best corrections from `start`, or `start` if none are better. They are not rounded.
+/// The best corrections that the search from `start` finds, or `start` if none of them is
+/// better. The corrections are not rounded.
 ///
 /// Domain    lo ≤ start ≤ hi of the box; can_minimise() (contract)
 /// Accuracy  a local minimum, to `gain`

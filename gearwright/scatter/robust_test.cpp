@@ -1,5 +1,6 @@
-// Laws (1) and (2) of robust.hpp. Oracle: the percentile over a dense scan of the correction,
-// computed for each member separately.
+// Laws: (1) corrections never increase the percentile   (2) the result is the same, byte for byte,
+// for any number of threads. Oracle: the percentile over a dense scan of the correction, computed
+// for each member separately.
 #include "gearwright/scatter/robust.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// The points x of the samples of a family, and the peak-to-peak TE of the members at x. They are
-// Sobol's or random points with the distributions and correlations of the tolerances.
+// Computes the points x of the samples of a family, and the peak-to-peak TE of the members at
+// these points. The points x are Sobol's points or random points, and they have the
+// distributions and the correlations of the tolerances.
 //                theory: docs/theory/14-scatter.md, [T14.4] to [T14.6], [T14.30]
 // Internal to scatter/.
 #pragma once
@@ -12,6 +13,8 @@
 
 namespace gearwright {
 
+/// Checks that samples of the family can be computed.
+///
 /// Errors    as check_ends(); `scatter` if the tolerances have more coordinates than the table
 ///           of Sobol's points
 std::optional<Error> check_family(const ContactSetup& setup,
@@ -25,7 +28,7 @@ class SamplePoints {
   /// x of sample n of a replicate, in the users' units.
   std::vector<double> at(int replicate, std::uint32_t n) const { return from(0, replicate, n); }
   /// x of sample n of a second set, which is independent of at(). The points have twice as many
-  /// coordinates as x, and at() uses the first half.
+  /// coordinates as x. at() uses the first half of them, and this function uses the second half.
   std::vector<double> of_other_half(int replicate, std::uint32_t n) const {
     return from(dimensions_, replicate, n);
   }
@@ -41,7 +44,8 @@ class SamplePoints {
   Copula copula_;
 };
 
-/// The peak to peak of the continuous TE curve, rad, of the member at each of these points x.
+/// The peak to peak of the continuous TE curve, rad, of the member at each of these points x,
+/// with its derivatives with respect to the influences.
 std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& task,
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});

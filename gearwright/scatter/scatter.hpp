@@ -4,7 +4,8 @@
 //   n, R   samples of a replicate, replicates        d   coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
-// No result depends on the number of threads, because statistics use the order of the samples.
+// Every member of the family is computed independently of the others, and statistics are computed
+// in the order of the samples, so no result depends on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,8 @@ struct ScatterTask {
   std::vector<ScatterTolerance> tolerances;
   /// Correlations of the scores of coordinates; check_correlations() accepts them.
   std::vector<ToleranceCorrelation> correlations{};
-  /// For `indices` only. Each tolerance is in one group. Correlated tolerances share a group.
+  /// Every tolerance belongs to one group, and correlated tolerances belong to the same group. Used
+  /// for `indices` only.
   std::vector<ToleranceGroup> groups;
   MemberRequest member;
   int samples = 1024;  ///< n, a power of two
@@ -65,6 +67,7 @@ struct ScatterTask {
   Progress* progress = nullptr;
 };
 
+/// A point x with its member.
 struct ScatterSample {
   std::vector<double> x;  ///< coordinates in the users' units of the tolerances
   FamilyMember member;
@@ -103,7 +106,8 @@ struct LoadedSpread {
 /// The first-order and total Sobol indices of each group.
 struct IndexEstimates {
   std::vector<Estimate> first, total;
-  /// Share of the variance that the derivatives at the nominal pair explain; none without them.
+  /// The share of the variance that the derivatives at the nominal pair explain; none if the
+  /// derivatives do not exist.
   std::optional<double> linear_share{};
 };
 
@@ -112,12 +116,13 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
-  /// The result of least_play_bound(), rad. None for the peak to peak.
+  /// The result of least_play_bound(), rad: no member has a smaller least play. None for the peak
+  /// to peak.
   std::optional<double> bound;
 };
 
-/// The effect of each tolerance on the highest percentile of the peak-to-peak TE, if one tolerance
-/// becomes wider or narrower about the nominal value and all others stay the same.
+/// The effect of each tolerance on the highest percentile of the peak-to-peak TE. One tolerance
+/// becomes wider or narrower about the nominal value, and all others stay the same.
 struct Loosening {
   /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak to peak at this
   /// percentile, rad, in the first replicate with unchanged tolerances.

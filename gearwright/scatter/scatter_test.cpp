@@ -1,5 +1,6 @@
-// Laws (1) and (2) of scatter_of(); no sample is worse than the worst case. Golden: closed forms of
-// page 14.
+// Laws: (1) the result is the same, byte for byte, for any number of threads; (2) tolerances of
+// width 0 give the pair as drawn; (3) no sample is worse than the worst case. Golden: closed forms
+// of page 14.
 #include "gearwright/scatter/scatter.hpp"
 
 #include <gtest/gtest.h>
@@ -161,7 +162,7 @@ TEST(Scatter, IndicesOfThePlayAreSharesOfItsVariance) {
   task.groups = {{"housing", {0}}, {"teeth", {1, 2}}};
   const Scatter grouped = done(setup, task);
   EXPECT_NEAR(indices(grouped, Q::least_play)->total[1].value, 1 - part[0] * part[0] / sum, 0.01);
-  // Conjugate flanks on parallel axes have no transmission error that a tolerance could influence.
+  // Conjugate flanks on parallel axes have no transmission error, so no tolerance influences it.
   EXPECT_FALSE(indices(s, Q::peak_to_peak));
 }
 

@@ -12,8 +12,9 @@
 
 namespace gearwright {
 
-/// `values` are stored replicate by replicate, with `per_replicate` values in each, and NaN for a
-/// sample without a value. Percentile::sample is an index of `values`. None if all are NaN.
+/// The spread of `values`. The values are stored replicate by replicate, with `per_replicate`
+/// values in each, and NaN for a sample without a value. Percentile::sample is an index of
+/// `values`. None if no sample has a value.
 std::optional<Spread> spread_of(const ScatterTask& task, const std::vector<double>& values,
                                 int per_replicate);
 

@@ -27,7 +27,8 @@ std::vector<double> sums(std::uint64_t seed) {
   return values;
 }
 
-// The interval about the mean of the replicates would contain the value in three of four trials.
+// An interval about the mean of the percentiles of the replicates would contain the exact
+// percentile in only three of four trials.
 TEST(Spread, IntervalsContainTheExactPercentiles) {
   const double low = std::cbrt(0.3);
   const std::array<double, 3> exact{low, 1.5, 3.0 - low};

@@ -1,4 +1,5 @@
-// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or waves.
+// Variations from pair to pair: a toleranced number, the position of a bore, pitches, or form waves
+// of the flanks.
 //
 //   x   coordinates of a member of the family, one to three for each tolerance. Each is added to a
 //       value of the drawing, so x = 0 is the nominal pair
@@ -41,8 +42,8 @@ struct VaryingModification {
   Modification parameter;
 };
 
-/// The position of the bore of axis 1 relative to the bore of axis 2, within a circle in the plane
-/// at one end of the bearing span.
+/// The position of the bore of axis 1 relative to the bore of axis 2, in the plane at one end of
+/// the bearing span. The position varies within a circle.
 struct VaryingBore {
   double span;    ///< L  mm
   double offset;  ///< c  mm, z of the gear relative to the middle of the span
@@ -78,10 +79,12 @@ struct ScatterTolerance {
       of;
   std::string source{};  ///< key or table of the spec that gives the range
 
-  /// ", f_fα of the grade" or ", f_fβ of the grade" for a wave, which has no tolerance; else empty.
+  /// For a wave, ", f_fα of the grade" or ", f_fβ of the grade", because a wave has no tolerance of
+  /// its own; otherwise empty.
   const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
-  /// True if the tolerance changes the peak to peak. Tooth thickness and pitches do not change it.
+  /// True if the flanks change their place or their shape, and with them the peak to peak. Tooth
+  /// thickness and pitches do not change it.
   bool moves_flanks() const {
     return !std::holds_alternative<VaryingThickness>(of) &&
            !std::holds_alternative<VaryingPitch>(of);
@@ -109,18 +112,22 @@ struct Deviation {
   bool uneven_pitch() const { return !pitch[0].empty() || !pitch[1].empty(); }
 };
 
-/// The member at x. Domain: the coordinates of all tolerances, in their order (contract)
+/// The member at x, whose coordinates are in the order of the tolerances.
+///
+/// Domain    as many coordinates as the tolerances have (contract)
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
+/// The number of coordinates of all tolerances.
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
 /// The names of the coordinates for the user. A single coordinate has the name of its tolerance,
 /// and others have an ending: "errors.crossing_deg", "bearings.bore_a.x_mm".
 std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances);
 
-/// Checks that the teeth exist with their modifications at both ends of each tolerance.
+/// Checks that the teeth and their modifications exist at both ends of each tolerance.
 ///
-/// Errors    as ContactSetup::of, in the name of the first tolerance with an invalid end
+/// Errors    as ContactSetup::of, for the first tolerance with an invalid end; the field of the
+///           error is the name of this tolerance
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 
@@ -134,14 +141,18 @@ struct GradedFlank {
   double helix_total;                ///< F_β
 };
 
+/// The deviations that the grade `quality` of an edition of the standard allows for a gear.
+///
 /// Formula   [T14.23], with the values of flank_tolerances()
 /// Domain    a grade of the edition (contract)
 /// None      for circular-arc teeth, which the standard does not cover, or if the gear has no
 ///           evaluation range
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality);
 
-/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. Its lengths are proportional to the
-/// bearing span, so the angles do not depend on the span. [T14.23]
+/// Deviations of parallel axes by ISO/TR 10064-3, ± rad. ISO/TR 10064-3 gives them as lengths in
+/// proportion to the bearing span, so the angles do not depend on the span.
+///
+/// Formula   [T14.23]
 struct GradedAxes {
   double crossing, intersecting;
 };

@@ -19,6 +19,7 @@ double range_of(const std::vector<double>& v) {
   return *greatest - *least;
 }
 
+// The greatest step from a tooth to the next tooth, around the gear.
 double greatest_step(const std::vector<double>& v) {
   double step = 0.0;
   for (std::size_t k = 0; k < v.size(); ++k)
@@ -48,8 +49,8 @@ std::vector<double> closed_walk(std::size_t teeth, std::uint64_t key) {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
-// T of one tooth pair over its own rotation, in steps m from the first touch. Without contact, T is
-// kNone.
+// T of one tooth pair as a function of its own rotation, which is counted in steps m from the first
+// touch. T is kNone without contact.
 class PairCurve {
  public:
   PairCurve(Transmission& transmission, const std::vector<PairTouch>& touches)
@@ -68,8 +69,8 @@ class PairCurve {
         offer_and_walk(m, t);
       }
     }
-    // Branches that never lead with equal pitches may lead with unequal pitches, so one more pitch
-    // is searched on each side.
+    // A branch that never leads if the pitches are equal may lead if they are unequal, so one more
+    // pitch is searched on each side.
     const int from = std::max(-most_, least() - n_);
     const int to = std::min(most_, greatest() + n_);
     if (transmission_.wavy()) {

@@ -1,5 +1,5 @@
-// Unequal pitches within the tolerances of a grade, and TE over the long period of the pair, after
-// which every tooth meets the same mating tooth again.
+// Computes unequal pitches within the tolerances of a grade, and TE over the long period of the
+// pair, after which every tooth meets the same mating tooth again.
 //
 //   ε_k   angle by which tooth k is ahead, rad     r   reference radius, mm
 //   e, χ  amplitude and phase of the eccentricity  g   random walk along the circumference, mm
@@ -17,7 +17,7 @@
 namespace gearwright {
 
 /// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g returns to its start after
-/// one turn. e and g follow from `share`, `phase` and `eccentric`.
+/// one turn. Both e and g are computed from `share`, `phase` and `eccentric`.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)

@@ -51,7 +51,8 @@ class Box {
   std::size_t dimensions() const { return sides_.size(); }
   double width(std::size_t i) const { return sides_[i][1] - sides_[i][0]; }
 
-  // The quantity to maximise: peak to peak or negative least play; −∞ without a value.
+  // The quantity to maximise: the peak to peak of the member at x, or the negative of its least
+  // play. Minus infinity if the member has no such value.
   double badness(const std::vector<double>& x) const {
     const Deviation d = deviation_at(setup_, task_.tolerances, x);
     const double value = quantity_ == ScatterQuantity::peak_to_peak
@@ -109,7 +110,7 @@ class Box {
     return true;
   }
 
-  // The same member as x, with whole numbers of waves.
+  // The same member as x, with the whole numbers of waves to which the member rounds.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -245,8 +246,9 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   }
   keep_worst(worst_samples, kStartSamples);
   starts.insert(starts.end(), worst_samples.begin(), worst_samples.end());
-  // A search from the worst place evaluates at most two values of each coordinate per length of
-  // step. Other searches evaluate more but usually end after a few lengths, so this is an estimate.
+  // A search that starts at the worst place evaluates at most two values of each coordinate for
+  // each length of step. Other searches evaluate more, but most of them end after a few lengths, so
+  // this number of steps is an estimate.
   begin_stage(task.progress, "searching for the worst case",
               static_cast<std::int64_t>(starts.size() * box.dimensions()) * kStepLengths);
   const auto climb_all = [&](double first, double last) {

@@ -1,7 +1,8 @@
 // The worst member of a family by a search of the whole box of tolerances, not only of its corners.
 //
-// The peak to peak is the greatest minus the least TE and therefore not quasi-convex in the errors.
-// If the contact moves from one edge to another, a point inside the box may be worse than corners.
+// The peak to peak of TE is the greatest minus the least value of a curve. The peak to peak is
+// therefore neither convex nor quasi-convex in the errors. If the contact moves from one edge to
+// another, a point inside the box may be worse than every corner.
 //                                    theory: docs/theory/14-scatter.md, [T14.15]
 // Internal to scatter/.
 #pragma once
@@ -10,9 +11,9 @@
 
 namespace gearwright {
 
-/// The member with the greatest peak to peak or the least play. The search starts at the worst
-/// corners and samples. Its steps have the directions of the coordinates and of the last
-/// improvement, and are halved if they give no improvement.
+/// The member with the greatest peak to peak, or with the least play. The search starts at the
+/// worst corners of the box and at the worst samples. Its steps have the directions of the
+/// coordinates and of the last improvement. The steps are halved if they give no improvement.
 ///
 /// Accuracy  the worst local optimum that is found from several starts, which is not a bound.
 ///           For the least play, WorstMember::bound is a bound [T14.29]
