@@ -132,8 +132,7 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // The block of the factor below L is M = O L⁻ᵀ, where O is the block of the system matrix at
-    // the same place.
+    // The factor has the block M = O L⁻ᵀ below L. O is the same block of the system matrix.
     const MatrixXd transposed =
         factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -208,7 +207,6 @@ void Face::solve(MatrixXd& x) const {
   }
 }
 
-// The amplitudes at both ends of element e.
 MatrixXd Face::at_ends(Index e, const MatrixXd& x) const {
   MatrixXd ends(2 * modes_, x.cols());
   ends << x.middleRows(e * kDegree * modes_, modes_),

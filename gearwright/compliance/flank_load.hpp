@@ -1,6 +1,5 @@
-// A load on the flank of one tooth, and the displacement of a flank under a load. The load is
-// distributed, and the displacement is averaged, with the same smooth weight function along the
-// flank, called a bump. Betti's reciprocity therefore holds.
+// A load on the flank of a tooth is distributed with a smooth weight function, called a bump. The
+// displacement of a flank is averaged with the same bump, so Betti's reciprocity holds.
 //
 //   s    arc length along the outline from the middle of the space, m_n
 //   c    half width of the bump b(s) = 15/(16c) (1 − s²/c²)², m_n
@@ -32,7 +31,6 @@ FlankPlace flank_place(const SectionMesh& mesh, double s);
 /// The arc length at which the outline of tooth 0 reaches `radius`, in modules.
 double length_at_radius(const SectionMesh& mesh, double radius);
 
-/// The position s and the half width c of a bump.
 struct BumpPlace {
   double s, c;
 };

@@ -1,7 +1,5 @@
-// The compliance of a single tooth at one position of its flank, under a unit line force normal to
-// the flank.
-//
-// This compliance is used for comparisons with finite elements and with measurements.
+// The compliance of a single tooth at one position of its flank under a unit line force normal to
+// the flank, for comparison with finite elements and measurements.
 //                                      theory: docs/theory/12-loaded-contact.md, [T12.9]
 #pragma once
 
@@ -21,8 +19,7 @@ struct ComplianceProbe {
                                                   ///< the load is uniform on an infinitely wide
                                                   ///< gear
   std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; 0.05 m_n if absent
-  std::vector<double> read{};                     ///< z  mm, positions at which deflections are
-                                                  ///< computed
+  std::vector<double> read{};                     ///< z  mm, positions of the computed deflections
 };
 
 struct ProbeAnswer {

@@ -50,8 +50,7 @@ GaussRule gauss_rule(int n) {
   GW_EXPECTS(n >= 1 && n <= 64);
   GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
   for (int i = 0; i < n; ++i) {
-    // Newton's method for a root of the Legendre polynomial P_n, started at Tricomi's
-    // approximation.
+    // Newton's method for a root of the Legendre polynomial P_n starts at Tricomi's approximation.
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
     double slope = 1.0;
     for (int turn = 0; turn < 8; ++turn) {

@@ -1,5 +1,4 @@
-// Quadrilateral elements with nine nodes and nine Gauss points. A section mesh consists of these
-// elements.
+// Quadrilateral elements of the section mesh, with nine nodes and nine Gauss points.
 //
 //   x, y   coordinates in an element, −1 … 1      N   the nine shape functions
 //

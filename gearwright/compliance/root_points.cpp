@@ -64,8 +64,7 @@ RootPoints root_points(const ToothSection& section) {
 }
 
 double greatest_principal(const Eigen::Matrix<double, 6, 1>& s) {
-  // The greatest root of the characteristic polynomial, computed in trigonometric form (Lode
-  // angle).
+  // The greatest root of the characteristic polynomial in trigonometric form (Lode angle).
   const double mean = (s[0] + s[1] + s[2]) / 3;
   const double x = s[0] - mean;
   const double y = s[1] - mean;

@@ -24,8 +24,7 @@ Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   return x;
 }
 
-// The sparsity pattern of the stiffness matrices. Every two nodes that share an element have a
-// 3 × 3 block.
+// The sparsity pattern of the stiffness matrices. Nodes that share an element have a 3 × 3 block.
 class BlockPattern {
  public:
   explicit BlockPattern(const SectionMesh& mesh) : beside_(mesh.nodes.size()) {
@@ -64,8 +63,7 @@ class BlockPattern {
   std::vector<int> first_;  // index of the first entry of each column
 };
 
-// The unconstrained nodes, in an order of elimination that keeps the factors of K(k) sparse
-// (approximate minimum degree).
+// The unconstrained nodes in approximate minimum degree order, which keeps the factors sparse.
 std::vector<int> elimination_order(const SectionMesh& mesh) {
   std::vector<int> place(mesh.nodes.size(), 0);
   for (const int i : mesh.bore) place[i] = -1;

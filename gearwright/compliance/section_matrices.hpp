@@ -24,8 +24,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// The matrix of Hooke's law, for strains xx, yy, zz, xy, yz, zx.   Domain: 0 ≤ ν < ½ (contract)
 Matrix6 hooke(double youngs_modulus, double poisson_ratio);
 
-/// A and B for the 27 degrees of freedom of an element at the point `at` of the section. [T12.4],
-/// [T12.5]
+/// A and B for the 27 degrees of freedom of an element at the point `at`. [T12.4], [T12.5]
 struct StrainPair {
   Eigen::Matrix<double, 6, 27> a, b;
 };
@@ -42,13 +41,11 @@ struct SectionMatrices {
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of the strains of each displacement field. At each node, the traces in all
-/// elements with this node are averaged, and the mean is stored as the component w of the node. At
-/// the bore, it is 0.
+/// The trace ε_x + ε_y of each displacement field, averaged over the elements at each node and
+/// stored as the component w of the node. At the bore, it is 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 /// Solves for displacements that vary along the face as waves with the wave number k. Only
-/// unconstrained nodes are included.
-/// [T12.6], [T12.18]
+/// unconstrained nodes are included. [T12.6], [T12.18]
 ///
 ///   double               K(k) = aa + k (ab + abᵀ) + k² bb; u, v vary as cos kz, w as sin kz; τ = 0
 ///   std::complex<double> K(k) = aa + ik (ab − abᵀ) + k² bb; u, v, w vary as exp(ikz); any τ

@@ -11,7 +11,7 @@ namespace gearwright::detail {
 namespace {
 
 // Wave numbers along the face, per module, without k = 0. The wave number 0.15 means a wavelength
-// of 42 modules, and 13 means half a module, which is shorter than any bump.
+// of 42 modules, and 13 means half a module.
 constexpr std::array kWaves{0.15, 0.3, 0.6, 1.0, 1.6, 2.5, 4.0, 6.0, 9.0, 13.0};
 // Wave numbers of the waves that follow the helix. Without such waves, the root stress of a 17:43
 // pair with β = 20° is 6 % too high.

@@ -28,8 +28,7 @@ struct Shaft {
   double youngs_modulus = 206000.0;  ///< E   MPa
   double poisson_ratio = 0.3;        ///< ν
   bool shear = true;                 ///< true for a Timoshenko beam, false for an Euler beam
-  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; absent if the bearings
-                                                           ///< are rigid
+  std::optional<std::array<double, 2>> bearing_stiffness;  ///< N/mm, radial; absent if rigid
   ShaftSide torque_from = ShaftSide::left;
   /// True if `bearings` and `steps` are in ascending order, if the number of diameters exceeds the
   /// number of steps by one, and if all sizes are positive.

@@ -16,8 +16,7 @@ namespace gearwright {
 namespace {
 
 using Eigen::Index;
-// The oracle uses `long double`, because short elements between close neighbours reduce its
-// accuracy.
+// Short elements between close neighbours reduce the accuracy, so the oracle uses `long double`.
 using BeamScalar = long double;
 using BeamMatrix4 = Eigen::Matrix<BeamScalar, 4, 4>;
 using BeamVector4 = Eigen::Matrix<BeamScalar, 4, 1>;
@@ -32,8 +31,7 @@ Shaft plain_shaft(double from, double to, double diameter) {
 }
 double second_moment(double d) { return std::numbers::pi * std::pow(d, 4) / 64; }
 
-constexpr double kBeamRounding = 1e-11;  // relative rounding error of polynomials of the fourth
-                                         // degree
+constexpr double kBeamRounding = 1e-11;  // relative rounding error of polynomials of degree 4
 
 TEST(Shaft, UniformLoadOverTheSpan) {
   Shaft s = plain_shaft(-50, 50, 30);

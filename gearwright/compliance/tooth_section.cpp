@@ -9,8 +9,7 @@ namespace gearwright {
 namespace {
 
 constexpr int kPlaces = 8;           // positions along the flank
-constexpr int kRadii = 400;          // steps of radius_lengths, for an interpolation error of
-                                     // 1e-5 modules
+constexpr int kRadii = 400;          // steps of radius_lengths, interpolation error 1e-5 modules
 constexpr double kBump = 0.3;        // modules: half width of a bump
 constexpr double kFromRoot = 0.12;   // modules: distance of the lowest position from the start of
                                      // the flank
@@ -53,10 +52,9 @@ SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccura
     o.to_tip = 1.75;
     o.to_outline = 1.6;
   }
-  // The flanks of an internal gear are longer than the flanks of an external gear, and their
-  // deflection near the root is small. For 40 teeth, the options above cause an error of 2.4 % at
-  // the root. The following options cause an error of 1 % at the root, and of 0.4 % at a fifth of
-  // the flank above the root.
+  // The flanks of an internal gear are longer, and their deflection near the root is small. For 40
+  // teeth, the options above cause an error of 2.4 % at the root. The following options cause an
+  // error of 1 % at the root, and of 0.4 % at a fifth of the flank above the root.
   if (gear.internal()) {
     o.flank += 2;
     o.rim = 3;

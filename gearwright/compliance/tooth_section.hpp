@@ -42,7 +42,6 @@ struct ToothSection {
 
   /// The arc length at a radius, both in modules. Beyond the flank, it is extrapolated linearly.
   double length_at_radius(double radius) const;
-  /// Metric of the flank at the arc length s.
   FlankMetric metric(double s) const;
 };
 

@@ -94,7 +94,6 @@ void ToothTable::make(const ToothTableRequest& request) {
   // A spur gear is symmetric about the middle of the face, so only half of the slices are solved.
   const bool symmetric = s.tau == 0.0 && slices_.lo == -slices_.hi;
   const int solved = symmetric ? (n_ + 1) / 2 : n_;
-  // All positions are computed independently.
   parallel_for(static_cast<std::size_t>(places_), [&](std::size_t at) {
     count_step(request.progress);
     const int i = static_cast<int>(at);
@@ -123,8 +122,7 @@ void ToothTable::make(const ToothTableRequest& request) {
     if (!request.root_stress) return;
     face.complete(x);
     count_step(request.progress);
-    // Amplitudes f and slopes g at the middles of all slices. The columns of one slice are
-    // adjacent.
+    // Amplitudes f and slopes g at the middles of all slices. The columns of a slice are adjacent.
     MatrixXd f = MatrixXd::Zero(r, solved * n_);
     MatrixXd g = f;
     for (int l = 0; l < n_; ++l) {

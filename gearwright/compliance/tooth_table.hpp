@@ -18,8 +18,7 @@
 
 namespace gearwright {
 
-/// The equal slices into which the face, or a part of it, is divided. Lengths are in normal
-/// modules, and z = 0 is the middle of the face.
+/// Equal slices of the face or of a part of it, in normal modules. z = 0 is the middle of the face.
 struct FaceSlices {
   int count = 32;
   double lo = 0.0, hi = 0.0;

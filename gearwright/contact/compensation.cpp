@@ -15,20 +15,17 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when f changes by less than this relative amount, or by less than a hundredth of
-// kSameError.
+// A search ends when f changes by less than this relative amount, or by less than kSameError/100.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// If the search has an aim (CompensationAim), these numbers times CompensationAim::same replace
-// kLastGain_rad and kLost.
+// If there is an aim, these numbers times CompensationAim::same replace kLastGain_rad and kLost.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
 // Cost per radian of the peak to peak above its limit. Above the limit, the cost of the pattern
-// without corrections is also added, so that corrections which exceed the limit are never
-// better than no correction. f still decreases if the peak to peak approaches the limit from
-// above.
+// without corrections is also added, so that corrections which exceed the limit are never better
+// than no correction. f still decreases if the peak to peak approaches the limit from above.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -77,8 +74,7 @@ class Judge {
       return worst;
     };
   }
-  // All later calls of value() use this model, until use() is called again. If the model is
-  // empty, value() is exact.
+  // All later calls of value() use this model. If the model is empty, value() is exact.
   void use(Model model) {
     model_ = std::move(model);
     known_.clear();
@@ -198,8 +194,7 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// The fraction of the gain that may be lost when the values are rounded or when one of them is
-// set to 0.
+// The fraction of the gain that may be lost when values are rounded or a value is set to 0.
 constexpr double kPartLost = 0.01;
 
 // The best corrections so far, and the value of f (or of the aim) for them.
@@ -230,8 +225,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
   starts.push_back(linearised(task, judge));
-  // A trial takes less time with a model than with a TE curve, so the search of the whole box may
-  // evaluate twice as many trials.
+  // A model is faster than a TE curve, so the search of the whole box may use twice as many trials.
   const int of_box = judge.uses_model() ? 2 * budget : budget;
   starts.push_back(optimise(task.corrections, judge, Minimiser::whole_box, of_box, 1.0, zero));
   for (std::vector<double>& start : starts) {
@@ -288,8 +282,7 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   if (!(best.least < none - same)) return zero;
   const double loss = std::max(same, std::isfinite(none) ? kPartLost * (none - best.least) : same);
   for (const double parts : {1e2, 1e4, 1e6}) {
-    // Tries the rounded values, and then the neighbours of each value, because rounding may move a
-    // value beyond a crease of f.
+    // Rounding may move a value beyond a crease of f, so the neighbours of each value are tried.
     Best drawn(fine, as_written(task.corrections, best.v, parts));
     for (std::size_t k = 0; k < found.size(); ++k) {
       for (const double away : {-1.0, 1.0}) {
@@ -353,9 +346,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// The task with narrower bounds: each bound at which no teeth exist is moved towards 0 until
-// teeth exist there with all other corrections at 0. With wider bounds, no teeth would exist
-// for most trials of the search.
+// Moves each bound at which no teeth exist towards 0 until teeth exist there with all other
+// corrections at 0. With wider bounds, no teeth would exist for most trials of the search.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {

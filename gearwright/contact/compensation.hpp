@@ -10,9 +10,8 @@
 //   p   mean position of the contact along the profile; 0 if this position has no target. For
 //       circular-arc teeth, the target is the pressure angle of their racks
 //
-// If the caller gives w, a greater transmission error is accepted for a more central pattern.
-// The default of w is small, and with this default, corrections that increase the transmission
-// error are rejected.
+// If the caller gives w, a greater transmission error is accepted for a more central pattern. With
+// the small default of w, corrections that increase the transmission error are rejected.
 //
 // f is a maximum of maxima, so its slope jumps along creases. The search therefore uses a
 // method without derivatives (subplex). This search starts from zero, from the least-squares
@@ -45,9 +44,8 @@ struct CompensationAim {
   /// Returns the quantity of a pair, in any unit. The second argument is the number of
   /// positions per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
-  /// Returns a function that estimates the quantity of the pair after its corrections have
-  /// changed by `change`. The estimate is exact if `change` is 0. `near` is empty if there is
-  /// no estimate.
+  /// Returns a function that estimates the quantity of the pair after its corrections have changed
+  /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
@@ -67,10 +65,9 @@ struct CompensationTask {
              ///< in any case
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
-  Progress* progress = nullptr;               ///< reports the progress
-  std::optional<CompensationAim> aim{};       ///< minimised in place of f, if present
-  /// Returns the pair with these corrections under the scenario of this index; null if the pair
-  /// cannot be made.
+  Progress* progress = nullptr;
+  std::optional<CompensationAim> aim{};  ///< minimised in place of f, if present
+  /// The pair with these corrections under the scenario of this index; null if it cannot be made.
   std::function<std::shared_ptr<const ContactPair>(const std::vector<double>&, int)> pair_at;
 };
 

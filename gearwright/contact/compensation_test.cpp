@@ -146,8 +146,7 @@ TEST(ContactScore, the_place_of_a_pattern) {
   }
 }
 
-// The corrections are optimal: in 50 seeded cases, f is within 2 % of the least value of a dense
-// scan.
+// In 50 seeded cases, f is within 2 % of the least value of a dense scan.
 TEST(Compensation, is_the_best_of_a_dense_scan) {
   std::mt19937 random(8);
   const auto between = [&](double lo, double hi) {

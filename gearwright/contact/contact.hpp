@@ -22,7 +22,7 @@ struct ContactRequest {
   double marking = 0.00635;        ///< δ  mm, thickness of the marking compound
   std::vector<Angle> rotations{};  ///< rotations of gear 1 to analyse; empty for equal steps
   std::vector<Influence> influences{};
-  Progress* progress = nullptr;  ///< reports the progress
+  Progress* progress = nullptr;
 };
 
 struct ContactResult {
@@ -76,8 +76,7 @@ std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n
 /// Domain    at least one value (contract)
 std::vector<Angle> harmonics(const std::vector<double>& te, int most = 20);
 
-/// TE at equally spaced positions over one pitch, beginning at −1/2 pitch, rad; NaN where contact
-/// is lost. Maps and optimisers use this function.
+/// TE at equal steps over one pitch, beginning at −1/2 pitch, rad; NaN where contact is lost.
 std::vector<double> transmission_error(const ContactPair& pair, int positions);
 
 /// Greatest minus least value; NaN if all values are NaN.

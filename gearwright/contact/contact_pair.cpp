@@ -17,9 +17,8 @@ double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// The type of one of the four borders of a cell: a ridge or a seam. If `of_u`, the border is an end
-// of the range of u, otherwise of the range of z. If `below`, it is the lower end, otherwise the
-// upper end.
+// The type of a border of a cell: ridge or seam. If `of_u`, the border is an end of the range of u,
+// otherwise of z. If `below`, it is the lower end, otherwise the upper end.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&
@@ -182,9 +181,8 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       c.piece = cell.piece;
       c.u_lo = std::max(p.u_lo, cell.u_lo);
       c.u_hi = std::min(p.u_hi, cell.u_hi);
-      // Borders of the field and of the profile are computed from ln ρ and differ by rounding. A
-      // cell that overlaps this piece of the profile only by rounding belongs to a neighbour of
-      // this piece.
+      // Borders of the field and of the profile differ by the rounding of ln ρ. A cell that
+      // overlaps this piece of the profile only by rounding belongs to a neighbour of this piece.
       constexpr double kSameBorder = 1e-12;  // in u = ln ρ
       if (!(c.u_hi - c.u_lo > kSameBorder)) continue;
       const auto cut_u = [&](double u, bool at_lower) {

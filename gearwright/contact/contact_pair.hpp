@@ -10,8 +10,7 @@
 //                                               rotations change sign
 //                                               theory: docs/theory/08-contact.md, [T8.11]…[T8.13]
 //
-// The integer k numbers the tooth pairs. Tooth pair k repeats the motion of pair 0, k pitches of
-// gear 1 later.
+// Tooth pair k repeats the motion of pair 0, k pitches of gear 1 later.
 #pragma once
 
 #include <array>
@@ -111,8 +110,7 @@ class ContactPair {
   /// Radius at which the root fillet ends, mm; none if ContactMount::fillets is false or if the
   /// gear has no fillet.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
-  /// κ in N that corresponds to f_Hβ = 1 mm, measured on the reference cylinder over the face
-  /// width.
+  /// κ in N for f_Hβ = 1 mm, measured on the reference cylinder over the face width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:

@@ -77,8 +77,7 @@ class LineWalk {
   // True if the curvature at the touch permits a gap below kLineGap over half the patch.
   bool worth_walking() const { return std::abs(soft_) * arm_ < 8.0 * kLineGap; }
 
-  // The two points at which the straight line through the touch leaves D; none if the gap opens
-  // before the line leaves D.
+  // The two points at which the line leaves D; none if the gap opens before the line leaves D.
   std::optional<std::array<Place, 2>> ends() {
     std::array<Place, 2> found;
     for (const int sense : {-1, 1}) {
@@ -247,8 +246,7 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   p.kind = kind_of(field, touch.touch.active);
   Place at{touch.touch.s, touch.touch.z};
   const bool edge = holds_with_weight(transmission, touch);
-  // If the multiplier of a ridge is 0, T does not rise towards the ridge, so the touch counts as
-  // interior.
+  // If the multiplier of a ridge is 0, T does not rise towards it, so the touch counts as interior.
   if (p.kind == TouchKind::ridge && !edge) p.kind = TouchKind::interior;
   if (LineWalk walk(transmission, touch); !edge && walk.worth_walking()) {
     if (const auto ends = walk.ends()) {

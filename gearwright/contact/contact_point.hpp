@@ -87,8 +87,7 @@ struct ContactPoint {
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
 };
 
-/// True if a touch lies at a seam between two patches and T rises beyond the seam. Such a touch is
-/// not a point of contact.
+/// True if a touch lies at a seam and T rises beyond it. Such a touch is not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
 /// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,

@@ -78,9 +78,8 @@ TEST(ContactPoint, kinds) {
   EXPECT_NEAR(inside.rack_angle->rad(), std::numbers::pi / 6, 0.01);
 }
 
-// The spur gears are so far apart that the path of contact is shorter than a pitch. Between the
-// paths of two tooth pairs, a tip edge is in contact along the whole face. An edge has no
-// curvature.
+// The gears are so far apart that the path of contact is shorter than a pitch. Between the paths of
+// two tooth pairs, a tip edge is in contact along the whole face. An edge has no curvature.
 TEST(ContactPoint, a_tip_that_touches_along_its_edge_is_an_edge) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.center_distance = 2.3;

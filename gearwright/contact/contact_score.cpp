@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kNoPlace = 1e-9;  // smaller mean positions (h, p, q) are rounding errors
 
-// The gap at which the density of the contact pattern has fallen to 1/e, mm. A small load closes
-// such a gap.
+// The gap at which the density of the contact pattern is 1/e, mm. A small load closes such a gap.
 constexpr double kPatternGap = 1e-3;
 
 struct Interval {

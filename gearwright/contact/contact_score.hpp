@@ -23,7 +23,6 @@ namespace gearwright {
 
 /// A peak-to-peak transmission error below this limit is a rounding error.
 inline constexpr double kNoAngle = 1e-9 * kRadPerArcsec;
-/// 0 for a number whose magnitude is below the limit.
 inline double without_rounding(double v, double least) { return std::abs(v) < least ? 0.0 : v; }
 
 struct ContactScore {
@@ -70,9 +69,8 @@ inline ContactScore score_of(const ContactPair& pair, int positions,
   return contact_curve(pair, positions, target).score;
 }
 
-/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions
-/// are compared by magnitude and keep their sign. A pair without any contact is worse than all
-/// others.
+/// Replaces each number of `worst` by the number of `score` if the latter is worse. Positions are
+/// compared by magnitude and keep their sign. A pair without contact is worse than all others.
 void take_worst(ContactScore& worst, const ContactScore& score);
 
 }  // namespace gearwright

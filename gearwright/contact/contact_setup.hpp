@@ -27,10 +27,10 @@ constexpr bool is_slope(Modification m) {
 struct SetupChange {
   double tool_setting = 0.0;           ///< Δb_F  mm, of the gear that a rack F cuts
   std::array<Angle, 2> cutter_lead{};  ///< Δλ of the cutter of each gear
-  /// Amounts of each gear. Slopes change the working flanks only, crownings change both flanks, and
-  /// reliefs change only where the drawing has a relief.
+  /// Amounts of each gear. Slopes change the working flanks only, and crownings change both flanks.
+  /// Reliefs change only where the drawing has a relief.
   std::array<ModificationAmounts, 2> flank;
-  bool left = false;  ///< true if the working flanks of gear 1 are the left ones (gear 2 drives)
+  bool left = false;  ///< true if the left flanks of gear 1 are the working flanks (gear 2 drives)
 };
 
 class ContactSetup {
@@ -64,9 +64,8 @@ class ContactSetup {
   ///
   /// Errors    `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
-  /// The setup of one half of a double-helical pair. `middle` contains z of the middle of each
-  /// face. If `below`, the half is at z < 0 and is represented by its mirror image in the plane
-  /// z = 0.
+  /// One half of a double-helical pair. `middle` contains z of the middle of each face. If `below`,
+  /// the half is at z < 0 and is represented by its mirror image in the plane z = 0.
   ContactSetup half_at(const std::array<double, 2>& middle, bool below) const;
   /// The setup in which the gears selected by `wanted` have fields of removed material, even if
   /// nothing is removed, because derivatives need the fields.
@@ -84,12 +83,10 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if one of the two flanks has material removed, or a relief with a reach (even if the amount
-/// of this relief is 0).
+/// True if a flank has material removed, or a relief with a reach, even if its amount is 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
-/// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it
-/// can.
+/// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it can.
 ///
 /// Errors    `errors.cutter_lead[N]` if the gear is a spur gear or was cut by a pinion cutter,
 ///           or if the lead angle is not between kMinLead and kMaxLead

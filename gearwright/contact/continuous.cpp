@@ -28,8 +28,7 @@ class Branches {
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. Positions outside the pitch repeat the positions inside, with
-  // unchanged numbers of the tooth pairs.
+  // The touch at position i. Outside the pitch, the touches repeat with the same pair numbers.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
@@ -64,8 +63,7 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // Returns the fraction of the distance `way`, in steps, over which the branch of `touch`
-  // continues. The fraction is 1 if the branch still exists at the end of this distance.
+  // The fraction of the distance `way`, in steps, over which the branch of `touch` continues.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -82,13 +80,12 @@ class Branches {
 
   struct Handover {
     double t;                       // steps from the touch a
-    std::array<PairTouch, 2> both;  // the second one is not found if TE jumps
+    std::array<PairTouch, 2> both;  // the second touch is not found if TE jumps
   };
   // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
   // none if there is no handover.
   std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
-    // Branch b begins at lo, or before a if lo is 0. Branch a ends at hi, or beyond b if hi is
-    // `width`.
+    // Branch b begins at lo, or before a if lo = 0. Branch a ends at hi, or beyond b if hi = width.
     double lo = width * (1.0 - reach(b, -width));
     double hi = width * reach(a, width);
     if (lo >= hi) return std::nullopt;

@@ -54,7 +54,7 @@ inline constexpr int kLeastSpanPositions = 32;
 /// Domain    positions ≥ 2 (contract)
 std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 
-/// ∂span/∂e, rad per unit of e. `transmission` must be the one that computed the extremes.
+/// ∂span/∂e, rad per unit of e. `transmission` must have computed the extremes.
 ///
 /// Formula   [T8.10] inside a branch, [T14.16] at a handover
 /// Domain    as sensitivity() (contract)

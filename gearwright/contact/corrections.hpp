@@ -33,9 +33,8 @@ struct WorkshopCorrection {
   bool slope() const { return modification() && is_slope(*modification()); }
 };
 
-/// True if the correction is possible for this pair. A tool setting requires a rack F, a cutter
-/// lead requires a helical gear that was cut by a rack, and a relief requires a reach on both
-/// flanks.
+/// True if the correction is possible. A tool setting requires a rack F, a cutter lead requires a
+/// helical gear cut by a rack, and a relief requires a reach on both flanks.
 bool can_take(const ContactSetup& setup, const WorkshopCorrection& correction);
 
 /// The usual corrections: tool setting and cutter lead for circular arcs, otherwise lead slope and
@@ -51,7 +50,7 @@ SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
 /// a cutter lead have no influence, because they do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The influences of all corrections; none if one of them has no influence.
+/// The influences of all corrections; none if a correction has no influence.
 std::optional<std::vector<Influence>> influences_of(
     const std::vector<WorkshopCorrection>& corrections);
 

@@ -64,8 +64,8 @@ TEST(FeasibleStep, any_guess_gives_the_same) {
   }
 }
 
-// (1) the step is feasible   (2) slope + Σ μ a = 0 and μ ≥ 0, which prove a maximum, because the
-// objective is concave
+// (1) the step is feasible   (2) slope + Σ μ a = 0 and μ ≥ 0. The objective is concave, so this
+// proves a maximum.
 TEST(FeasibleStep, random_problems) {
   std::mt19937_64 bits(5);
   const auto unit = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };

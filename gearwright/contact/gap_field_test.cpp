@@ -71,8 +71,7 @@ TEST(GapField, derivatives) {
       double s2 = 0.5 * (two.s_lo + two.s_hi);
       const auto at = [&](double ds, double dz) {
         double own = s2;
-        // Evaluated twice, so that the second evaluation starts with the parameter that the first
-        // one found.
+        // The second evaluation starts with the parameter that the first evaluation found.
         field.at(s + ds, z + dz, own);
         return field.at(s + ds, z + dz, own);
       };
@@ -101,8 +100,7 @@ TEST(GapField, derivatives) {
   EXPECT_GE(inside, 8);
 }
 
-// A flank that turns by dφ moves by arm · dφ along its normal. The arm of an involute
-// is r_b cos β_b.
+// A flank that turns by dφ moves by arm · dφ along its normal. For an involute, arm = r_b cos β_b.
 TEST(GapField, arm_of_an_involute) {
   const auto p = testing::involutes(20, 41, 15);
   const ContactPair pair = p.pair();

@@ -51,9 +51,7 @@ struct HalvesMesh {
   std::array<const ContactPair*, 2> half{};  ///< A, and the mirror image of B
   double stagger = 0.0;                      ///< s
 
-  /// The rotation of half B minus the rotation of gear 1.
   Angle behind() const { return gearwright::behind(stagger, *gear_1); }
-  /// True if half B equals the mirror image of half A at all rotations.
   bool alike() const { return alike_halves(stagger, half[0]->place().errors); }
 };
 
@@ -101,8 +99,7 @@ struct HalvesContact {
 /// Domain    as for a ContactPair
 HalvesContact analyse_contact(const HalvesMesh& mesh, const ContactRequest& request);
 
-/// TE of the whole gears over one pitch, at the positions of transmission_error() for a
-/// ContactPair.
+/// TE of the whole gears over one pitch, at the positions of transmission_error() of a ContactPair.
 std::vector<double> transmission_error(const HalvesMesh& mesh, int positions);
 
 /// Peak to peak of the continuous curve of TE; none if a half loses contact. At least

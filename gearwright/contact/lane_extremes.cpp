@@ -71,9 +71,8 @@ struct LaneTrack::Candidate {
     if (stays == stayed) (low ? hi : lo).value *= 0.5;
     stays = stayed;
   }
-  // The next t, within the interval. At an extreme, T may consist of two nearly straight lines
-  // that meet at a kink. The next t is therefore the point at which the tangents at both ends
-  // cross.
+  // The next t, within the interval. At an extreme, T may consist of two nearly straight lines that
+  // meet at a kink. The next t is therefore the point at which the tangents at both ends cross.
   double within(double step) const {
     const Touch &a = lo.touch[0].touch, &b = hi.touch[0].touch;
     const double width = hi.t - lo.t;

@@ -14,9 +14,8 @@ constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes. The only error of mounting that it
-// includes is the error of the centre distance. At every z, the parameter s of the line changes
-// by the angle by which gear 1 turns.
+// The line of contact of involutes on parallel axes. It includes only the error of the centre
+// distance. At every z, the parameter s of the line changes by the angle by which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // common to both flanks
@@ -198,7 +197,6 @@ void LaneTrack::cross_seams(std::vector<PairTouch>& touches) const {
   }
 }
 
-// Searches along the whole path of contact.
 LaneTrack::Rough LaneTrack::search_path(const Path& path) const {
   const auto position = [&](double phi) {
     return static_cast<int>(std::floor((phi - first_) / step_));

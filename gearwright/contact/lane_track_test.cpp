@@ -1,6 +1,7 @@
-// The search in lanes against the search of one position after the other. Laws: (1) a step in lanes
-// returns the bits of its scalar twin   (2) the touches of a pitch are those of over_a_pitch()   (3) the
-// extremes are those of continuous_extremes()   (4) arm and slope are exact.
+// The search in lanes against the search of one position after the other. Laws: (1) a step in
+// lanes returns the bits of its scalar twin   (2) the touches of a pitch are those of
+// over_a_pitch()   (3) the extremes are those of continuous_extremes()
+// (4) arm and slope are exact.
 #include "gearwright/contact/lane_track.hpp"
 
 #include <gtest/gtest.h>
@@ -74,8 +75,8 @@ TEST(LaneTrack, TouchesAndExtremesAreThoseOfOneSearchAfterTheOther) {
     ++spans;
     const auto extremes = continuous_extremes(transmission, exact);
     EXPECT_NEAR(found->least, extremes.least, 2e-12) << k;
-    // Where the bounds of the touch change, continuous_extremes() finds a maximum only to 1e-10 rad. The
-    // search of whole flanks at the same rotation confirms the value of the track.
+    // Where the bounds of the touch change, continuous_extremes() finds a maximum only to 1e-10
+    // rad. The search of whole flanks at the same rotation confirms the value of the track.
     EXPECT_NEAR(found->greatest, extremes.greatest, 1e-10) << k;
     const double top = found->top.phi + found->top.pair * pair.pitch();
     EXPECT_NEAR(transmission.at(top).te(), found->greatest, 2e-12) << k;
@@ -112,8 +113,8 @@ TEST(LaneTrack, LinesOfContactAreSearchedInLanes) {
   }
 }
 
-// Three branches meet within a step: two patches of one tooth pair and the next pair. The least value of
-// the continuous curve was the handover between two of them, 0.8 µrad below the curve.
+// Three branches meet within a step: two patches of one tooth pair and the next pair. The handover
+// between two of them lies 0.8 µrad below the curve.
 TEST(LaneTrack, TheLeastValueIsOnTheCurve) {
   const testing::SamplePair p = sample(287);
   const ContactPair pair = p.pair();

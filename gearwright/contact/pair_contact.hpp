@@ -38,8 +38,7 @@ struct Contact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps gears and modifications alive
 };
 
-/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. The result owns its
-/// gears.
+/// The pair for contact analyses, patterns, maps and CompensationTask::pair_at. It owns its gears.
 ///
 /// Units     mm, rad
 /// Errors    `gearN` without a usable flank; `gearN.modifications.…` as make_removal_field;

@@ -1,5 +1,4 @@
-// The result of contact() outlives the pair. It equals the result for a ContactPair that is made
-// directly.
+// The result of contact() outlives the pair. It equals the result for a ContactPair made directly.
 #include "gearwright/contact/pair_contact.hpp"
 
 #include <type_traits>
@@ -12,8 +11,7 @@ namespace {
 
 using namespace literals;
 
-// If the type were an aggregate, C++20 would accept values for only some of its members and set the
-// others to 0.
+// An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<Contact, ContactResult>);
 static_assert(!std::is_constructible_v<ContactResult, std::vector<ContactPoint>>);
 
@@ -43,9 +41,9 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
   EXPECT_EQ(transmission_error(*owned->pair, 32), transmission_error(by_hand.pair(), 32));
 }
 
-// The backlash j_t on the working pitch cylinders is what the two tooth thicknesses leave of the
-// pitch. The play of gear 2, found by turning its flanks, is j_t/r_w2. The product of which jams()
-// tests the limit is j_t cos β_w times r cos β/(r_w cos β_w), and not j_bn = j_t cos α_wt cos β_b.
+// The backlash j_t on the working pitch cylinders is the pitch minus both tooth thicknesses. The
+// play of gear 2, found by turning its flanks, is j_t/r_w2. jams() compares the product
+// j_t cos β_w times r cos β/(r_w cos β_w) with its limit, and not j_bn = j_t cos α_wt cos β_b.
 TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
   for (const double helix_deg : {0.0, 15.0, 30.0}) {
     testing::SamplePair p = testing::involutes(20, 41, helix_deg);

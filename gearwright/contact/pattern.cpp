@@ -64,8 +64,7 @@ struct Seen {
   bool near = false;        // true if u and Z were computed
 };
 
-// Limit of the number of Newton steps. Two or three are usual, and one more if the point lies on
-// the next patch.
+// Two or three Newton steps are usual, and one more if the point lies on the next patch.
 constexpr int kMaxPlaceSteps = 8;
 constexpr double kNearPatch = 1e-4;  // of the patch; the series is accurate for shorter steps
 
@@ -267,9 +266,8 @@ class Rasterer {
     return {};
   }
 
-  // If the gap is least at the middle of three successive positions, the minimum of the
-  // parabola through the three gaps is used. Gaps of different patches are not combined,
-  // because the gap jumps between patches.
+  // If the middle of three successive gaps is the least, the minimum of their parabola is used.
+  // Gaps of different patches are not combined, because the gap jumps between patches.
   void fold(std::size_t which) {
     std::vector<double>& least = rasters_[which].gap;
     for (std::size_t i = 0; i < least.size(); ++i) {

@@ -4,8 +4,7 @@
 //   gap   normal distance of the flanks, mm, at the actual rotation of gear 2; in a pattern, the
 //         least distance over all positions.  [T8.3], [T8.19] of docs/theory/08-contact.md
 //
-// Results are rasters. The rows of a raster are diameters, and the columns are heights along the
-// face.
+// The rows of a raster are diameters, and the columns are heights along the face.
 #pragma once
 
 #include <array>
@@ -30,21 +29,18 @@ struct RasterSize {
   int columns = 65;
 };
 
-/// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of gear 1
-/// and gear 2.
+/// Least gap over all positions of a mesh, with `positions` per pitch, on the flanks of both gears.
 ///
-/// Accuracy  between positions, the gap is interpolated by the parabola through three
-///           positions. This is exact if the contact moves at constant speed; otherwise, the
-///           error is some nm with 64 positions per pitch. If the gap at a point is least when
-///           the mating flank just begins to lie opposite this point, the gap at the next
-///           position is used
+/// Accuracy  between positions, the gap is interpolated by the parabola through three positions.
+///           This is exact if the contact moves at constant speed; otherwise, the error is some nm
+///           with 64 positions per pitch. If the gap at a point is least when the mating flank just
+///           begins to lie opposite this point, the gap at the next position is used
 /// Domain    positions ≥ 2, a raster of 2 × 2 or more (contract)
 std::array<FlankRaster, 2> contact_pattern(const ContactPair& pair, int positions,
                                            const RasterSize& size = {},
                                            Progress* progress = nullptr);
 
-/// The gap of tooth pair k on the flank of gear 1, at the rotation `rotation1` of gear 1 in the
-/// housing.
+/// The gap of tooth pair k on the flank of gear 1, at a rotation of gear 1 in the housing.
 FlankRaster gap_map(const ContactPair& pair, Angle rotation1, int k, const RasterSize& size = {});
 
 }  // namespace gearwright

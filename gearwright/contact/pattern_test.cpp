@@ -47,8 +47,7 @@ TEST(Pattern, gaps_fall_with_the_step) {
   EXPECT_LT(worst[1], worst[0] / 8);
 }
 
-// Lead crowning C_β leaves the ends without marking. The least gap there equals the removed
-// material.
+// Lead crowning C_β leaves the ends without marking. The least gap there is the removed material.
 TEST(Pattern, crowning_is_the_gap_at_the_ends) {
   auto p = testing::involutes(20, 41, 0);
   p.gears[1].spec.face_width = 20.0;

@@ -61,17 +61,15 @@ class Profile {
   ///
   /// Domain    on the piece and near it, because the formulas continue beyond the ends
   PolarJet at(double s) const;
-  /// The outline at ln ρ = u. Beyond the ends of the piece, a Taylor series of second order is
-  /// used. The iteration for rack circles starts at `s`, the parameter from the last call, and
-  /// updates it.
+  /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
+  /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
   double s_of(double u, double start) const;              ///< as above, but iterates from `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
-  /// Normal angle of the generating rack; none if the piece was not cut by a circular arc of a
-  /// rack.
+  /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:

@@ -207,7 +207,6 @@ TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
                 -driven->rack.of(driven->positions[n - i].te), 1e-11);
 }
 
-// Derivatives of the transmission error are the limits of differences.
 TEST(RackContact, DerivativesAgreeWithDifferences) {
   const RackPair pair = rack_pair(20);
   ContactOptions options;

@@ -1,8 +1,7 @@
 // A flank cut with a changed lead angle. The pitch cylinder is unchanged, but the lead and the
 // transverse section change.
 //
-//   λ = π/2 − |β|   lead angle        Δλ   change of λ, rad; the key `cutter_lead1_deg` gives it in
-//                                          degrees
+//   λ = π/2 − |β|   lead angle      Δλ   change of λ, rad; the key `cutter_lead1_deg` is in degrees
 //                                     theory: docs/theory/08-contact.md, [T8.14]
 #pragma once
 

@@ -286,8 +286,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // If gear 2 drives, both rotations have the opposite sign in N, but the quotient of the rotations
-  // is the same as in the housing.
+  // If gear 2 drives, both rotations change sign in N, so their quotient does not change.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

@@ -46,7 +46,7 @@ struct Sensitivity {
 ///
 /// Units     rad, mm; per mm or rad of the influence
 /// Domain    a touch with contact; a modified gear has a RemovalField (contract)
-/// Accuracy  `te` to rounding; `point` as accurate as the contact point itself. For a line contact,
+/// Accuracy  `te` to rounding; `point` as accurate as the contact point. For a line contact,
 ///           `point` has no meaning
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
@@ -73,8 +73,7 @@ struct RemovalTurn {
 /// Units     rad, mm
 /// Domain    gear 1 or 2; patches of this pair (contract)
 /// Accuracy  rounding
-/// Laws      `te`, multiplied by the removal per unit of a modification, is equal to row_slope()
-///           for this modification
+/// Laws      `te` times the removal per unit of a modification is row_slope() of this modification
 RemovalTurn row_turn(const ContactPair& pair, const GapField& field, double s, double z, int gear);
 
 /// dTE/dφ1, rad/rad, exact. It is computed like a sensitivity in which e is the rotation of gear 1.

@@ -43,9 +43,8 @@ TEST(Sensitivity, of_conjugate_gears) {
   EXPECT_NEAR(s[3].te, 0.0, 1e-12);
 }
 
-// The pair touches at an end of the narrower face, which is the face of gear 2. f_Hβ of a gear
-// tilts the flank of this gear about the middle of its face. The axial position of the edge of gear
-// 2 does not change.
+// The pair touches at an end of the narrower face, the face of gear 2. f_Hβ of a gear tilts its
+// flank about the middle of its face. The axial position of the edge of gear 2 does not change.
 TEST(Sensitivity, helix_slopes_at_a_face) {
   auto p = testing::involutes(20, 41, 0);
   p.place.errors.crossing = Angle::radians(1e-5);

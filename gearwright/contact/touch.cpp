@@ -21,9 +21,8 @@ constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter ste
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
 constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
 constexpr double kSamePlace = 1e-5;    // scaled; and if they are also closer together than this
-// Replaces H by a negative definite matrix, by changing the sign of positive eigenvalues. If T is
-// constant in one direction within rounding, the slope in that direction is set to 0 and the
-// function returns true.
+// Makes H negative definite by changing the sign of positive eigenvalues. If T is constant in one
+// direction within rounding, the function sets the slope in that direction to 0 and returns true.
 bool make_concave(detail::StepProblem& p) {
   const double mean = 0.5 * (p.h_ss + p.h_zz);
   const double half = 0.5 * (p.h_ss - p.h_zz);
@@ -138,8 +137,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     ++t.evaluations;
     ++count_.evaluations;
     fill(at, t.s, t.z, p);
-    // A step that lowers the merit is halved, unless it is already very short, because the
-    // merit has rounding errors.
+    // A step that lowers the merit is halved, unless it is so short that rounding errors matter.
     if (const double now = merit(at);
         now < last_merit - kWorse && d_s * d_s + d_z * d_z > kTinySquare) {
       d_s *= 0.5;
@@ -191,7 +189,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
     t.z += d_z * kz;
   }
   t.stop = Touch::Stop::too_long;
-  // The steps do not converge if D is empty. In this case, a bound remains violated.
+  // If D is empty, the steps do not converge, and a bound remains violated.
   double broken = 0.0;
   for (const auto& b : p.bounds) broken = std::max(broken, -b.c);
   if (broken > kBroken) t.stop = Touch::Stop::no_room;
@@ -269,11 +267,10 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. In each section, which is a
-// line of constant z, the maxima of T are therefore computed first. The Newton steps along the
-// profile start at every row, which is a line of constant s, with a greater T than its
-// neighbours. A search then starts from each of these maxima that no neighbouring section
-// exceeds.
+// T varies slowly along the line of contact and rapidly across it. In each section, which is a line
+// of constant z, the maxima of T are therefore computed first. The Newton steps along the profile
+// start at every row, which is a line of constant s, with a greater T than its neighbours. A search
+// then starts from each of these maxima that no neighbouring section exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows
@@ -322,8 +319,7 @@ std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi)
   std::vector<std::array<double, 3>> starts;
   for (int i = 0; i < kFine; ++i) {
     for (const Crest& c : sections[i]) {
-      // The neighbouring section may continue this crest at another s, because the line of contact
-      // is inclined.
+      // The line of contact is inclined, so a neighbouring section has this crest at another s.
       const auto higher = [&](int other) {
         if (other < 0 || other >= kFine) return false;
         return std::any_of(sections[other].begin(), sections[other].end(), [&](const Crest& o) {

@@ -1,12 +1,10 @@
 // Computes where two flanks touch. D is the part of flank 1 that lies opposite flank 2. Newton
-// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over
-// D.
+// steps within the eight bounds of D find the point at which T (gap_field.hpp) is greatest over D.
 //
 //   s, z   point of flank 1, scaled to [−1, 1] internally
 //                                    theory: docs/theory/08-contact.md, [T8.9]
 //
-// The bounds are numbered in the order s, z on flank 1, and u, Z on flank 2, each with the
-// lower bound first.
+// The order of the bounds is s, z on flank 1, and u, Z on flank 2, each with the lower bound first.
 #pragma once
 
 #include <vector>
@@ -56,12 +54,10 @@ class TouchSearch {
   /// Searches from the best of nine points. If this search fails, cold() is used. The result is the
   /// greatest T if T has only one maximum.
   Touch from_middle() const;
-  /// Searches the whole flank. Searches start from every peak of a grid and from both end sections
-  /// of D.
+  /// Searches the whole flank, from every peak of a grid and from both end sections of D.
   Touch cold() const;
-  /// Like cold(), but returns all local maxima, the greatest first. Uneven flanks have a
-  /// maximum for each crest. On these flanks, the searches start from the maxima over the
-  /// profile at each of several heights.
+  /// All local maxima of the whole flank, the greatest first. Uneven flanks have a maximum for each
+  /// crest, so searches on them start from the maxima over the profile at several heights.
   std::vector<Touch> every_maximum() const;
 
   /// True if a flank has a topography or form waves, so that T may have many maxima.

@@ -46,8 +46,8 @@ bool reaches_beyond_action(const ContactPair& pair) {
   return tip * tip < r_b2 * r_b2 + a * a - between * between;
 }
 
-// The number of the patch beyond an end of patch p, or −1 if there is none. Ends 0 and 1 are the
-// lower and the upper end in s (in u if `of_u`), ends 2 and 3 the lower and the upper end in z.
+// The number of the patch beyond an end of p, or −1 if there is none. Ends 0 and 1 are the lower
+// and the upper end in s (in u if `of_u`), and ends 2 and 3 are the lower and the upper end in z.
 int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int end, bool of_u) {
   const bool lower = (end % 2 == 0) == (end >= 2 || of_u || p.profile.grows());
   const auto is_next = [&](const FlankPatch& o) {
@@ -253,9 +253,8 @@ void Transmission::over_crests(double first, int n, std::vector<PairTouch>& best
       if (t.found() && detail::wins(t, own, best[i]))
         best[i] = {t, s.fields, own, (static_cast<int>(i) - s.m) / n};
     }
-    // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may
-    // have excluded the crest that is in fact the highest. The position is then searched again
-    // by at().
+    // Far beyond the path of contact, WaveCrests overestimates T. An overestimated crest may have
+    // excluded the crest that is in fact the highest. The position is then searched again by at().
     const bool astray = !best[i].found() || best[i].te() < highest[i] - crests_[0]->margin();
     if (astray) best[i] = at(first + static_cast<double>(i) * (pair_.pitch() / n));
   }

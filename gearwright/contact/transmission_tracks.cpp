@@ -108,10 +108,9 @@ class Transmission::Track {
     return t.te() >= b.te() - below_;
   }
 
-  // Follows a touch from position m in one direction. `step` computes the touch at a rotation
-  // from a predicted touch. The track ends if no touch is found, if T decreases and is well
-  // below T of another pair, or if `known` returns true because another track contains this
-  // touch.
+  // Follows a touch from position m in one direction. `step` computes the touch at a rotation from
+  // a predicted touch. The track ends if no touch is found, if T decreases and is well below T of
+  // another pair, or if `known` returns true because another track contains this touch.
   template <class Step, class Known>
   void walk(int m, const PairTouch& from, int direction, const Step& step, const Known& known) {
     PairTouch last = from;

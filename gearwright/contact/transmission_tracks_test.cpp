@@ -1,5 +1,5 @@
-// The touches of relieved flanks over a pitch. The oracle is a search of all pairs of patches of all
-// tooth pairs, from scratch at each position.
+// The touches of relieved flanks over a pitch. The oracle searches all pairs of patches of all
+// tooth pairs from scratch at each position.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -79,8 +79,8 @@ TEST(TransmissionTracks, relieved_flanks_have_the_greatest_touch_of_all_patches)
   for (int i = 0; i < 60; ++i) expect_greatest_touches(relieved(draw, i), i);
 }
 
-// The tips of these rings reach beyond the point at which the line of action touches the base circle
-// of the pinion, so T has a maximum at the tip as well.
+// The tips of these rings reach beyond the point at which the line of action touches the base
+// circle of the pinion, so T has a maximum at the tip as well.
 TEST(TransmissionTracks, tips_of_rings_beyond_the_line_of_action) {
   Draw draw(12);
   for (int i = 0; i < 24; ++i) {
@@ -96,8 +96,7 @@ TEST(TransmissionTracks, tips_of_rings_beyond_the_line_of_action) {
   }
 }
 
-// The amount of work is limited: relieved flanks need at most three times the evaluations of plain
-// ones.
+// Relieved flanks need at most three times the evaluations of plain flanks.
 TEST(TransmissionTracks, relief_needs_little_more_work) {
   auto p = testing::involutes(17, 43, 15);
   p.place.errors.crossing = Angle::degrees(0.01);

@@ -138,8 +138,7 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     }
     nodes.push_back(next);
   }
-  // T of the neighbouring node `other`; kNone if that node is on another branch over the
-  // profile.
+  // T of the neighbouring node `other`; kNone if it is on another branch over the profile.
   const auto te = [&](std::size_t i, std::size_t other) {
     if (other >= nodes.size() || nodes[other].outside) return kNone;
     const bool same = !steep_ || std::abs(nodes[other].aside - nodes[i].aside) < branch_;

@@ -1,6 +1,5 @@
-// The points at which teeth with form waves can touch, in closed form. Each wave has several
-// crests, so T has many local maxima. A search of the whole flank would need hundreds of
-// evaluations.
+// The points at which teeth with form waves can touch, in closed form. T has a local maximum for
+// each crest, so a search of the whole flank would need hundreds of evaluations.
 //
 //   T, D     gap field (gap_field.hpp), and the part of flank 1 opposite flank 2 (touch.hpp)
 //   ridge    the greatest T over the profile, as a function of the height z
@@ -28,10 +27,9 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if there is no wave, or if the quadratic functions are not valid. They are valid if
-  /// the flanks are involutes without topography on parallel axes, if all exact ridges can be
-  /// computed, and if the error half way between the ridges is at most a hundredth of the
-  /// amplitude of the waves.
+  /// None if there is no wave, or if the quadratic functions are not valid. They are valid for
+  /// involutes without topography on parallel axes, if all exact ridges can be computed, and if the
+  /// error half way between the ridges is at most a hundredth of the amplitude of the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 
@@ -80,8 +78,8 @@ class WaveCrests {
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // The path without errors other than that of the centre distance. If there is none because
-  // the patches never touch, apart() becomes true.
+  // The path with an error of the centre distance only. If the patches never touch, there is no
+  // path, and apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge
@@ -96,8 +94,7 @@ class WaveCrests {
   void set_rotations(const Ridges& ridges, const Path& path);
   // Sets the amplitudes and phases of the waves, and the heights z at which T is examined.
   void set_waves(const Ridges& ridges, const Path& path);
-  // Checks the quadratic functions half way between the nine exact ridges, where their error is
-  // greatest.
+  // Checks the quadratic functions half way between the ridges, where their error is greatest.
   bool accurate(GapField& field, const Path& path) const;
   Node node(double phi, double z, double along_face, double least) const;
   double along_face(double z) const;  // rad: angle by which waves over the face lower T at z

@@ -56,8 +56,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     for (Index i = 0; i < m; ++i) {
       const Index k = at[i];
       const double p = std::max(x.line_load[k], kLeastLoad * mean);
-      // The local term λ ln(a0/a) p is linearised about the last p. The constant part of the
-      // linear function is λ p/2.
+      // The local term λ ln(a0/a) p is linearised about the last p. The constant part is λ p/2.
       if (q.local > 0.0) {
         const double wide = hertz_half_width(p, q.radius[k], q.reduced_modulus);
         a(i, i) += q.local * (std::log(q.half_width / wide) - 0.5);
@@ -91,8 +90,7 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
     }
     for (Index i = 0; i < m; ++i) next[at[i]] = std::max(p[i], 0.0);
     if (std::none_of(active.begin(), active.end(), [](char c) { return c != 0; })) {
-      // If no loaded place is left, the place that touches at the least rotation is added
-      // again.
+      // If no loaded place is left, the place that touches at the least rotation is added again.
       Index nearest = 0;
       (q.gap.array() / q.arm.array()).minCoeff(&nearest);
       active[nearest] = 1;

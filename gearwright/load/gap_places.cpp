@@ -145,9 +145,8 @@ std::optional<GapPlace> GapSearch::nearest(const Patches& patches, std::size_t h
     highest = te;
   }
   if (best < 0) return std::nullopt;
-  // From the best row, T increases towards one of the two neighbouring rows. The least gap lies
-  // between the best row and this neighbour, or at the border of flank 2 if the border is nearer
-  // than the neighbour.
+  // T increases from the best row towards a neighbouring row. The least gap lies between these two
+  // rows, or at the border of flank 2 if the border is nearer.
   const double s = row(best);
   GapJet j = at(s);
   double reached = s;

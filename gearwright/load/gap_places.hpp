@@ -1,5 +1,5 @@
 // Finds the places where loaded teeth can touch. For every tooth pair and every slice of the face,
-// this is the place at which the gap between the flanks is least. The gap there is computed, too.
+// this is the place at which the gap between the flanks is least.
 //
 //   T     angular gap field of contact [T8.1]; the place of a slice is s*(z) = argmax_s T(s, z)
 //   arm   mm of normal gap per rad of gap angle [T8.3]

@@ -51,7 +51,7 @@ std::vector<Case> cases() {
       for (const int gear : {1, 2})
         modified.pair.modify(gear, relieved(modified.pair.gears[gear - 1]));
       modified.pair.place.errors.crossing = Angle::degrees(0.04);
-      // Tips of wheel 43 then reach below the usable flanks of gear 2.
+      // The tips of gear 1 with 43 teeth then reach below the usable flanks of gear 2.
       modified.pair.place.errors.center_distance = z1 == 43 ? -0.8 : 0.05;
       all.push_back(modified);
     }

@@ -116,8 +116,7 @@ TEST(LoadedInternalPair, ScalesWithLength) {
   }
 }
 
-// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
-// exchanged.
+// The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
 TEST(LoadedInternalPair, TheOtherHandIsMirrored) {
   const Drive right = internal_drive(15);
   const Drive left = internal_drive(-15);

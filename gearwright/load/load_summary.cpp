@@ -46,8 +46,7 @@ void summarise_lines(LoadedTorque& t, const Solved& solved, const SummaryBasis& 
 void summarise_points(LoadedTorque& t, const Solved& solved) {
   for (LoadedPosition& p : t.positions)
     if (p.approach > 0.0) p.stiffness = p.force / (p.approach / kMmPerUm);
-  // The force differs between positions, so each approach is divided by the force at its
-  // position.
+  // The force differs between positions, so each approach is divided by the force at its position.
   t.stiffness = stiffness(solved, 1.0, [](const auto& p) { return p.approach / p.force; });
   t.tangent = stiffness(solved, 1.0, [](const auto& p) { return p.tangent; });
 }

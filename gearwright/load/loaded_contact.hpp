@@ -1,14 +1,12 @@
-// Computes the loaded tooth contact of a mounted pair of cylindrical gears, which rotates
-// through one pitch under torque.
+// Computes the loaded tooth contact of a mounted pair of cylindrical gears over one pitch.
 //
 //   Θ    rad, additional rotation of gear 2 due to the deflection of the teeth
 //   approach   Θ r_b2, along the line of action in the transverse section
 //   loaded TE = TE − Θ (gear 2 lags)        theory: docs/theory/12-loaded-contact.md
 //
 // The gap at every position is computed by the functions of contact/, and the compliance is
-// computed from the section modes of both gears. At each rotation, the loads are the solution
-// of a complementarity problem. The problem is linear except for the logarithm of the Hertz
-// contact.
+// computed from the section modes of both gears. At each rotation, the loads are the solution of a
+// complementarity problem. The problem is linear except for the logarithm of the Hertz contact.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// Loaded contact is compared with a contact computation of two finite-element gears, and with its
-// laws.
+// Loaded contact is compared with two finite-element gears in contact, and its laws are tested.
 #include "gearwright/load/loaded_contact.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +18,7 @@ using testing::Drive;
 using testing::kE;
 using testing::run;
 
-// If the type were an aggregate, C++20 would accept values for only some of its members and set the
-// others to 0.
+// An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
 Drive external_drive(double helix_deg, double face, double module = 3.0) {
@@ -198,8 +196,7 @@ TEST(LoadedContact, ScalesWithLength) {
   }
 }
 
-// The pair of the opposite hand is the mirror image in the plane of the axes, with its ends
-// exchanged.
+// The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
 TEST(LoadedContact, TheOtherHandIsMirrored) {
   const Drive right = external_drive(15, 30);
   Drive left = external_drive(-15, 30);
@@ -265,9 +262,9 @@ TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
 }
 
 // The reference values were computed with a finer model: twenty waves along the face, ten waves
-// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five. The
-// bores are half of the root diameters. If coupling ended at the neighbouring teeth, the peak to
-// peak would be 2.85". Without the waves along the helix, the root stress would be 257 MPa.
+// along the helix, modes kept to 1e-5, and seven teeth with their exact outline instead of five.
+// The bores are half of the root diameters. If coupling ended at the neighbouring teeth, the peak
+// to peak would be 2.85". Without the waves along the helix, the root stress would be 257 MPa.
 TEST(LoadedContact, OfHelicalTeethIsConverged) {
   const auto gear = [](int teeth, double face, double helix) {
     CylindricalSpec s =

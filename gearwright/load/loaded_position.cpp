@@ -20,9 +20,8 @@ void reverse(LoadedPair& pair) {
 
 bool deflects(const LoadRequest& r) { return r.deflection_slope != 0.0 || r.deflection_bow != 0.0; }
 
-// The heights of the middles of the slices, mm. If there are deflections, the borders of the
-// slices are appended, because in this case the first contact is searched for only at the
-// heights of this list.
+// The heights of the middles of the slices, mm. The borders of the slices are appended if there are
+// deflections, because the first contact is then searched for only at these heights.
 std::vector<double> heights_of(const FaceSlices& s, bool borders) {
   std::vector<double> heights;
   for (int j = 0; j < s.count; ++j) heights.push_back(s.middle(j));
@@ -157,8 +156,7 @@ LoadedPosition PositionSolver::solve(Position& at, double torque, Angle rotation
   out.unfinished = !x.found();
   if (out.unfinished) return out;
   out.max_pressure = out.max_width_ratio = 0.0;
-  // The displacement of the axes is subtracted, because it does not belong to the deflection of the
-  // mesh. [T12.36]
+  // The displacement of the axes is not a deflection of the mesh, so it is subtracted. [T12.36]
   const double arm = base_radius_ * std::sqrt(1 - sin_b_ * sin_b_);
   const double of_axes = shafts_.of_axes() / (arm * arm);  // rad/(N mm)
   const double approach = x.approach - of_axes * q.moment;

@@ -62,8 +62,7 @@ class PositionSolver {
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // The approach of the flanks at a height z in N, mm, that the additional deflection of the
-  // request causes.
+  // The approach of the flanks at the height z in N due to the additional deflection, mm.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

@@ -4,10 +4,9 @@
 //   T_i, arm_i   gap angle and arm of place i [T12.1]      e   amounts of influences
 //   g_i(e) = (TE − T_i − Σ ∂T_i/∂e δe) arm_i        theory: docs/theory/14-scatter.md, [T14.25]
 //
-// Most of the computing time of a position is needed to find the places and the compliance between
-// these places. The places move when the flanks change. The gap is corrected to first order in e,
-// but compliance and curvature keep their values for e = 0. The change of TE therefore has an error
-// of a few percent.
+// Finding the places and their compliance takes most of the time. The places move when the flanks
+// change. The gap is corrected to first order in e, but compliance and curvature keep their values
+// for e = 0. The change of TE therefore has an error of a few percent.
 //
 // TE of a double-helical pair is the mean of both halves [T12.26].
 #pragma once

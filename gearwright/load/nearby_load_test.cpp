@@ -1,6 +1,6 @@
 // Laws: (1) without a change, `value` and `max_pressure` equal the results of loaded_contact()
-// (2) `slope` is the derivative of `value`   (3) for a small change, `value` agrees with loaded_contact() for the
-// changed pair within a few percent of the effect.
+// (2) `slope` is the derivative of `value`   (3) for a small change, `value` agrees with
+// loaded_contact() for the changed pair within a few percent of the effect.
 #include "gearwright/load/nearby_load.hpp"
 
 #include <gtest/gtest.h>

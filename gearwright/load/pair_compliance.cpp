@@ -23,8 +23,7 @@ constexpr double kFairWidth = 0.15;  // modules: least default width of a slice 
                                      // if R is one module
 constexpr int kSlices = 32;
 constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
-// True if tooth and face of both gears are equal to the last bit, so that one table serves for
-// both.
+// True if tooth and face of both gears are equal to the last bit, so that one table serves both.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
   const auto& x = a.tooth->outline.arcs;

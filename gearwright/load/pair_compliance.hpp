@@ -1,8 +1,6 @@
-// Computes the compliance of the teeth of a pair, which is stored in a table for each gear, and the
-// compliance of the shafts. Neither depends on torque, errors or modifications.
-//
-// Most of the computing time of a loaded contact is needed for the tables, so a caller with several
-// requests should keep them.
+// The compliance of the teeth of a pair, in a table for each gear, and of the shafts. It does not
+// depend on torque, errors or modifications. The tables need most of the computing time of a loaded
+// contact, so a caller with several requests should keep them.
 //                                                theory: docs/theory/12-loaded-contact.md
 #pragma once
 
@@ -42,8 +40,7 @@ struct LoadRequest {
   double deflection_slope = 0.0;   ///< mm, increase from one end of the common face to the other
   double deflection_bow = 0.0;     ///< mm, height of the parabola in the middle of the face
   double deflection_offset = 0.0;  ///< mm, the part that is constant over the face
-  /// z of the middle of the face of each gear in frame N, mm. Both values are equal if the
-  /// gears have shafts.
+  /// z of the middle of each face in frame N, mm. Both values are equal if the gears have shafts.
   std::array<double, 2> middle{};
   bool root_stress = true;  ///< if false, tables and positions have no root stress
   Progress* progress = nullptr;
@@ -55,9 +52,9 @@ struct LoadRequest {
   LoadRequest undeflected() const;
 };
 
-/// Numbers of slices of the loaded part of each face that are great enough for accurate results, and
-/// usually small enough for a solution to exist. Each number is 32, or less if the slices would be
-/// narrower than a quarter of a module (0.4 modules for helical teeth), but at least 4. For line
+/// Numbers of slices of the loaded part of each face that are great enough for accurate results,
+/// and usually small enough for a solution to exist. Each number is 32, or less if the slices would
+/// be narrower than a quarter of a module (0.4 modules for helical teeth), but at least 4. For line
 /// contact, the loaded part is the common face, and both numbers are equal.
 ///
 /// Narrower slices may make the matrix of [T12.14] indefinite. For spur teeth, this happened at
@@ -79,9 +76,9 @@ std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegim
 /// half of the width of 32 slices.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
-/// The gear (1 or 2) with the narrowest slices, and their width, mm.
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
 
+/// The gear (1 or 2) with the narrowest slices, and their width, mm.
 struct NarrowestSlices {
   int gear;
   double width;

@@ -19,8 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
-constexpr double kStill = 1e-11;  // greatest last change of forces and approach, relative to their
-                                  // values
+constexpr double kStill = 1e-11;  // greatest last relative change of forces and approach
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
 constexpr double kLeastPart = 0.1,
                  kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
@@ -34,9 +33,8 @@ constexpr double kStraightest =
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 
-// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along
-// the major axis is ¾ (1 − x²), which is the integral of the ellipsoidal pressure of a Hertz
-// contact across this axis.
+// Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along the
+// major axis is ¾ (1 − x²), the integral of the Hertz pressure across this axis.
 template <class Visit>
 void along_axis(Visit visit) {
   const auto& x = Nodes::abscissa();

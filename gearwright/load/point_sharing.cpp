@@ -35,8 +35,7 @@ class Sharing {
       d[i] = 1.5 * std::sqrt(std::max(x[i], 0.0) / q_.softness[i]) / q_.softness[i];
     return d;
   }
-  // The last element is the relative error of the moment; the others are the errors of the gap
-  // equations, mm.
+  // The errors of the gap equations, mm, followed by the relative error of the moment.
   VectorXd residual(const VectorXd& x) const {
     const VectorXd f = force(x);
     VectorXd r(n_ + 1);
@@ -80,8 +79,7 @@ PointSharing share_points(const PointProblem& q) {
   PointSharing out;
   VectorXd x = all.start();
   const double length = x[n] * q.arm.maxCoeff();
-  // The gap is included in the scale, because the rounding error of a wide gap may exceed the
-  // approach.
+  // The rounding error of a wide gap may exceed the approach, so the scale includes the gap.
   const VectorXd scale = (q.gap.cwiseAbs().array() + length).matrix();
   const auto size = [&](const VectorXd& r) {
     return std::max(r.head(n).cwiseAbs().cwiseQuotient(scale).maxCoeff(), std::abs(r[n]));

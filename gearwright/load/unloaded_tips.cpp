@@ -31,8 +31,7 @@ struct PathPlace {
   double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
 };
 
-// Fits a and c to the places of least gap at one position by least squares. The law is exact for
-// involutes.
+// Fits a and c to the places of least gap by least squares. The law is exact for involutes.
 PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
   double n = 0.0;
   double z1 = 0.0;
@@ -112,8 +111,7 @@ PairModifications with_reliefs(const PairModifications& all, const std::array<do
   return made;
 }
 
-// True if all sections of the face have the same contact. It is then sufficient to examine one
-// section.
+// True if all sections of the face have the same contact, so that one section is sufficient.
 bool alike_sections(const ContactSetup& setup, const LoadRequest& request) {
   const auto plain = [](const FlankModifications& m) {
     return m.lead_crowning == 0.0 && m.lead_slope == 0.0 && m.end_relief.amount == 0.0;

@@ -4,11 +4,10 @@
 //   s     mm, normal distance that remains under load between a tip and its mating flank
 //   ρ_1   mm, radius of curvature of flank 1, as the coordinate along the path of contact
 //
-// Under load, the gears approach each other. Without relief, a tooth pair would therefore
-// overlap (s < 0) at both ends of the path of contact: at the tip of gear 2 where it enters the
-// mesh, and at the tip of gear 1 where it leaves the mesh. The reliefs are computed from the
-// solution of the complementarity problem. If a tip carries no load, its relief is too great by
-// about s.
+// Under load, the gears approach each other. Without relief, a tooth pair would therefore overlap
+// (s < 0) at both ends of the path of contact: at the tip of gear 2 where it enters the mesh, and
+// at the tip of gear 1 where it leaves the mesh. The reliefs are computed from the solution of the
+// complementarity problem. If a tip carries no load, its relief is too great by about s.
 //                                     theory: docs/theory/12-loaded-contact.md, [T12.27]
 #pragma once
 

@@ -2,11 +2,10 @@
 //
 //   u′   independent coordinates in the unit cube       s = Φ⁻¹(u)   scores
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
-//   u = Φ(L Φ⁻¹(u′))                 theory: docs/theory/14-scatter.md, [T14.30],
-// [T14.32]
+//   u = Φ(L Φ⁻¹(u′))                theory: docs/theory/14-scatter.md, [T14.30], [T14.32]
 //
-// The two scores of a bore are the coordinates of a point with the normal distribution of the plane,
-// so the position of the bore stays uniform in its circle.
+// The two scores of a bore are the coordinates of a point with the normal distribution of the
+// plane, so the position of the bore stays uniform in its circle.
 //
 // The copula does not change the distribution of any input. For an input without a correlation, u
 // and u′ are equal bit for bit.
@@ -32,14 +31,14 @@ struct ToleranceCorrelation {
 ///
 /// Domain    each pair of coordinates at most once, |value| < 1, no coordinate with itself
 ///           (contract)
-/// Errors    `correlations[N]` if a coordinate has no score, if both are of one bore, or if R is
-///           not positive definite. In the last case, the text of the error gives the nearest
-///           possible value of one correlation or, if there is none, a common factor for all
+/// Errors    `correlations[N].between` if a coordinate has no score, or if both are of one bore.
+///           `correlations[N].value` if R is not positive definite, with the nearest possible
+///           value of one correlation in the text. If there is no such value, the field is
+///           `correlations`, and the text gives a common factor for all correlations
 std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolerances,
                                         std::span<const ToleranceCorrelation> correlations);
 
-/// Sets of tolerances. The tolerances of a set, at least two, are connected by correlations that
-/// are not 0.
+/// Sets of at least two tolerances that are connected by correlations other than 0.
 std::vector<std::vector<std::size_t>> correlated_blocks(
     std::span<const ScatterTolerance> tolerances,
     std::span<const ToleranceCorrelation> correlations);
@@ -62,7 +61,6 @@ class Copula {
     std::size_t coordinate;
     std::vector<std::pair<std::size_t, double>> sum;  // coordinates and entries of L
   };
-  // The score of this coordinate of u.
   double score(std::span<const double> u, std::size_t coordinate) const;
 
   std::vector<Row> rows_;

@@ -148,7 +148,7 @@ TEST(Correlation, RefusesAMatrixThatIsNotPositiveDefinite) {
   EXPECT_FALSE(check_correlations(inputs.tolerances, mended));
   mended[0].value = 0.8276;
   EXPECT_TRUE(check_correlations(inputs.tolerances, mended));
-  // Four inputs with the same correlation need more than −1/3.
+  // Four inputs with the same correlation require a value greater than −1/3.
   std::vector<ScatterTolerance> four = inputs.tolerances;
   four.push_back(testing::distance(0.01));
   std::vector<ToleranceCorrelation> all;
@@ -212,8 +212,8 @@ TEST(Correlation, OfBoresIsThatOfTheirPositions) {
   }
 }
 
-// [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L, each of whose variances depends on the
-// correlation r of x_A and x_B: var ΔC = R²(1 + r)/8, var Δδ = R²(1 − r)/(2L²).
+// [S4]: ΔC = −(x_A + x_B)/2 and Δδ = (x_B − x_A)/L. If r is the correlation of x_A and x_B,
+// var ΔC = R²(1 + r)/8 and var Δδ = R²(1 − r)/(2L²).
 TEST(Correlation, OfBoresMovesTheAxisMoreAndTiltsItLess) {
   ScatterTask task = three_inputs({{0, 2, 0.9, 1}, {1, 3, 0.9, 1}});
   task.tolerances = {bore(false), bore(true)};

@@ -63,8 +63,7 @@ double Distribution::at(double u) const {
       break;
     case Kind::normal: {
       const double v = from_ + u * (to_ - from_);
-      // If h is many standard deviations above the mean, Φ at h is 1 within rounding, and v may
-      // be 1.
+      // If h is many standard deviations above the mean, Φ at h rounds to 1, and v may be 1.
       if (v >= 1.0) return h;
       x = mean_ + sigma_ * normal_quantile(v);
       break;

@@ -1,5 +1,5 @@
-// For small tolerances, sampled variances and percentiles equal those of the linear form whose
-// coefficients are the exact derivatives at the pair as drawn.
+// For small tolerances, variances and percentiles of the samples equal the values of a linear form
+// with the exact derivatives at the nominal pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -10,8 +10,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kWideStep = 1.0 / 16, kStep = 1.0 / 64;  // relative to w_i
-// The ratio of the second difference with kStep to the one with kWideStep is 1/16 for a smooth
-// function, and 1/4 at a kink. A ratio above kBend indicates a kink.
+// The second difference with kStep divided by the second difference with kWideStep is 1/16 for a
+// smooth function, and 1/4 at a kink. A ratio above kBend indicates a kink.
 constexpr double kBend = 1.0 / 8;
 // A kink is ignored if its change of slope, multiplied by w_i, is at most this fraction of the
 // standard deviation of the quantity. Such a kink explains at most 0.5 % of the variance.
@@ -25,15 +25,13 @@ bool is_continuous(const ScatterTolerance& t) {
   return !std::holds_alternative<VaryingWave>(t.of) && !std::holds_alternative<VaryingPitch>(t.of);
 }
 
-// A point x and the member at x.
 struct Probe {
   std::vector<double> x;
   FamilyMember member{};
 };
 
-// The members that are computed for one coordinate. They give the derivatives by this
-// coordinate. For a tolerance without derivatives, they show whether the tolerance changes a
-// quantity.
+// The members for one coordinate give its derivatives. For a tolerance without derivatives, they
+// show whether the tolerance changes a quantity.
 struct Probes {
   std::size_t coordinate;
   double half_width = 0.0;  // w_i; 0 for a tolerance without derivatives

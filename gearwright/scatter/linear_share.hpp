@@ -25,8 +25,7 @@ namespace gearwright {
 /// `deviation` contains the standard deviation of each quantity. A kink of a quantity at x = 0
 /// is ignored if it explains at most 0.5 % of the variance.
 ///
-/// Accuracy  relative error of about (1/64)² |f‴| w_i²/(6 |f′|), the error of a central
-///           difference
+/// Accuracy  relative error of a central difference, about (1/64)² |f‴| w_i²/(6 |f′|)
 using QuantityGradients = std::array<std::optional<std::vector<double>>, kScatterQuantities>;
 QuantityGradients gradients_as_drawn(const ContactSetup& setup, const ScatterTask& task,
                                      const std::array<double, kScatterQuantities>& deviation);

@@ -91,7 +91,7 @@ TEST(LinearShare, GradientsAreTheExactDerivatives) {
   }
 }
 
-// [T14.14]: the play is linear in ΔC but for 2e-3 of its change, and in the thickness.
+// [T14.14]: the play is linear in the thickness and, except for 2e-3 of its change, in ΔC.
 TEST(LinearShare, OfALinearQuantityIsOne) {
   const ContactSetup setup = testing::spur_pair(true).setup();
   const ScatterTask task = indexed(
@@ -131,7 +131,7 @@ TEST(LinearShare, OfAnEvenQuantityIsZero) {
 TEST(LinearShare, ABendHasNoDerivative) {
   const ContactSetup setup = testing::spur_pair(false).setup();
   EXPECT_FALSE(share_in(setup, indexed({testing::crossing(0.02)}, 4, 64), Q::mean));
-  // A bend that matters little in the scatter is ignored: 1e-5 degrees besides 0.02 mm.
+  // A bend with little effect on the scatter is ignored: 1e-5 degrees besides 0.02 mm.
   const auto task = indexed({testing::distance(0.02), testing::crossing(1e-5)}, 4, 64);
   const auto share = share_in(setup, task, Q::mean);
   ASSERT_TRUE(share);

@@ -22,7 +22,7 @@ struct LoadedSide {
   LoadRequest request;
 };
 /// The pair of a member with these errors. For a double-helical pair, the half at z > 0 and the
-/// mirror image of the other half; only one of them if both are equal.
+/// mirror image of the other half, which is omitted if both are equal.
 std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
                                      const MemberRequest& member, const LoadedFamily& load);
 

@@ -1,5 +1,5 @@
-// Law: the clearances of a member are those of a pair that is made anew with its centre distance and
-// its thicknesses. Teeth without a closed form have none.
+// Law: the clearances of a member are those of a pair that is made anew with its centre distance
+// and its thicknesses. Teeth without a closed form have none.
 #include "gearwright/scatter/member_clearances.hpp"
 
 #include <gtest/gtest.h>

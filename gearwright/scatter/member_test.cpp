@@ -97,7 +97,7 @@ TEST(Member, OfADoubleHelicalPairWithEqualHalvesIsAHalf) {
   }
 }
 
-// The axes are askew, so that the halves differ, and half of the cases have edges in contact.
+// The errors tilt the axes, so the halves differ. Half of the cases have edges in contact.
 TEST(Member, OfADoubleHelicalPairIsTheContactOfTheWholeGears) {
   auto drawn = testing::crowned_helical_pair();
   drawn.gap = 6.0;

@@ -23,8 +23,7 @@ struct PlayEnds {
   double size() const { return std::max(std::abs(least), std::abs(greatest)); }
 };
 
-// The ranges of the parts of a deviation over the corners. Each part is linear in x, so these
-// ranges contain all members.
+// Each part of a deviation is linear in x, so its range over the corners contains all members.
 struct Extent {
   PlayEnds distance, crossing, intersecting, axial;
   std::array<PlayEnds, 2> twist;

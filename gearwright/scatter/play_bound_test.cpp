@@ -1,5 +1,4 @@
-// Law: no member has less play than the bound. Golden: the least play of spur
-// gears by [T14.14].
+// Law: no member has less play than the bound. Golden: the least play of spur gears by [T14.14].
 #include "gearwright/scatter/play_bound.hpp"
 
 #include <gtest/gtest.h>
@@ -47,8 +46,7 @@ TEST(PlayBound, IsCloseToTheClosedFormOfSpurGears) {
       *member_at(setup, deviation_at(setup, {}, {}), task.member)[ScatterQuantity::least_play];
   const double r_b1 = setup.gear(1).base_radius();
   const double r_b2 = setup.gear(2).base_radius();
-  // The play over ΔC, exactly: the change of ± TE of both flanks, inv α_wt of
-  // the centre distance.
+  // The exact change of the play with ΔC, from inv α_wt at both centre distances.
   const auto involute_at = [&](double a) {
     const double alpha = std::acos((r_b1 + r_b2) / a);
     return std::tan(alpha) - alpha;
@@ -102,8 +100,7 @@ TEST(PlayBound, NoMemberHasLess) {
   }
 }
 
-// A kink of the flank is not convex, and a peak to peak is a difference of two
-// convex functions.
+// A kink of the flank is not convex. A peak to peak is a difference of two convex functions.
 TEST(PlayBound, IsNoneWithoutConvexity) {
   const std::vector<ScatterTolerance> tolerances{testing::distance(0.02), testing::crossing(0.02)};
   testing::DrawnPair drawn = testing::spur_pair(true);

@@ -2,8 +2,7 @@
 // rigid teeth or under load.
 //
 //   v     corrections         f_k   peak-to-peak TE of sample k, with the corrections v
-//                                    theory: docs/theory/14-scatter.md, [T14.16] to [T14.18]
-//                                    and [T14.25]
+//                         theory: docs/theory/14-scatter.md, [T14.16] to [T14.18], [T14.25]
 //
 // Every v is evaluated with the same samples, so that differences between corrections are not due
 // to chance. The result is assessed with other samples, from another seed.

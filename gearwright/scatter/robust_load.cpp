@@ -26,10 +26,9 @@ bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
   return load.request.regime == LoadRegime::point || !influences_of(robust.corrections);
 }
 
-// The family with corrections near a center. If the contact is line contact and every
-// correction has an influence, the contact is computed only at the center. Each trial then
-// recomputes only the forces with changed gaps. In all other cases, each trial repeats the
-// whole contact computation.
+// The family with corrections near a center. If the contact is line contact and every correction
+// has an influence, the contact is computed only at the center. Each trial then recomputes only the
+// forces with changed gaps. In all other cases, each trial repeats the whole contact computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,

@@ -10,8 +10,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFirstRadius = 0.25;  // first trust radius of the linearised problem, relative to
-                                       // the width of the box
+constexpr double kFirstRadius = 0.25;  // first trust radius, relative to the width of the box
 constexpr double kLastRadius = 1e-3;   // the descent ends below this radius
 constexpr int kMostSteps = 20;         // greatest number of steps of a descent
 

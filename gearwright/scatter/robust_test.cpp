@@ -109,8 +109,7 @@ TEST(Loosening, IsWhereThePercentileHasGrown) {
     return scatter_of(setup, t)->spread[0]->percentiles[2].estimate.value;
   };
   EXPECT_NEAR(l.percentile, changed(0, 1.0), 1e-15);
-  // An error of the centre distance has a negligible effect on TE, unlike errors of the shaft
-  // angle.
+  // Errors of the centre distance have a negligible effect on TE, unlike errors of the shaft angle.
   EXPECT_FALSE(l.by_tolerance[0].factor);
   ASSERT_TRUE(l.by_tolerance[1].factor);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -50,9 +50,8 @@ std::vector<MemberSpan> spans_at(const ContactSetup& setup, const ScatterTask& t
                                  const std::vector<std::vector<double>>& places,
                                  std::span<const Influence> influences = {});
 
-/// The peak-to-peak TE of each member, rad. A member that loses contact has kLostSpan, which is
-/// greater than any other value.
+/// The peak-to-peak TE of each member, rad, or kLostSpan if the member loses contact.
 std::vector<double> ranked(const std::vector<MemberSpan>& spans);
-constexpr double kLostSpan = 1e3;  ///< rad
+constexpr double kLostSpan = 1e3;  ///< rad, greater than any other value
 
 }  // namespace gearwright

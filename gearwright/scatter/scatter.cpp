@@ -181,8 +181,7 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task) {
 }
 
 std::vector<Warning> sample_warnings(const Scatter& scatter) {
-  // Edge contact is reported if more than this share of the samples have it: one gear pair in
-  // twenty.
+  // Edge contact is reported if more than one gear pair in twenty has it.
   constexpr double kOftenEdge = 0.05;
   std::vector<Warning> warnings;
   const auto warn = [&](WarningCode code, std::string message) {

@@ -128,9 +128,8 @@ struct Loosening {
   /// percentile, rad, in the first replicate with unchanged tolerances.
   double percent, percentile;
   struct Change {
-    /// Greatest factor of the tolerance at which the percentile exceeds `percentile` by at most
-    /// the fraction kLooser. None if this holds for all factors up to kMostFactor at which
-    /// teeth exist.
+    /// Greatest factor at which the percentile exceeds `percentile` by at most the fraction
+    /// kLooser. None if this holds for all factors up to kMostFactor at which teeth exist.
     std::optional<double> factor;
     double halved;  ///< rad, the percentile if this tolerance is halved
   };
@@ -168,9 +167,8 @@ Result<Scatter> scatter_of(const ContactSetup& setup, const ScatterTask& task);
 /// Warns if samples jam, lose contact, or often have edge contact.
 std::vector<Warning> sample_warnings(const Scatter& scatter);
 
-/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if this
-/// point is a corner, or if its peak to peak exceeds `known` by less than 2 % or by less than
-/// 0.01″.
+/// The point x inside the ranges of the tolerances with the greatest peak to peak. None if it is a
+/// corner, or if its peak to peak exceeds `known` by less than 2 % or by less than 0.01″.
 ///
 /// Formula   [T14.15]
 /// Domain    at least one tolerance (contract)

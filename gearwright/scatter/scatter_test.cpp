@@ -162,8 +162,7 @@ TEST(Scatter, IndicesOfThePlayAreSharesOfItsVariance) {
   task.groups = {{"housing", {0}}, {"teeth", {1, 2}}};
   const Scatter grouped = done(setup, task);
   EXPECT_NEAR(indices(grouped, Q::least_play)->total[1].value, 1 - part[0] * part[0] / sum, 0.01);
-  // Conjugate flanks on parallel axes have no transmission error, so no tolerance has an influence
-  // on it.
+  // Conjugate flanks on parallel axes have no transmission error, so no tolerance influences it.
   EXPECT_FALSE(indices(s, Q::peak_to_peak));
 }
 

@@ -27,7 +27,8 @@ SampleValues sums(std::uint64_t seed) {
   return values;
 }
 
-// The mean of the percentiles of the replicates would be inside in three of four trials only.
+// An interval about the mean of the percentiles of the replicates would contain the exact
+// percentile in only three of four trials.
 TEST(Spread, IntervalsContainTheExactPercentiles) {
   const double low = std::cbrt(0.3);
   const std::array<double, 3> exact{low, 1.5, 3.0 - low};

@@ -104,7 +104,7 @@ struct ScatterTolerance {
 struct Deviation {
   ContactErrors errors;               ///< nominal errors plus deviations of the member
   PairModifications modifications;    ///< nominal modifications plus deviations of the member
-  bool modified = false;              ///< true if the modifications are not the nominal ones
+  bool modified = false;              ///< true if `modifications` differ from the nominal values
   std::array<double, 2> thickness{};  ///< ΔE_sn of each gear, mm, relative to the nominal gear
   /// ε of each tooth of a gear, rad, > 0 if the tooth is ahead; empty for equal pitches.
   std::array<std::vector<double>, 2> pitch;
@@ -131,9 +131,8 @@ std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tole
 std::optional<Error> check_ends(const ContactSetup& setup,
                                 std::span<const ScatterTolerance> tolerances);
 
-/// The flank deviations that a grade of ISO 1328-1 allows on a gear, mm. f_H limits the slope
-/// deviation over an evaluation range, and f_f limits the form deviation from the line with
-/// this slope.
+/// The flank deviations that a grade of ISO 1328-1 allows, mm. f_H limits the slope deviation over
+/// an evaluation range, and f_f limits the form deviation from the line with this slope.
 struct GradedFlank {
   double profile_slope;              ///< ± f_Hα, converted from L_α to the whole usable flank
   double helix_slope;                ///< ± f_Hβ, converted from L_β to the whole face

@@ -19,7 +19,7 @@ double range_of(const std::vector<double>& v) {
   return *greatest - *least;
 }
 
-// The greatest step from a tooth to the next one, around the gear.
+// The greatest step from a tooth to the next tooth, around the gear.
 double greatest_step(const std::vector<double>& v) {
   double step = 0.0;
   for (std::size_t k = 0; k < v.size(); ++k)

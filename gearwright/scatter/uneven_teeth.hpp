@@ -16,9 +16,8 @@
 
 namespace gearwright {
 
-/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g is closed, which means
-/// that it returns to its start after one turn. Both e and g are computed from `share`, `phase` and
-/// `eccentric`.
+/// The angles ε of all teeth: r ε_k = e sin(2πk/z + χ) + g_k. The walk g returns to its start after
+/// one turn. Both e and g are computed from `share`, `phase` and `eccentric`.
 ///
 /// Formula   [T14.20]
 /// Domain    share ≥ 0, 0 ≤ eccentric ≤ 1 (contract)

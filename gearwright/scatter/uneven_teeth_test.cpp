@@ -102,7 +102,7 @@ TEST(LongPeriod, IsTheDefinition) {
     const auto touches = one_pitch(transmission, -0.5 * pair.pitch(), 6);
     const double found = long_period_span(transmission, touches, {12, 16}, pitch);
     EXPECT_NEAR(found, by_definition(pair, 6, {12, 16}, pitch), 1e-11);
-    // (1), (2)
+    // Laws (1) and (2) of long_period_span().
     const double alike = long_period_span(transmission, touches, {12, 16}, {});
     std::vector<double> te;
     for (const PairTouch& t : touches) te.push_back(t.te());

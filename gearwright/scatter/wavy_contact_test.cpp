@@ -87,8 +87,8 @@ TEST(WavyContact, FollowsTheGreatestCrest) {
   }
 }
 
-// A root relief divides flank 1 into two patches. The one at the root begins near the base circle,
-// and only a part of it, or nothing, lies opposite flank 2. A relief of amount 0 changes nothing.
+// A root relief divides flank 1 into two patches. The patch at the root begins near the base
+// circle, and at most a part of it lies opposite flank 2. A relief of amount 0 changes nothing.
 TEST(WavyContact, FollowsTheGreatestCrestOverTwoPatches) {
   for (const double start : {0.1, 0.2, 0.3, 0.5}) {
     for (const double amount : {0.0, 0.005}) {

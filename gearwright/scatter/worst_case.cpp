@@ -66,8 +66,7 @@ class Box {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
 
-  // Moves x to the nearest point inside the box. For a bore, this is the nearest point in its
-  // circle.
+  // The nearest point inside the box; for a bore, the nearest point in its circle.
   std::vector<double> inside(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {
@@ -112,8 +111,7 @@ class Box {
     return true;
   }
 
-  // The same member as x. The numbers of waves, which the member rounds, are replaced by the
-  // whole numbers.
+  // The same member as x, with the whole numbers of waves to which the member rounds.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {

@@ -1,5 +1,4 @@
-// Finds the worst member of a family by a search of the whole box of tolerances, not only of its
-// corners.
+// The worst member of a family by a search of the whole box of tolerances, not only of its corners.
 //
 // The peak to peak of TE is the greatest minus the least value of a curve. The peak to peak is
 // therefore neither convex nor quasi-convex in the errors. If the contact moves from one edge to

@@ -41,8 +41,7 @@ inline Gear involute_gear(int teeth, double helix_deg, double face) {
   return g.internal() ? *cut_by_default(g) : g;
 }
 
-/// A pair with m = 2 mm, no backlash, and face widths of 20 and 18 mm. If z2 < 0, gear 2 is
-/// internal.
+/// A pair with m = 2 mm, no backlash and faces of 20 and 18 mm. If z2 < 0, gear 2 is internal.
 inline SamplePair involutes(int z1, int z2, double helix_deg) {
   SamplePair p{
       {involute_gear(z1, helix_deg, 20), involute_gear(z2, z2 < 0 ? helix_deg : -helix_deg, 18)},

@@ -52,7 +52,6 @@ inline DrawnPair spur_pair(bool crowned) {
   return p;
 }
 
-/// A crowned helical pair with 17:43 teeth.
 inline DrawnPair crowned_helical_pair() {
   DrawnPair p{{drawn_gear(17, 2.5, 15, 0.3, -0.05, 25), drawn_gear(43, 2.5, -15, 0.1, -0.07, 25)},
               78.6056};
@@ -61,7 +60,6 @@ inline DrawnPair crowned_helical_pair() {
   return p;
 }
 
-/// A helical pair with 23:61 teeth, without crowning.
 inline DrawnPair plain_helical_pair() {
   return {{drawn_gear(23, 2, -20, 0.15, -0.05, 20), drawn_gear(61, 2, 20, 0, -0.05, 20)}, 89.8};
 }

@@ -11,7 +11,7 @@
 
 namespace gearwright::testing {
 
-/// Units    N mm
+/// `torques` in N mm.
 inline LoadedFamily loaded_family(const ContactSetup& setup, std::vector<double> torques,
                                   int samples) {
   LoadRequest request;
