@@ -21,9 +21,10 @@ constexpr double kEdge = 12.0;  // px of margin around everything
 constexpr double kHead = 34.0;  // px above the plot, for the words of the y axis
 constexpr double kFoot = 44.0;  // px below the plot, for numbers and words of the x axis
 constexpr double kLane = 22.0;
-constexpr double kColumn = 24.0, kBeside = 12.0;  // px: width of a column of names beside the plot
-                                                  // without the names, and gap before the names
-constexpr double kLeaderGap = 19.0;               // px between the names of a column
+// A column of names beside the plot is kColumn px wider than its longest name. The gap between the
+// plot and a name is kBeside px.
+constexpr double kColumn = 24.0, kBeside = 12.0;
+constexpr double kLeaderGap = 19.0;           // px between the names of a column
 constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
@@ -81,7 +82,6 @@ struct Layout {
   double lane_words = 0.0;
   std::vector<AxisName> across, up;
 
-  // Width of the column of names at one side.
   static double column(const Figure& f, Anchor side) {
     double wide = 0.0;
     for (const FigureLeader& l : f.leaders)

@@ -16,10 +16,8 @@
 namespace gearwright {
 
 constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by at most 0.71 units
-constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
-                                            ///< than this
-constexpr double kRim = 2.5;                ///< m_n; rim drawn outside the roots of an internal
-                                            ///< gear
+constexpr double kOutlineTolerance = 1e-4;  ///< m_n; limit of the deviation by chords and rounding
+constexpr double kRim = 2.5;                ///< m_n; rim outside the roots of an internal gear
 
 /// Returns points of an arc, root to tip, both ends included, such that the chords stay within
 /// `tolerance`.
@@ -40,7 +38,6 @@ std::string tooth_path(const Gear& gear);
 /// gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
-/// Returns true if there is an outline to draw.
 bool has_outline(const Gear& gear);
 
 /// The length of a path unit, mm.
