@@ -17,8 +17,7 @@ namespace {
 
 constexpr double kWidth = 520.0;
 constexpr double kAspect = 1.0;    // width over height of the plot
-constexpr double kMargin = 0.055;  // margin on each side, relative to the height and width of the
-                                   // plot
+constexpr double kMargin = 0.055;  // on each side, relative to the height and width of the plot
 constexpr int kFewTeeth = 12;      // with more teeth, a root without undercut looks like any other
 
 const Arc& flank_of(const Gear& gear) {
@@ -95,8 +94,7 @@ void add_lost_flank(Figure& f, const Gear& gear) {
 // flank.
 void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
                 const char* symbol) {
-  constexpr double kReadable = 0.085;  // fraction of the width of the plot; a shorter radius has no
-                                       // label
+  constexpr double kReadable = 0.085;  // of the width of the plot; a shorter radius has no label
   f.circle(center, arc.radius, "thin dot", -1);
   f.line({center, touch}, "thin");
   f.dot(center, 2.2, "mark hollow");

@@ -20,7 +20,6 @@ std::string shown(const SpreadEntry& entry, double value) {
   return fixed(entry.shown(value), entry.digits);
 }
 
-// A table of the quantities that have a distribution.
 template <class Spreads>
 std::string distribution_table(const ScatterView& view, UnitSystem units, const std::string& title,
                                const Spreads& spreads) {

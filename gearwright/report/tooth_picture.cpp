@@ -86,8 +86,7 @@ constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
 constexpr double kSameShift = 1e-6;  // shifts are equal if they differ by less
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
-constexpr double kMargin = 0.05;  // margin at the sides and at the top, as a fraction of width and
-                                  // height
+constexpr double kMargin = 0.05;  // at the sides and at the top, relative to width and height
 constexpr double kChords = 1e-3;  // m_n, tolerance of chords: a tenth of a pixel in small pictures
 
 std::vector<Vec2> tooth_points(const Gear& gear) {
