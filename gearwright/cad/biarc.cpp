@@ -14,9 +14,8 @@ constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is w
 // If the angles between the chord and the two end tangents differ by less than this, rad, one arc
 // replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// The length of the shortest biarc as a fraction of the arc, and the permitted error of the
-// length of a biarc as a fraction of this length. Lengths are differences of the parameter of
-// the arc.
+// Limits of the length of a biarc, measured in the parameter of the arc: the shortest length
+// relative to the arc, and the permitted error relative to the length.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 

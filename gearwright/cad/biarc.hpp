@@ -9,7 +9,7 @@
 //     J = (P0 + P1)/2 + d (T0 − T1)/2,   |v|² − 2d v·(T0 + T1) − 2d²(1 − T0·T1) = 0,  v = P1 − P0
 // (Bolton, Biarc curves, CAD 7 (1975)). On a curve of monotone curvature, the error of a biarc
 // grows with its length. The number of biarcs is therefore smallest if each is as long as the
-// tolerance allows. A part of the curve that is a circular arc is represented by one arc.
+// tolerance allows.
 #pragma once
 
 #include <vector>
@@ -20,12 +20,9 @@
 namespace gearwright {
 
 struct BiarcChain {
-  std::vector<Vec2> points;    ///< mm, from the root side to the tip side; the ends are identical
-                               ///< to the ends of the arc
-  std::vector<double> bulges;  ///< one fewer than points; bulges[i] belongs to the arc from
-                               ///< points[i] to points[i + 1]
-  double deviation_mm;  ///< greatest normal distance of the exact curve, measured at 256 points per
-                        ///< biarc
+  std::vector<Vec2> points;    ///< mm, from the root side to the tip side, including both ends
+  std::vector<double> bulges;  ///< bulges[i] belongs to the arc from points[i] to points[i + 1]
+  double deviation_mm;         ///< greatest normal distance at 256 points per biarc
 };
 
 /// A chain of arcs within `tolerance_mm` of the exact curve.
@@ -34,8 +31,7 @@ struct BiarcChain {
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
 /// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
 ///           tangents of neighbouring arcs agree to 1e-9 rad; if a line replaces an arc, its
-///           tangent error times its length is below 4e-9 mm, because the sagitta of the arc is
-///           below 1e-9 mm
+///           tangent error times its length is below 4e-9 mm
 /// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each is as long as possible
 ///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
@@ -43,8 +39,7 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
 /// The closed outline of the whole gear in true circular arcs: one chain of points and bulges.
 struct BiarcContour {
   std::vector<Vec2> points;    ///< mm, counter-clockwise
-  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] belongs to the arc from points[i] to the
-                               ///< next point, and the last one to the arc back to the first point
+  std::vector<double> bulges;  ///< bulges[i]: arc from points[i] to the next point, cyclically
   double deviation_mm;         ///< greatest normal distance from the exact outline, as measured
 };
 

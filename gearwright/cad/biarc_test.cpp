@@ -42,8 +42,6 @@ struct Circle {
   C from, to;
   double bulge;
 
-  // The unit tangent at the point p of the arc. Its direction is i (p − centre), or the opposite on
-  // a clockwise arc.
   C tangent(C p) const {
     const C t = C(0, bulge > 0 ? 1 : -1) * (p - centre);
     return t / std::abs(t);
@@ -78,8 +76,6 @@ std::vector<Arc> curves() {
 }
 
 TEST(Biarc, EveryPointOfTheChainIsWithinTheTolerance) {
-  // The test searches for the distance from the arcs to the curve. The fit measures the distance
-  // from the curve to the arcs.
   for (const Arc& arc : curves()) {
     for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
       const BiarcChain chain = fit_biarcs(arc, tolerance);
@@ -126,8 +122,7 @@ TEST(Biarc, ThousandTimesFinerIsTenTimesMore) {  // law 1
   }
 }
 
-TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2; an increased number would show that the fit
-                             // has become worse
+TEST(Biarc, ArcsOfATooth) {  // 20 teeth of module 2
   const Outline outline = testing::sample_body({}).outline;
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::root_fillet), 1e-3).bulges.size(), 6U);
   EXPECT_EQ(fit_biarcs(*outline.find(ArcName::flank), 1e-3).bulges.size(), 6U);

@@ -100,8 +100,6 @@ Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer) 
   const double half = bore.keyway_width / 2.0;
   if (half == 0.0) return circle_loop(radius);
   const double bottom = radius + bore.keyway_depth;
-  // The sides of the keyway are separate faces. The keyway is omitted if these faces would be
-  // slivers.
   const double mouth = std::sqrt((radius - half) * (radius + half));
   if (bottom - mouth < kShortestArc_mm) return circle_loop(radius);
   return circle_with_keyway(radius, half, bottom);

@@ -1,6 +1,5 @@
 // Section of the bore: a circle, or a circle with a rectangular keyway. For an internal gear (teeth
-// < 0), the same functions describe the rim, the outer cylinder around the teeth. The section is
-// provided as columns of a mesh, as walls of a solid and as a contour for drawings.
+// < 0), the same functions describe the rim, the outer cylinder around the teeth.
 //
 //   r  bore radius     w, t  keyway width and depth from the bore circle     all mm
 //
@@ -40,8 +39,7 @@ struct BoreContour {
   double radius;               ///< r  mm
   bool keyway;                 ///< if false, the contour is the whole circle
   std::vector<Vec2> points;    ///< mm; a whole circle has two points
-  std::vector<double> bulges;  ///< tan(sweep/4); bulges[i] belongs to the piece from points[i] to
-                               ///< the next point
+  std::vector<double> bulges;  ///< bulges[i] belongs to the piece from points[i] to the next point
 };
 
 /// Returns no contour if there is no bore.

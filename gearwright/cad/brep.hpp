@@ -8,12 +8,10 @@
 //   circle    cylinder about the axis            circle
 //   line      plane                              line
 //
-// Edges along the teeth are lines, or B-splines that follow the helix. Every vertex, edge and pole
-// is written once: the boundary poles of a face are also the poles of its edges and of the
-// neighbouring faces. An edge lies exactly on its faces, except that a helix spline deviates from a
-// true cylinder by less than kHelixTarget_mm. The x direction of each circle points away from the
-// middle of its wall. Walls that span less than a full turn therefore never cross the seam at u =
-// 0.
+// Every vertex, edge and pole is written once: the boundary poles of a face are also the poles of
+// its edges and of the neighbouring faces. Edges along the teeth are lines, or B-splines that
+// follow the helix. An edge lies exactly on its faces, except that a helix spline deviates from a
+// true cylinder by less than kHelixTarget_mm.
 //
 // A double-helical gear has two stacks of walls, one for each hand of helix, either adjacent or
 // separated by a groove. A solid with several gears has a stack for each gear. Plain cylinders, the
@@ -66,10 +64,9 @@ Brep add_brep(Part21& out, const ToothedBody& body, const std::vector<GearFaces>
 //   fillet              cylinder along the tooth, radius ρ_f   ellipses (circles for a spur rack)
 //
 // All surfaces and edges are exact. Every face of the teeth is a strip of the plan view
-// (cad/rack_plan.hpp). A strip has four edges. It has five if it contains a corner of the bar, and
-// six if it contains two corners.
-//
-//   Law   every edge is used twice, once in each direction
+// (cad/rack_plan.hpp). A strip has four edges, and one more for each corner of the bar that it
+// contains. The first and the last strip of a helical rack begin and end at a corner of the bar,
+// so they have one edge fewer.
 
 /// Returns the number of faces: the strips, and five planes for the back, the two ends and the two
 /// sides.

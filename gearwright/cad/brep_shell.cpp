@@ -147,7 +147,7 @@ Id ShellWriter::frame(double z, const Vec3& x) {
 }
 
 // The coordinate system of a circle or cylinder. Its x direction points away from the middle of the
-// wall.
+// wall, so a wall that spans less than a full turn never crosses the seam at u = 0.
 Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
   const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
   return frame(z, {-middle.real(), -middle.imag(), 0.0});

@@ -1,6 +1,5 @@
 // Writes the faces, edges and vertices of a solid about the axis. Internal to cad/.
 //
-// The poles on the boundary of a face are the same points in the file as the poles of its edges.
 // Circles and cylinders are centred on the axis.
 #pragma once
 
@@ -27,8 +26,7 @@ struct Corner {
 
 struct Edge {
   Id edge;
-  Ids poles;  ///< from the start to the end of the edge; empty for circles and for lines that lie
-              ///< in one level
+  Ids poles;  ///< from the start to the end; empty for circles and for lines in one level
 };
 
 using Corners = std::vector<Corner>;
@@ -75,7 +73,6 @@ class ShellWriter {
 
   Corner corner(const Vec3& at);
   Edge edge(const Corner& from, const Corner& to, Id curve, Ids poles);
-  /// The circle of a wall at the height z, turned by `turn`.
   Id circle(const Wall& wall, double turn, double z);
   Id cylinder(const Wall& wall, double turn);
   /// An edge along a spline whose inner poles are pole(1) … pole(n − 2).
@@ -138,8 +135,6 @@ class ShellWriter {
 // Flanks and fillets have one B-spline face per arc and layer (cad/modified_fit.hpp). Lands are
 // true cylinders with one face per slice, whose upright sides consist of one edge per layer.
 // An edge on a land deviates from the cylinder by at most kHelixTarget_mm.
-//
-//   Law   every edge is used twice, once in each direction
 
 /// Adds the teeth of a band with flank modifications. `base` has the same meaning as for
 /// ShellWriter::add_walls().

@@ -1,6 +1,3 @@
-// Tests the instances of a STEP file and their references with a short reader written for this
-// test. step_solid_test.cpp tests the solids that a CAD kernel builds from such files.
-
 #include "gearwright/cad/brep.hpp"
 
 #include <gtest/gtest.h>
@@ -97,8 +94,6 @@ TEST(Brep, EveryEdgeIsUsedOnceEachWay) {
 }
 
 TEST(Brep, NeighboursShareTheirPoles) {
-  // Every point of a solid is written only once, so two adjacent faces refer to the same instances
-  // for their common parts.
   const auto made = step_document({keyed(0.2)}, "one.step");
   ASSERT_TRUE(made);
   std::set<std::string> points;
@@ -136,8 +131,6 @@ TEST(Brep, TextGrowsWithTheTeethAlone) {
     return static_cast<double>(
         step_document({sample_body({.teeth = teeth, .beta = 0.2})}, "a.step")->text.size());
   };
-  // With more teeth, the instance numbers become longer, but the number of products does not
-  // change.
   EXPECT_NEAR(size(400) / size(100), 4.0, 0.1);
 }
 

@@ -11,11 +11,9 @@
 namespace gearwright {
 namespace {
 
-constexpr double kShortestArc = 1e-6;   // mm, a hundredth of the resolution of manufacturing
-                                        // machines
+constexpr double kShortestArc = 1e-6;   // mm, 1/100 of the resolution of machine tools
 constexpr double kOnItsRay = 1e-6;      // mm, tolerance for points on a centre line
-constexpr double kCircleRadius = 1e-8;  // mm, variation of the radius up to which a land counts as
-                                        // a circle
+constexpr double kCircleRadius = 1e-8;  // mm, permitted variation of the radius of a circular land
 constexpr int kArcLooks = 32;           // number of points per arc that are examined
 
 // Adding zero turns −0 into 0, so equal points are written as equal text.
@@ -23,7 +21,6 @@ Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
 
-// A land is a circle about the axis if its radius is constant.
 bool is_land(const Arc& arc) {
   if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
   const double radius = arc.begin_point.norm();
@@ -93,8 +90,8 @@ Result<Contour> closed_contour(const Outline& outline) {
   const bool tip_land =
       is_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
   const std::size_t first = root_land ? 1 : 0;
-  const std::size_t last = links.size() - (tip_land ? 1 : 0);  // one past the last link that is not
-                                                               // a land
+  const std::size_t last =
+      links.size() - (tip_land ? 1 : 0);  // end of the links except the tip land
 
   double tip_sweep = 0.0;
   double root_sweep = 0.0;

@@ -1,14 +1,11 @@
 // The closed outline of the whole gear in its transverse section z = 0, piece by piece.
 //
-//   p     a point of the half tooth as a complex number x + iy, mm
 //   k     tooth number, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact for quarter turns
 //
 // For external and internal gears, the contour runs counter-clockwise about the axis: the tip land
 // of tooth 0, its upper half from tip to root, the root land, the lower (mirrored) half of tooth 1
 // from root to tip, its tip land, and so on. The two halves of a land form one piece, a true circle
-// about the axis. Every other piece is an arc of the outline, mirrored and turned. A drawing
-// computes the points of each arc of the half tooth once. `placed` moves these points to every
-// tooth, so all teeth are identical.
+// about the axis. Every other piece is an arc of the outline, mirrored and turned.
 //
 //   Laws  (1) the end of each piece is identical to the start of the next, and the contour is
 //             closed
@@ -29,14 +26,12 @@ namespace gearwright {
 
 struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
-  int tooth;        ///< k; for a root land, the tooth before it
-  bool mirrored;  ///< true for a piece of the lower half of the tooth, which runs from root to tip;
-                  ///< false for a piece of the upper half, which runs from tip to root
-  bool land;      ///< true if the piece consists of both halves of a land: a circle about the axis
-                  ///< with the angle `sweep`, or for a rack a straight line with `sweep` 0
-  Vec2 begin;     ///< mm
-  Vec2 end;       ///< mm
-  double sweep;   ///< rad, > 0 for a land; otherwise 0
+  int tooth;        ///< k; for a root land, one of the adjacent teeth
+  bool mirrored;    ///< true on the lower half of the tooth, where the piece runs from root to tip
+  bool land;        ///< true if both halves of a land form the piece, which is a line on a rack
+  Vec2 begin;       ///< mm
+  Vec2 end;         ///< mm
+  double sweep;     ///< rad, > 0 for a land of a gear; otherwise 0
 };
 
 struct Contour {

@@ -1,9 +1,5 @@
-// Definitions shared by all drawings of a transverse section: options, data of the result, closed
-// outlines of a body, and fits of its arcs.
-//
-// A drawing shows the section z = 0 in the gear frame, in millimetres. `body.pose` is not applied.
-// The drawing is returned as text, together with the numbers that a program prints with it, such as
-// "320 segments, within 0.9 µm".
+// Definitions shared by all drawings of a transverse section. A drawing of one body shows the
+// section z = 0 in the gear frame, in millimetres, and `body.pose` is not applied.
 #pragma once
 
 #include <algorithm>
@@ -37,15 +33,12 @@ inline constexpr double kSplineTolerance_mm = 1e-6;
 inline constexpr double kSvgTolerance_mm = 1e-4;
 
 struct Drawing {
-  std::string text;  ///< text of the file
-  int segments;      ///< number of arcs, lines, splines and Bézier pieces of the profile and the
-                     ///< bore together
-  double
-      deviation_mm;  ///< greatest normal distance measured between the drawing and the exact curve
+  std::string text;     ///< text of the file
+  int segments;         ///< number of arcs, lines, splines and Bézier pieces of profile and bore
+  double deviation_mm;  ///< greatest normal distance measured from the exact curve
   double tolerance_mm;  ///< permitted distance
 };
 
-/// The closed outline of a body and its bore.
 struct BodyContour {
   Contour teeth;
   std::optional<BoreContour> bore;
@@ -58,7 +51,6 @@ struct BodyContour {
 /// Errors    as closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
-/// Returns the error for an arc that cannot be drawn within the requested tolerance.
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
 
 /// A fit for each arc of the outline except lands. All teeth share these fits.

@@ -21,7 +21,6 @@ constexpr double kNeckWall = 0.5, kNeckClearance = 0.25;
 // Least length of a neck, mm. The surfaces of a shorter neck would be slivers.
 constexpr double kNeckLength_mm = 1e-3;
 
-// The solid of a gear or a rack in its own frame.
 Result<ToothedBody> shape_of(const Drive& drive, std::size_t g) {
   const DriveGear& named = drive.graph.gears[g];
   if (named.rack) {
@@ -46,7 +45,7 @@ Result<ToothedBody> shape_of(const Drive& drive, std::size_t g) {
   return made;
 }
 
-// The greatest distance of a solid from its axis or, for a rack, from its middle, mm.
+// Greatest distance from the axis or, for a rack, from its middle, mm.
 double reach(const ToothedBody& body) {
   if (body.rack) return std::max(body.rack->height, body.outline.teeth * body.rack->pitch / 2.0);
   double radius = body.bore ? body.bore->diameter / 2 : 0.0;
@@ -64,7 +63,6 @@ class Workpieces {
     std::vector<Chain> chains;
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b)
       for (Chain& chain : chains_on(b)) chains.push_back(std::move(chain));
-    // The solids have the order of the gears in the spec.
     const auto first = [](const Chain& chain) {
       return *std::min_element(chain.gears.begin(), chain.gears.end());
     };

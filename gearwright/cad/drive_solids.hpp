@@ -1,8 +1,7 @@
 // The solids of whole gears and of drives, at their positions or laid out for printing.
 //
 // External gears of one body with the same bore are one solid, in which a plain cylinder joins
-// each gear to the next one. Examples of such bodies are stepped planets and the intermediate
-// shafts of trains. Gears with different bores are separate workpieces, and so are rings.
+// each gear to the next one. Gears with different bores are separate workpieces, and so are rings.
 #pragma once
 
 #include <array>

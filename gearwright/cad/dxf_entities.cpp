@@ -57,8 +57,8 @@ void DxfEntities::triangle(const std::string& layer, const Vec2& a, const Vec2& 
   begin("SOLID", layer, "AcDbTrace");
   DxfPairs out(text_);
   int code = 10;
-  for (const Vec2* corner : {&a, &b, &c, &c}) {  // the last corner is repeated, because a SOLID has
-                                                 // four corners
+  // A SOLID has four corners, so the last corner is repeated.
+  for (const Vec2* corner : {&a, &b, &c, &c}) {
     const Vec2 p = at(*corner);
     out.point(code++, p.x(), p.y(), 0);
   }

@@ -51,7 +51,6 @@ struct Entity {
   }
 };
 
-// The entities of the ENTITIES section.
 std::vector<Entity> entities_of(const std::string& text) {
   std::vector<Entity> entities;
   bool inside = false;
@@ -71,7 +70,6 @@ std::vector<Entity> entities_of(const std::string& text) {
   return entities;
 }
 
-// Points and bulges of an LWPOLYLINE.
 struct Polyline {
   std::vector<Vec2> points;
   std::vector<double> bulges;
@@ -301,8 +299,8 @@ TEST(Dxf, EveryHandleIsUsedOnceAndTheSeedIsAboveThem) {
 
 TEST(Dxf, RefusesWhatIsNoGear) {
   ToothedBody body = testing::sample_body({});
-  body.bore = Bore{34.9};  // the root diameter is 35, but the corner of the keyway lies outside the
-                           // root circle
+  // The root diameter is 35. Only the corner of the keyway lies outside the root circle.
+  body.bore = Bore{34.9};
   EXPECT_TRUE(static_cast<bool>(dxf_drawing(body)));
   body.bore = Bore{35.1};
   const auto wide = dxf_drawing(body);

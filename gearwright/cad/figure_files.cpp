@@ -50,7 +50,6 @@ std::vector<double> numbers_of(const std::string& text) {
   return numbers;
 }
 
-// Maps a point of an element to turn · point + shift in the picture.
 struct Mapping {
   Px turn = 1.0, shift = 0.0;
 
@@ -170,7 +169,6 @@ class PictureReader {
     return box.lo.x() < sheet_.size.x() && box.lo.y() < sheet_.size.y() && box.hi.minCoeff() > 0.0;
   }
 
-  // Adds the pieces of path data.
   void add_pieces(const std::string& d, const Mapping& place) {
     constexpr const char* kCommands = "MLHVAZmlhva";
     Px pen = 0.0;

@@ -1,5 +1,3 @@
-// Tests the files of figures: positions, colours and clipping in a PDF, the scale of a DXF file, and
-// the rules of the style sheet.
 #include "gearwright/cad/figure_files.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +75,6 @@ TEST(FigureFiles, a_text_has_its_symbols_and_a_light_ground) {
   EXPECT_TRUE(texts[1].slanted);
   EXPECT_NEAR(texts[1].at.y() - texts[3].at.y(), 3.0, 1e-9);
   EXPECT_NEAR(texts[3].height, 9.5 * kCapital, 1e-9);
-  // The middle of the whole text is the middle of the plot.
   const std::string svg = figure_file(sloping_line(), ".svg").value();
   double left = 0, right = 0;
   std::sscanf(svg.c_str() + svg.find("data-x="), "data-x=\"0 10 %lf %lf", &left, &right);

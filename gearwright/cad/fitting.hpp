@@ -46,8 +46,7 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 
 struct StepLimits {
   double shortest;  ///< relative to the interval; a step of this length is always accepted
-  double known;     ///< relative to the step; the search ends when its bracket is narrower than
-                    ///< this
+  double known;     ///< relative to the step; the search ends when its bracket is narrower
 };
 
 /// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search

@@ -211,8 +211,8 @@ class Views {
     const auto metal = [&](double lo, double hi) {
       hatch(*sheet_, {origin_ + Vec2(x0, lo), origin_ + Vec2(x1, hi)});
     };
-    const double limit = input_.body.limit_within(root_);  // no teeth lie between this radius and
-                                                           // the bore or the rim
+    // No teeth lie between this radius and the bore or the rim.
+    const double limit = input_.body.limit_within(root_);
     if (input_.body.grooved())
       grooved(x0, x1, limit);
     else
@@ -278,7 +278,6 @@ class Views {
     }
   }
 
-  // A dimension between the radii lo and hi of the gear, relative to the origin of the views.
   Dimension upward(double lo, double hi, double edge, double place, std::string words) const {
     return {Direction::up, k_ * lo, k_ * hi, edge, edge, place, std::move(words)};
   }

@@ -79,7 +79,6 @@ std::vector<Column> neck_columns(double radius, double chord, double facet_turn)
   return columns;
 }
 
-// One gear of a solid.
 class GearMesh {
  public:
   /// `below` and `above` are the radii of the inner walls that end on the lower and the upper
@@ -97,7 +96,6 @@ class GearMesh {
 
   double chord() const { return tolerance_.chord; }
 
-  /// Adds the walls of the teeth.
   void add_walls(MeshBuilder& builder) {
     const std::vector<Column> columns = pitch_columns(half_, copies_);
     const std::vector<Ring> rings =
@@ -113,7 +111,6 @@ class GearMesh {
     if (two) upper_ = add(upper_levels(), false, body().grooved() ? nullptr : &lower_);
   }
 
-  /// Adds the end faces and the rim of an internal gear.
   void close_ring(MeshBuilder& builder) const {
     const WallEnds rim = builder.add_wall(top_->circle_columns(false), copies_,
                                           {steps_, around(body().face_width)}, false);
@@ -198,7 +195,6 @@ class GearMesh {
                         kVerticesMax, kHalfPointsMax)};
   }
 
-  // Finds the levels along the face and the tolerances.
   std::optional<Error> find_levels(double below, double above) {
     GW_EXPECTS(body().face_width > 0.0 && body().outline.teeth != 0);
     const int teeth = body().outline.teeth;
@@ -232,7 +228,6 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // Finds the points of half a tooth.
   std::optional<Error> find_section() {
     const ModifiedTeeth* modified = body().modified.get();
     half_ = section_points(modified ? modified->outline() : body().outline, tolerance_,
@@ -295,8 +290,7 @@ class GearMesh {
   bool ring_;
   std::vector<Band> bands_;
   int steps_ = 1;
-  double given_ = 0.0;  // chord tolerance of the whole mesh, mm; with modifications, tolerance_ is
-                        // only a part of it
+  double given_ = 0.0;  // chord tolerance of the whole mesh, mm, including the modifications
   SectionTolerance tolerance_{};
   std::vector<SectionPoint> half_;
   std::optional<ModifiedGrid> grid_;

@@ -14,8 +14,6 @@
 // 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ|, |T_ζζ|
 // ≤ ρτ². (M1) holds for both diagonals of a grid cell.
 //
-// Modified flanks are meshed by grids on the modified surface (cad/modified_mesh.hpp).
-//
 // Only one half tooth is meshed. All others are its mirror images, turned by sincos_turn, so every
 // tooth is an exact copy of tooth 0. Time and size are proportional to |z|.
 #pragma once
@@ -35,8 +33,7 @@ namespace gearwright {
 
 struct MeshOptions {
   double chord_tolerance_mm = 0.005;  ///< largest distance of the triangles from the exact surface
-  Angle facet_turn_max =
-      Angle::radians(0.26);  ///< largest change of the surface direction over one facet (15°)
+  Angle facet_turn_max = Angle::radians(0.26);  ///< largest turn of the surface over a facet
 };
 
 using Triangle = std::array<std::uint32_t, 3>;
@@ -49,8 +46,7 @@ struct TriangleMesh {
 
   // The same surface for shading. A vertex on a crease occurs once per smooth face.
   std::vector<std::uint32_t> shaded_vertices;  ///< index into `vertices`
-  std::vector<Vec3> normals;                   ///< unit vectors, outward, of the exact surface at
-                                               ///< the vertices
+  std::vector<Vec3> normals;                   ///< outward unit normals of the exact surface
   std::vector<Triangle> shaded_triangles;      ///< index into `shaded_vertices`
 };
 
@@ -58,12 +54,9 @@ struct TriangleMesh {
 struct MeshPart {
   std::string name;                                        ///< UTF-8
   TriangleMesh mesh;                                       ///< mesh in the gear frame
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the frame of
-                                                           ///< the file
-  std::optional<std::size_t> colour{};                     ///< index for part_colour(); if absent,
-                                                           ///< the index of the part
-  std::optional<std::size_t>
-      same_as{};  ///< an earlier part with the same mesh; `mesh` is then empty
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the file
+  std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
+  std::optional<std::size_t> same_as{};  ///< earlier part with the same mesh; `mesh` is then empty
 };
 
 /// The body as a closed oriented mesh in the gear frame. `body.pose` is not applied. The gears in

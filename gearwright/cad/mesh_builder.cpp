@@ -47,7 +47,6 @@ std::vector<char> rising_diagonals(const std::vector<Column>& part, int copies,
   return rising;
 }
 
-// The columns at one level of a screw motion.
 Ring screw_ring(const std::vector<Column>& part, const std::vector<char>& crease, const Band& band,
                 double z) {
   const SinCos screw = sincos_of(band.angle(z));

@@ -17,12 +17,10 @@
 
 namespace gearwright {
 
-/// One column of a wall.
 struct Column {
   Vec2 point;   ///< mm, in the section ζ = 0 of the first copy
-  Vec2 before;  ///< unit normal of the section, pointing out of the material, on the side of the
-                ///< previous column (clockwise)
-  Vec2 after;   ///< unit normal on the side of the next column (counter-clockwise)
+  Vec2 before;  ///< outward unit normal on the side of the previous column (clockwise)
+  Vec2 after;   ///< outward unit normal on the side of the next column (counter-clockwise)
 };
 
 struct Levels {
@@ -47,11 +45,9 @@ struct Ring {
   std::vector<RingPoint> points;
 };
 
-/// Data of the quads of a wall: which columns are creases, and which diagonal divides each quad.
 struct WallEdges {
   std::vector<char> crease;  ///< per column: true if it is a crease
-  std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from this
-                             ///< column
+  std::vector<char> rising;  ///< per column: true if the diagonal of the next quad rises from it
 };
 
 /// The edges of a wall that is a screw surface.
@@ -73,8 +69,8 @@ class MeshBuilder {
   WallEnds add_wall(const std::vector<Column>& part, int copies, const Levels& levels, bool inward,
                     const WallEnds* below = nullptr);
 
-  /// Adds a wall whose levels are given one by one, from bottom to top. `below` has the same meaning
-  /// as above.
+  /// Adds a wall whose levels are given one by one, from bottom to top. `below` has the same
+  /// meaning as above.
   ///
   /// Domain    two rings or more, each with a point for every column (contract)
   WallEnds add_wall(const std::vector<Ring>& rings, const WallEdges& edges, int copies, bool inward,

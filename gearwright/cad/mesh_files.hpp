@@ -9,12 +9,8 @@
 
 namespace gearwright {
 
-/// Returns the bytes of a binary STL file, an unordered list of triangles that every printer and
-/// mesh tool reads.
-///
-/// The file has 80 bytes of text, a count, and then 50 bytes per triangle: the normal and three
-/// corners, all float32 in mm, and two zero bytes. All parts are written into one list at their
-/// poses. Corners at the same vertex of the mesh have the same twelve bytes, so readers can
+/// Returns the bytes of a binary STL file. All parts are written into one list of triangles at
+/// their poses. Corners at the same vertex of the mesh have the same bytes, so readers can
 /// reconnect the triangles.
 ///
 /// Units     mm, in the frame to which the poses transform
@@ -22,18 +18,15 @@ namespace gearwright {
 /// Domain    fewer than 2³² triangles in all (contract)
 std::string stl_bytes(const std::vector<MeshPart>& parts);
 
-/// Returns the bytes of a 3MF file, the format of 3D printers: XML in a ZIP archive, with units,
-/// names and positions.
-///
-/// The file follows version 1.2 of the core specification. Each part is one mesh object in mm, and
-/// a build item places it at its pose. Vertices are shared, so a reader need not detect equal ones.
+/// Returns the bytes of a 3MF file (core specification 1.2): XML in a ZIP archive, with units,
+/// names and positions. Each part is one mesh object in mm, and a build item places it at its pose.
 ///
 /// Units     mm
 /// Accuracy  9 significant digits: 0.05 nm at a radius of 50 mm
 /// Domain    at least one part, an XML text below 2³² bytes (contract)
 std::string threemf_bytes(const std::vector<MeshPart>& parts);
 
-/// Returns the bytes of a GLB file, glTF 2.0 in one binary file, for browsers and viewers.
+/// Returns the bytes of a GLB file, which is glTF 2.0 in one binary file.
 ///
 /// Each part has one node with its pose as a matrix, one mesh with smooth normals, and one material
 /// with its own colour. Lengths are in metres, as glTF requires. The gear axis remains z, which

@@ -1,5 +1,3 @@
-// Tests that tessellate rejects impossible inputs, and that each error contains the key and a
-// remedy.
 #include <gtest/gtest.h>
 
 #include <cmath>

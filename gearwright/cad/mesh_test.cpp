@@ -111,8 +111,7 @@ TEST(Mesh, IsAClosedOrientedManifoldOfOnePart) {
     EXPECT_TRUE(found.closed) << name;
     EXPECT_EQ(found.parts, 1) << name;
     EXPECT_EQ(found.unused, 0u) << name;
-    EXPECT_EQ(found.euler, body.bore ? 0 : 2) << name;  // Euler characteristic of a torus, or of a
-                                                        // ball
+    EXPECT_EQ(found.euler, body.bore ? 0 : 2) << name;  // torus or ball
   }
 }
 
@@ -145,8 +144,7 @@ TEST(Mesh, VolumeConvergesAsTheTolerance) {
 // section after the triangles are turned back by the screw motion. It is not less than the distance
 // from the exact surface. Tooth 0 and the adjacent halves of both spaces are measured.
 double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
-  constexpr int kPoints = 600;  // per arc: with this number, a chord deviates from an arc of 5 mm
-                                // radius by 1e-7 mm
+  constexpr int kPoints = 600;  // per arc; a chord deviates from an arc of 5 mm radius by 1e-7 mm
   std::vector<std::pair<Vec2, Vec2>> segments;
   for (const Arc& arc : body.outline.arcs) {
     const std::vector<Vec2> points = sample(arc, kPoints);
@@ -199,9 +197,8 @@ double wall_deviation(const ToothedBody& body, const TriangleMesh& mesh) {
 
 TEST(Mesh, StaysWithinTheChordToleranceAndUsesIt) {
   for (const auto& [name, body] : mesh_cases()) {
-    if (name.find("bore") != std::string::npos)
-      continue;  // the walls of the teeth are the same as
-                 // without a bore
+    // The walls of the teeth are the same as without a bore.
+    if (name.find("bore") != std::string::npos) continue;
     const double tolerance = body.twist == 0.0 ? 0.005 : 0.02;
     const double deviation = wall_deviation(body, mesh_of(body, tolerance));
     EXPECT_LE(deviation, tolerance) << name;
@@ -240,7 +237,6 @@ TEST(Mesh, BoreKeepsItsTolerance) {
 TEST(Mesh, ToothKIsToothZeroTurned) {
   const ToothedBody body = sample_body({.teeth = 23, .beta = 0.3});
   const TriangleMesh mesh = mesh_of(body);
-  // the first ring consists of 23 equal sections
   std::size_t ring = 0;
   while (mesh.vertices[ring].z() == mesh.vertices[0].z()) ++ring;
   ASSERT_EQ(ring % 23, 0u);

@@ -20,8 +20,7 @@ using brep::Corner, brep::Corners, brep::Edge, brep::Edges, brep::Id, brep::Ids,
 // A wall of tooth 0: an arc of one side, or a land. The walls are in counter-clockwise order.
 struct ToothWall {
   std::optional<std::size_t> arc;  // none for a land
-  bool left;                       // true if the arc is on the left side, where its poles run from
-                                   // tip to root
+  bool left;                       // true on the left side, where the poles run from tip to root
   Wall land;                       // for a land, its circle
 };
 
@@ -41,8 +40,8 @@ class ModifiedWriter {
     Corners below = base ? base->corners : corners_at(0);
     Edges floor = base ? base->edges : level_edges_at(0, below);
     Rims rims{{below, floor}, {}};
-    std::vector<Edges> chain(n);  // per wall: the upright edges at its start, one for each layer
-                                  // above the last plane
+    // Per wall: the upright edges at its start, one for each layer above the last plane.
+    std::vector<Edges> chain(n);
     std::size_t plane = 0;
     Edges plane_floor = floor;
     for (std::size_t l = 0; l + 1 < fit_.levels.size(); ++l) {

@@ -18,8 +18,7 @@ namespace {
 
 // Target deviations of the splines along u and along v, mm. Their sum is the target of a face.
 constexpr double kTargetU_mm = kSectionTarget_mm / 2, kTargetV_mm = kSectionTarget_mm / 2;
-constexpr int kLineChecks = 12, kFaceChecks = 8;  // number of checked points between neighbouring
-                                                  // knots
+constexpr int kLineChecks = 12, kFaceChecks = 8;  // checked points between neighbouring knots
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
 // Least distance between a plane and the line at which an end relief begins, relative to the
 // height of a slice. The plane and the line must not be too near to each other, because the
@@ -234,8 +233,8 @@ Result<ModifiedFit> fit_modified(const ModifiedTeeth& teeth, std::vector<ToothLe
     for (const BSplineBasis& basis : fitters[side].bases())
       fit.along_u[side].push_back(knots_of(basis));
 
-  std::array<std::vector<std::vector<Vec3>>, 2> above;  // samples on the upper edges of the faces
-                                                        // in the layer below, by arc
+  // Samples on the upper edges of the faces in the layer below, by arc.
+  std::array<std::vector<std::vector<Vec3>>, 2> above;
   for (std::size_t l = 0; l + 1 < fit.levels.size(); ++l) {
     const Layer layer{fit.levels[l], fit.levels[l + 1]};
     const BSplineBasis along_v = basis_along(fitters, layer);

@@ -20,7 +20,6 @@ constexpr double kStepU = 1e-4, kStepZ = 1e-4;
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 
-// A segment of the grid: its arc, and the parameters at which it begins and ends.
 struct Segment {
   std::size_t arc;
   double u_0, u_1;

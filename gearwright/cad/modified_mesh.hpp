@@ -5,7 +5,7 @@
 // The first grid represents the teeth as cut, with the fraction kCutShare of ε. A line of vertices
 // is added where each relief begins. Segments and steps along the face are then halved until c in
 // the middle of each facet differs from the mean of its corners by less than the rest of ε, and by
-// less than a tenth of the greatest c. A mesh with ε = 5 µm therefore shows a crowning of 5 µm.
+// less than a tenth of the greatest c.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,6 @@ ModifiedGrid modified_grid(const ModifiedTeeth& teeth, std::vector<SectionPoint>
 /// The rings of one pitch, counter-clockwise from the middle of a tooth space.
 std::vector<Ring> modified_rings(const ModifiedTeeth& teeth, const ModifiedGrid& grid, int copies);
 
-/// Marks the columns at which a relief begins as creases.
 void crease_at_reliefs(const ModifiedTeeth& teeth, const ModifiedGrid& grid, WallEdges& edges);
 
 /// The half section of one side at the height z, from root to tip, turned back by the twist.

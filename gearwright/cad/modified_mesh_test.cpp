@@ -57,8 +57,6 @@ TEST(ModifiedMesh, vertices_lie_on_the_modified_flank) {
   }
 }
 
-// Both halves of a double-helical gear have the modified flanks of the half at z > 0, the lower half
-// as its mirror image.
 TEST(ModifiedMesh, both_halves_of_a_double_helical_gear_are_modified) {
   for (const ModifiedGear& g : testing::modified_double_helical_gears()) {
     const TriangleMesh mesh = tessellated(g.body);

@@ -50,10 +50,8 @@ class ModifiedSide {
     ToothLevel low, high;
     double v;                   ///< 0 at the lower level, 1 at the upper one
     double z;                   ///< mm, height of the row on the lands
-    double edge;                ///< u of the last flank arc at the tip cylinder; 1 if there is no
-                                ///< edge
-    std::array<Vec2, 2> shift;  ///< mm, displacements of the root and tip ends of the flank, turned
-                                ///< back by the twist
+    double edge;                ///< u of the last flank arc at the tip cylinder; 1 without an edge
+    std::array<Vec2, 2> shift;  ///< mm, of both ends of the flank, turned back by the twist
     std::array<double, 2> end_z;  ///< mm, heights of these ends
   };
 

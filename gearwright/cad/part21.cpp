@@ -27,7 +27,6 @@ Alphabet alphabet_of(char32_t code) {
   return code <= 0xFFFF ? Alphabet::two_bytes : Alphabet::four_bytes;
 }
 
-// Appends a reference, such as "#4".
 void append_id(std::string& text, Part21Id id) {
   GW_EXPECTS(id != 0);
   text += '#';

@@ -3,8 +3,7 @@
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
 // An instance refers to other instances by their numbers. Every instance is written after all
-// instances to which it refers, so a file is written in one pass over the gears and needs no memory
-// except for its text. Internal to cad/.
+// instances to which it refers. Internal to cad/.
 //
 //   Laws  (1) a real has the fewest digits that a reader converts back to the same double
 //         (2) text can be read back unchanged, because characters other than printable ASCII are
@@ -47,7 +46,6 @@ class Part21 {
   /// AXIS2_PLACEMENT_3D: origin, z axis, x axis.
   Part21Id placement(Part21Id origin, Part21Id z, Part21Id x);
 
-  /// The text of the whole file.
   std::string finish() &&;
 
  private:

@@ -4,8 +4,7 @@
 // A single solid in its own frame is one product, a part. In all other cases, the file describes an
 // assembly whose components are the parts, each at its pose. As the application protocols require,
 // both the product structure and the geometry contain the pose (NEXT_ASSEMBLY_USAGE_OCCURRENCE,
-// ITEM_DEFINED_TRANSFORMATION). Every representation has its own context. All contexts use the same
-// units, mm and rad.
+// ITEM_DEFINED_TRANSFORMATION). Lengths are in mm and angles in rad.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -33,8 +32,7 @@ struct StepPart {
   std::optional<std::size_t> same_as{};  ///< index of an earlier part of which this one is a copy
 };
 
-/// Writes the products of the parts. If there are several parts, or if one part has a pose, an
-/// assembly is also written.
+/// Writes the products of the parts, and the assembly if there is one.
 ///
 /// Domain    at least one part (contract)
 void add_products(Part21& out, const StepProtocol& protocol, const std::vector<StepPart>& parts,

@@ -1,5 +1,3 @@
-// Tests racks as bodies: contour, area and mesh. cad/step_solid_test.cpp tests their STEP solids.
-//
 // (1) The contour is a closed chain. Its straight pieces and the chords of the fillets enclose the
 //     expected area.
 // (2) The mesh is closed and every edge occurs twice. Its volume is the area times the width,

@@ -79,7 +79,6 @@ class RackMesher {
   }
 
  private:
-  // The height x of the strip at s.
   double height(const RackStrip& strip, double s) const {
     const Vec2& a = strip.arc->begin_point;
     const Vec2& b = strip.arc->end_point;

@@ -48,11 +48,10 @@ struct SectionSpline {
 
 /// Fits a spline of degree 5 to the arc, with the fewest poles that reach the target.
 ///
-/// Both the curve's own parameter and the arc length are tried, and the parameter that needs fewer
-/// poles is used. A trochoid needs fewer poles with the arc length, and an involute near its base
-/// circle with the roll angle. The curve's own parameter is used only if its slowest speed exceeds
-/// 1/100 of the mean, because a spline has no normal at an end where the speed vanishes. If uniform
-/// knots do not converge, spans that miss the target are halved.
+/// The parameter u follows the curve's own parameter or the arc length, whichever needs fewer
+/// poles. A trochoid needs fewer poles with the arc length, and an involute near its base circle
+/// with the roll angle. The curve's own parameter is used only if its slowest speed exceeds 1/100
+/// of the mean, because a spline has no normal at an end where the speed vanishes.
 ///
 /// Units     mm
 /// Domain    the ends of the arc lie within 1e-5 mm of its curve

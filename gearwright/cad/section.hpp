@@ -7,9 +7,8 @@
 // The area follows from Green's theorem, A = ½ ∮ (x dy − y dx). The two rays that bound half a
 // tooth pass through the axis and contribute nothing, so A is 2|z| times the integral over the half
 // outline. A curve provides points but no derivatives with respect to its parameter. Therefore
-// dy/dt and dx/dt are taken from the polynomial through the points at 16 Gauss nodes. The
-// quadrature of x dy − y dx is exact for this polynomial. The panels are halved until the sum
-// converges.
+// dx/dt and dy/dt are taken from the polynomial through the points at 16 Gauss nodes of a panel.
+// The panels are halved until the sum converges.
 #pragma once
 
 #include "gearwright/cad/toothed_body.hpp"

@@ -6,8 +6,8 @@
 //
 // The density of points follows from (M1) of mesh.hpp, taken as an equation with d = κa²/8:
 //     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
-// The density is at least κ divided by the facet_turn of the tolerance. Its integral along an arc is the
-// number of segments. The points divide this integral into equal parts.
+// The density is at least κ divided by facet_turn. Its integral along an arc is the number of
+// segments. The points divide this integral into equal parts.
 #pragma once
 
 #include <cstddef>
@@ -20,16 +20,14 @@ namespace gearwright {
 struct SectionPoint {
   Vec2 point;        ///< mm
   Vec2 root_normal;  ///< unit vector, out of the material, for the side towards the root
-  Vec2 tip_normal;   ///< unit vector for the side towards the tip; it differs from root_normal at
-                     ///< a corner of the outline
+  Vec2 tip_normal;   ///< for the side towards the tip; differs from root_normal at a corner
   std::size_t arc;   ///< index of the arc of the outline on which the point lies
   double u;          ///< position on that arc, from 0 to 1
 };
 
 struct SectionTolerance {
   double chord;       ///< ε  mm
-  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment, computed
-                      ///< from the curvature
+  double facet_turn;  ///< rad, greatest change of the tangent direction over a segment
   double level_turn;  ///< |Δ|  rad
   double radius;      ///< ρ  mm
 };

@@ -18,7 +18,6 @@
 
 namespace gearwright {
 
-/// The purpose of a line or a text.
 enum class SheetLayer { outline, hatch, axis, dimension, data, frame };
 inline constexpr int kSheetLayers = 6;
 
@@ -44,15 +43,13 @@ struct SheetInk {
   double fill_opacity, stroke_opacity;
   double line_width;           ///< mm
   std::vector<double> dashes;  ///< mm
-  bool even_odd;               ///< true if areas are filled by the even-odd rule, false for
-                               ///< non-zero winding numbers
+  bool even_odd;  ///< true: areas by the even-odd rule; false: non-zero winding numbers
 };
 
 struct SheetPath {
   SheetLayer layer;
   std::vector<Vec2> points;    ///< mm
-  std::vector<double> bulges;  ///< bulges[i] belongs to the segment from points[i] to points[i +
-                               ///< 1]; the last bulge of a closed path leads back to points[0]
+  std::vector<double> bulges;  ///< bulges[i]: segment from points[i] to the next point
   bool closed = false;
   bool filled = false;                            ///< true for an arrow head, a black triangle
   std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a mark of a drawing
@@ -71,13 +68,11 @@ struct SheetText {
   Vec2 at;  ///< mm, left end of the base line
   std::string text;
   double height;         ///< h  mm
-  bool upright = false;  ///< true for text turned by a quarter counter-clockwise, to be read from
-                         ///< the right
+  bool upright = false;  ///< true for text that runs upwards, to be read from the right
   std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a text of a drawing
   bool slanted = false;                           ///< true for a symbol of a formula
 };
 
-/// The alignment of a text at its point.
 enum class Along { start, middle, end };
 
 struct Sheet {
@@ -111,9 +106,6 @@ SheetBox box_of(const SheetText& text);
 // The letters of a sheet: Helvetica, and Symbol for Greek letters and a few signs. Both belong
 // to the 14 fonts that every PDF reader provides (PDF 1.4, 5.5.1). Their widths are published
 // (Adobe, Core 14 AFM files).
-//
-// If neither font contains a letter, a PDF shows a question mark instead. SVG and DXF files
-// contain the text itself, so they use the widths for the layout only.
 
 enum class SheetFont { helvetica, symbol };
 

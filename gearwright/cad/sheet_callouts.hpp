@@ -29,11 +29,10 @@ struct OccupiedSpace {
 /// The axial section on paper, mm.
 struct AxialSection {
   bool ring;
-  double width, half;          ///< face width, and width of the teeth at the left face (of one half
-                               ///< if there is a groove)
-  double body;                 ///< radius of the outermost circle
-  double tip, reference;       ///< radii of tip circle and reference circle
-  std::optional<double> bore;  ///< radius of the bore of an external gear
+  double width, half;                    ///< face width, and width of the teeth at the left face
+  double body;                           ///< radius of the outermost circle
+  double tip, reference;                 ///< radii of tip circle and reference circle
+  std::optional<double> bore;            ///< radius of the bore of an external gear
   std::vector<OccupiedSpace> on_left{};  ///< dimensions and datum
 };
 

@@ -1,4 +1,3 @@
-// Callouts of random sections overlap neither each other nor the views nor the dimensions.
 #include "gearwright/cad/sheet_callouts.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,6 @@ bool overlap(const SheetBox& a, const SheetBox& b) {
   return a.lo.x() < b.hi.x() && b.lo.x() < a.hi.x() && a.lo.y() < b.hi.y() && b.lo.y() < a.hi.y();
 }
 
-// True if the piece of the leader through `y` from x = a to b crosses the box.
 bool crosses_box(const SheetBox& box, double y, double a, double b) {
   return overlap({{std::min(a, b), y}, {std::max(a, b), y + 1e-9}}, box);
 }
@@ -69,7 +67,6 @@ TEST(SheetCallouts, keep_apart) {
       for (const SheetBox& box : taken) EXPECT_FALSE(overlap(boxes[i], box)) << what;
       EXPECT_LE(boxes[i].hi.y(), callouts.top() + 1e-9) << what;
       EXPECT_LE(boxes[i].hi.x(), s.width + callouts.right() + 1e-9) << what;
-      // The circle of the transverse view, point by point.
       for (int k = 0; k < 720 && boxes[i].hi.x() < 0; ++k) {
         const double angle = k * std::acos(-1.0) / 360;
         const Vec2 p = Vec2(centre, 0) + s.body * Vec2(std::cos(angle), std::sin(angle));
@@ -80,7 +77,6 @@ TEST(SheetCallouts, keep_apart) {
   }
 }
 
-// The leader of the faces is horizontal. It must not cross the text of a dimension.
 TEST(SheetCallouts, leader_of_the_faces_keeps_off_dimensions) {
   std::mt19937 random(20261128);
   for (int n = 0; n < 20000; ++n) {

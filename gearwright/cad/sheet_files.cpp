@@ -1,5 +1,4 @@
-// Writes PDF 1.4 (Adobe, PDF Reference, third edition). Only the operators that a drawing needs are
-// used.
+// Writes PDF 1.4 (Adobe, PDF Reference, third edition).
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <fmt/format.h>

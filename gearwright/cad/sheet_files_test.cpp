@@ -1,5 +1,3 @@
-// Tests the writers of sheets: letters and their widths, arcs as Bézier curves, and the object
-// table of a PDF.
 #include "gearwright/cad/sheet_files.hpp"
 
 #include <gtest/gtest.h>
@@ -83,8 +81,7 @@ TEST(SheetFiles, the_table_of_a_pdf_says_where_its_objects_begin) {
   std::istringstream rows(pdf.substr(table + 5));
   int first = 0, count = 0;
   rows >> first >> count;
-  EXPECT_EQ(count, 10);  // entry 0 and 9 objects: catalogue, pages, two fonts, text, two pages of
-                         // two
+  EXPECT_EQ(count, 10);  // entry 0, catalogue, pages, two fonts, text, two pages of two objects
   for (int i = 0; i < count; ++i) {
     std::string place, generation, kind;
     rows >> place >> generation >> kind;

@@ -69,7 +69,6 @@ Lines laid_out(const Vec2& size, std::string_view words, double largest) {
   return all;
 }
 
-// True if text and arrows have room between the extension lines.
 bool has_room(const Dimension& d) {
   return d.end - d.begin >= std::max(kInside, text_width(d.words, kUsual) + 2);
 }

@@ -22,8 +22,7 @@ SheetBox draw_frame(Sheet& sheet);
 struct TitleBlock {
   const DrawingInput& words;
   std::string scale, format, number;  ///< "1:2", "A4", "1/2"
-  std::string mass, datum;            ///< examples: "0.41 kg", or empty if unknown; "axis of the
-                                      ///< bore"
+  std::string mass, datum;            ///< "0.41 kg", or empty if unknown; "axis of the bore"
   UnitSystem units;                   ///< unit of the dimensions
 };
 
@@ -42,8 +41,7 @@ enum class Direction { across, up };
 struct Dimension {
   Direction direction;
   double begin, end;            ///< mm, along the dimension line; begin < end
-  double edge_begin, edge_end;  ///< mm, positions of the two edges, perpendicular to the dimension
-                                ///< line
+  double edge_begin, edge_end;  ///< mm, positions of the edges, perpendicular to the dimension line
   double line;                  ///< mm, position of the dimension line, measured like edge_begin
   std::string words;
   bool datum = false;  ///< true if the axis of this diameter is the datum; only with Direction::up
@@ -67,7 +65,6 @@ void draw_dimension(Sheet& sheet, const Dimension& dimension);
 void draw_words(Sheet& sheet, SheetLayer layer, const SheetBox& box, std::string_view words,
                 double largest);
 
-/// Returns true if the whole text fits into a box of the given size.
 bool words_fit(const Vec2& size, std::string_view words, double largest);
 
 /// Fills a box with lines at 45°, which mark the section of a body.

@@ -16,9 +16,8 @@ constexpr auto kThin = SheetLayer::dimension;
 // surface texture. kBlank: width for a text that is not given. kNear: distance of a text from a
 // line.
 constexpr double kShort = 3.5, kBlank = 9, kNear = 0.6;
-constexpr double kTriangle = 3,
-                 kStem = kDatumHeight - kFrameHeight;  // side of the datum's triangle; distance
-                                                       // from the triangle's base to the box
+// Side of the datum's triangle, and distance from its base to the box.
+constexpr double kTriangle = 3, kStem = kDatumHeight - kFrameHeight;
 const double kTan60 = std::sqrt(3.0);
 
 struct Texture {

@@ -1,4 +1,3 @@
-// Tests the shapes of the symbols of a drawing against the proportions of their standards.
 #include "gearwright/cad/sheet_symbols.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +16,6 @@ constexpr double kH = 2.5;  // height of capitals, mm
 
 Sheet empty_sheet() { return {{210, 297}, {}, {}, {}}; }
 
-// The distance of a point from the line through the two points of a path.
 double distance_to(const SheetPath& line, const Vec2& point) {
   const Vec2 along = (line.points[1] - line.points[0]).normalized(), to = point - line.points[0];
   return std::abs(along.x() * to.y() - along.y() * to.x());
@@ -36,7 +34,6 @@ TEST(SheetSymbols, texture_has_the_proportions_of_the_standard) {
   }
   ASSERT_EQ(sheet.texts.size(), 1u);
   EXPECT_EQ(sheet.texts[0].text, "Ra 0.8");
-  // The text is below the line and to the right of the long leg.
   const SheetBox text = box_of(sheet.texts[0]);
   EXPECT_LT(text.hi.y(), 60 + 3 * kH);
   EXPECT_GT(text.lo.x(), sheet.paths[1].points[1].x());
@@ -79,7 +76,6 @@ TEST(SheetSymbols, runout_has_three_cells) {
     EXPECT_NEAR(frame[2].x() - frame[0].x(), width, 1e-12);
     EXPECT_EQ(sheet.texts.size(), *value ? 2u : 1u);
     EXPECT_EQ(sheet.texts.back().text, "A");
-    // The value is between the two lines that separate the cells.
     if (!*value) continue;
     const SheetBox box = box_of(sheet.texts[0]);
     EXPECT_GT(box.lo.x(), sheet.paths[1].points[0].x());
@@ -104,7 +100,6 @@ TEST(SheetSymbols, a_datum_has_its_base_on_the_line) {
   }
 }
 
-// Every writer has the symbols, because they consist of lines, circles, triangles and texts.
 TEST(SheetSymbols, are_in_all_files) {
   Sheet plain = empty_sheet(), with = empty_sheet();
   plain.line(SheetLayer::outline, {20, 20}, {30, 20});
@@ -123,7 +118,6 @@ TEST(SheetSymbols, are_in_all_files) {
   EXPECT_NE(sheets_pdf(sheets, {}).find("f\n"), std::string::npos);
 }
 
-// The reach of a dimension contains every text and line of it.
 TEST(SheetParts, reach_contains_the_dimension_and_its_datum) {
   for (const double length : {1.0, 9.0, 12.0, 40.0}) {
     for (const bool datum : {false, true}) {

@@ -83,7 +83,6 @@ void add_modified_half(std::vector<StepFace>& faces, const ModifiedTeeth& teeth,
   }
 }
 
-// The number of faces of the modified teeth.
 std::size_t modified_face_count(const ModifiedTeeth& teeth, const std::vector<ToothLevel>& levels) {
   const std::size_t layers = levels.size() - 1;
   const std::size_t slices = layers - teeth.kinks_z().size();
@@ -119,7 +118,6 @@ Result<GearFaces> faces_of(const ToothedBody& gear, std::size_t index,
   return made;
 }
 
-// Writes the solid of a body and adds the faces of half a tooth of each gear to the report.
 Result<Brep> add_solid(Part21& file, const ToothedBody& body, std::size_t index,
                        std::vector<StepFace>& faces) {
   if (body.rack) {

@@ -5,8 +5,7 @@
 // (cad/screw_spline.hpp), and neighbouring faces share their edges. Modified flanks, and the
 // fillets next to them, are B-splines within the same limits (cad/modified_fit.hpp). A single body
 // in its own frame is written as a part. Several bodies, or a body with a pose, are written as an
-// assembly of parts at their poses. No CAD kernel is needed, because both the surfaces and the text
-// (cad/part21.hpp) are computed here.
+// assembly of parts at their poses.
 //
 //   Laws  (1) the same bodies and file name give the same bytes, because the header's time is fixed
 //         (2) the hand of the helix and the pose change neither the number of faces nor the volume
@@ -41,24 +40,22 @@ struct StepFace {
   int poles_u;
   int degree_v;  ///< along the axis; 1 for spur gears, 0 for a true cylinder
   int poles_v;
-  double max_deviation_mm;  ///< greatest normal distance to the exact surface, measured between the
-                            ///< points of the fit; for modified flanks, an upper bound of this
-                            ///< distance
+  /// Greatest normal distance to the exact surface, measured between the points of the fit. For
+  /// modified flanks, it is an upper bound of this distance.
+  double max_deviation_mm;
 };
 
 struct StepReport {
   std::vector<StepFace> faces;    ///< faces of one half tooth from root to tip, body by body
   double max_deviation_mm = 0.0;  ///< greatest deviation of all faces
-  double volume_mm3 = 0.0;        ///< volume of all bodies: exact section area times face width,
-                                  ///< minus the volume removed by modifications, which has an error
-                                  ///< of 1e-6 of the body's volume
-  std::size_t face_count = 0;     ///< faces of all solids; a shape that several parts share is
-                                  ///< counted once
-  std::size_t edge_count = 0;     ///< edges of all solids; each shared edge counts once
+  /// Volume of all bodies: the exact section area times the face width, minus the volume removed by
+  /// modifications, which has an error of 1e-6 of the body's volume.
+  double volume_mm3 = 0.0;
+  std::size_t face_count = 0;  ///< faces of all solids; a shared shape counts once
+  std::size_t edge_count = 0;  ///< edges of all solids; each shared edge counts once
 };
 
-inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid, which corresponds to
-                                                      ///< 30 MB of text
+inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid, 30 MB of text
 
 struct StepDocument {
   std::string text;

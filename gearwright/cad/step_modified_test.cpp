@@ -1,7 +1,3 @@
-// Tests solids with flank modifications that another CAD kernel builds from STEP files. They must
-// be valid and closed and have the computed volume, and their flanks must lie on the modified
-// surface.
-
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>

@@ -1,6 +1,3 @@
-// Tests the solids that another CAD kernel builds from STEP files. They are valid and closed and
-// have the exact volume, and each edge is shared by two faces.
-
 #include <gtest/gtest.h>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
@@ -160,7 +157,7 @@ TEST_P(StepSolidOf, UsesEveryEdgeOnceEachWay) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(solid(), TopAbs_EDGE, edges);
   std::vector<std::array<int, 2>> uses(static_cast<std::size_t>(edges.Extent()) + 1, {0, 0});
-  // The explorer combines the orientation of a face with that of its wire.
+  // The explorer combines the orientation of a face with the orientation of its wire.
   for (TopExp_Explorer face(solid(), TopAbs_FACE); face.More(); face.Next()) {
     for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next()) {
       const auto at = static_cast<std::size_t>(edges.FindIndex(edge.Current()));

@@ -214,8 +214,8 @@ TEST_F(Step, PlacedKeywayPointsWhereThePoseTurnsIt) {
   EXPECT_EQ(back.names, (std::vector<std::string>{"turned", body.name}));
   ASSERT_EQ(back.solids.size(), 1u);
   const gp_Pnt centre = centre_of_mass(back.solids[0]);
-  // The slot removes metal on the side +x. The moment of the slot about y is −∫ x dA b, with ∫ over
-  // |y| ≤ 3 of (12.8² − (100 − y²))/2 dy = 3·(163.84 − 100) + 9.
+  // The slot removes metal on the side +x. Its moment per face width about the y axis is
+  // −∫ (12.8² − (100 − y²))/2 dy over |y| ≤ 3, which is −(3·(163.84 − 100) + 9).
   const double moment = -(3.0 * 63.84 + 9.0);
   EXPECT_NEAR(centre.X(), moment / metal_area(body), 1e-6);
   EXPECT_NEAR(centre.Y(), 0.0, 1e-6);

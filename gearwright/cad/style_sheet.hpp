@@ -36,7 +36,6 @@ class StyleSheet {
   std::vector<Rule> rules_;  // in the order in which they are applied
 };
 
-/// The rules of figure_style.css.
 const StyleSheet& figure_styles();
 
 /// Sets the properties "name:value;…". Values with color-mix() are ignored.
@@ -50,7 +49,7 @@ double number_in(const Style& style, std::string_view name, double absent);
 std::optional<std::uint32_t> colour_in(const Style& style, std::string_view name,
                                        std::optional<std::uint32_t> absent);
 
-/// The texts between separators, without the spaces around them and without empty ones.
+/// The texts between separators that are not empty, without surrounding spaces.
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator);
 
 }  // namespace gearwright

@@ -18,8 +18,7 @@
 namespace gearwright {
 namespace {
 
-constexpr double kMarginShare = 0.05;  // fraction of the radius; prevents the stroke from being cut
-                                       // off
+constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is not cut off
 
 // Writes the d attribute of a path. Only this class reverses y.
 class Path {

@@ -40,8 +40,7 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
 // share their tangent. Each piece is as long as the tolerance allows.
 
 struct BezierChain {
-  std::vector<Vec2> points;  ///< 3n + 1 points, mm, root to tip; every third point lies on the
-                             ///< exact curve
+  std::vector<Vec2> points;  ///< 3n + 1 points, mm, root to tip; every third is on the exact curve
   double deviation_mm;       ///< greatest normal distance at 64 points per piece
 };
 

@@ -13,8 +13,6 @@
 //
 // Several external gears on one axis are one solid if plain cylinders join them (`above`).
 //
-// Flank modifications move the flanks of this solid along their normals.
-//
 // A rack is a bar with straight teeth, between two ends that are perpendicular to y (`RackBlock`).
 // Its section at the height z is the section z = 0 with the teeth shifted by z tan β along y.
 #pragma once
@@ -55,8 +53,7 @@ struct RackBlock {
 /// body.
 struct TwoHelices {
   double gap = 0.0;            ///< mm, between the halves
-  double groove_radius = 0.0;  ///< mm, radius of the gear within the gap; not used if there is no
-                               ///< gap
+  double groove_radius = 0.0;  ///< mm, radius of the gear within the gap; unused without a gap
   double stagger = 0.0;        ///< rad, rotation of the half at z < 0; 0 if there is no gap
 };
 
@@ -90,12 +87,9 @@ struct ToothedBody {
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the housing
-                                                           ///< frame
-  std::optional<std::size_t> colour{};      ///< index for part_colour(); by default, the body's own
-                                            ///< index
-  std::optional<std::size_t> same_as{};     ///< index of an earlier body of the file with the same
-                                            ///< shape
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear to the housing frame
+  std::optional<std::size_t> colour{};      ///< for part_colour(); by default the index of the body
+  std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape
   std::optional<RackBlock> rack{};          ///< set for a rack, which has no bore and no twist
   std::optional<TwoHelices> two_helices{};  ///< set for a double-helical gear
   /// The teeth with flank modifications, made by modify(); null if the teeth are as cut. Drawings
@@ -155,8 +149,6 @@ inline Error not_a_body(int teeth, const std::string& why) {
           "the outline does not enclose a body, because " + why +
               "; more teeth or a greater profile shift would help"};
 }
-
-// A gear or a rack in the form that the writers of files require.
 
 /// Returns the gear in its own frame. Its pose in a pair is `pair.pose_1().isometry()` or
 /// `pose_2()`.

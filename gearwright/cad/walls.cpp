@@ -20,8 +20,7 @@ using std::numbers::pi;
 // The greatest variation of the radius of a land that counts as a circle about the axis.
 constexpr double kRound_mm = 1e-8;
 constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
-constexpr int kWallLooks = 64;    // number of points of an arc at which radius and side are
-                                  // examined
+constexpr int kWallLooks = 64;    // number of examined points of an arc
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 

@@ -56,8 +56,7 @@ struct Wall {
   std::vector<Complex> poles;              ///< for a spline
   double radius = 0.0;                     ///< for a circle, mm
   double begin_angle = 0.0;                ///< for a circle, rad
-  double end_angle = 0.0;                  ///< for a circle, rad; begin_angle < end_angle ≤
-                                           ///< begin_angle + 2π
+  double end_angle = 0.0;  ///< for a circle, rad; at most one turn beyond begin_angle
 };
 
 struct WallLoop {
@@ -74,8 +73,7 @@ struct ArcFit {
 struct BodyWalls {
   WallLoop teeth;
   std::optional<WallLoop> bore;      ///< bore, or rim of an internal gear
-  std::vector<HelixSpline> helices;  ///< rotation over one slice of the teeth, for each screw
-                                     ///< motion of the body
+  std::vector<HelixSpline> helices;  ///< rotation over one slice, for each screw motion
   std::vector<ArcFit> arcs;          ///< half a tooth from root to tip, without the slivers
   double inner_radius;               ///< smallest radius of the outline, mm
   double outer_radius;               ///< greatest radius of the outline, mm
@@ -86,7 +84,6 @@ struct BodyWalls {
 /// Domain    the laws of the outline hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
 
-/// True if the arc is a land and a circle about the axis.
 bool round_land(const Arc& arc);
 
 /// The error for a face from which every spline deviates by more than kSectionMax_mm.
@@ -120,8 +117,7 @@ struct WallSlice {
   WallLevel low;
   WallLevel high;
   double middle_angle;         ///< rad, mean of the angles of the two levels
-  std::vector<Complex> helix;  ///< h_j; the end values are identical to the rotations of the two
-                               ///< levels
+  std::vector<Complex> helix;  ///< h_j; it begins and ends with low.turn and high.turn
   std::vector<double> height;  ///< z_j  mm
   WallKnots knots;             ///< knots in z, mm
 

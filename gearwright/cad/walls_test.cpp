@@ -76,7 +76,6 @@ TEST(Walls, SliversGiveNoWalls) {
   EXPECT_EQ(tip->teeth.walls.size(), 36u);  // two flanks and a root land per tooth
   EXPECT_EQ(tip->teeth.walls[0].end.imag(), 0.0);
   expect_closed(tip->teeth, 25.0);
-  // Half a root land would be 0.8e-6 mm long, so it is omitted.
   const auto root = make_walls(plain_body(12, 20.0, kPi / 12 - 0.8e-6 / 20.0, 25.0, 0.08));
   ASSERT_TRUE(root);
   EXPECT_EQ(root->teeth.walls.size(), 36u);
@@ -163,7 +162,7 @@ TEST(Walls, RefusesWhatIsNoBody) {
   ring.bore = Bore{50.0};
   EXPECT_EQ(make_walls(ring).error().field, "bore.diameter");
 
-  // The outline crosses the centre line of the tooth, and that of the space.
+  // The outline crosses the centre line of the tooth, or the centre line of the space.
   EXPECT_EQ(make_walls(plain_body(12, 20.0, -0.01, 25.0, 0.08)).error().field, "teeth");
   EXPECT_EQ(make_walls(plain_body(12, 20.0, 0.30, 25.0, 0.08)).error().field, "teeth");
 }

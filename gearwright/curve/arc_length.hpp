@@ -8,11 +8,10 @@
 // Approximation Theory and Approximation Practice, ch. 19, 21). A panel on which the series have
 // not converged is halved.
 //
-// A spline through a curve usually needs fewer poles if its parameter is the arc length. An example
-// is the trochoid that a rounded cutter tip cuts (20 teeth, module 2). The parameter of this curve
-// is the angle of the rack's normal, and the speed is high at one end only. With this parameter, a
-// quintic with uniform knots and an error of 1e-6 mm needs 25 poles. With the arc length, it needs
-// 13 poles. Only a curve with a cusp at its end needs more poles with the arc length.
+// A spline through a curve usually needs fewer poles if its parameter is the arc length. A quintic
+// spline through the trochoid of a rounded cutter tip, for example, needs 13 poles instead of 25
+// for an error of 1e-6 mm. Only a curve with a cusp at its end needs more poles with the arc
+// length.
 //
 //   Laws  (1) parameter(0) = t0 and parameter(L) = t1, to the last bit
 //         (2) parameter(length_to(t)) = t up to rounding divided by the speed

@@ -1,5 +1,3 @@
-// Tests the laws of circle and involute, and compares tangent and curvature with differences of
-// points.
 #include "gearwright/curve/basic_curves.hpp"
 
 #include <gtest/gtest.h>
@@ -57,8 +55,6 @@ TEST(Involute, laws_of_the_header) {
   }
 }
 
-// The line from a point along its normal touches the base circle, because an involute is unwound from
-// it.
 TEST(Involute, normals_touch_the_base_circle) {
   const Involute curve(20.0, 0.12);
   for (const double xi : {0.05, 0.4, 1.0}) {
@@ -99,7 +95,6 @@ TEST(Curve, solves_for_a_radius_either_way_round) {
   EXPECT_NEAR(spiral.polar_angle(0.5), 0.5, 4 * kEps);
 }
 
-// curve_if() tests whether a curve belongs to a class. The spiral belongs to none of these classes.
 TEST(Curve, says_of_which_kind_it_is) {
   const Involute involute(10.0, 0.1);
   const AxisCircle circle(10.0);

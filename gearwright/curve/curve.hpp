@@ -5,9 +5,8 @@
 //                                                          theory: docs/theory/01-frames.md
 //
 // Curves are immutable and shared. An envelope contains the curve that generates it. Therefore, a
-// pinion that is cut by a rack can itself be the cutter of a wheel. Most code uses only the points
-// of a curve. Code that has a closed form for one class of curves checks whether a curve belongs to
-// this class. The files of curve/ do not name classes of curves that other folders define.
+// pinion that is cut by a rack can itself be the cutter of a wheel. Code that has a closed form for
+// one class of curves checks whether a curve belongs to this class.
 #pragma once
 
 #include <memory>

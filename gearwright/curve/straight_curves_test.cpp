@@ -1,4 +1,3 @@
-// Compares tangent and curvature of lines and stretched circles with differences of points.
 #include "gearwright/curve/basic_curves.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Makes the figures of tooth contact: transmission error, its spectrum, developed flanks with their
-// contact, and maps of the transmission error over two errors of mounting.
+// Makes the figures of tooth contact.
 #pragma once
 
 #include <optional>
@@ -93,7 +92,6 @@ struct ContactMap {
 /// The levels of the contour lines, arc seconds, in ascending order. They are round numbers within
 /// the range of the map, and few enough to be distinguished.
 std::vector<double> map_levels(const ErrorMap& map);
-/// Draws the peak-to-peak transmission error as a function of two errors, in shaded steps.
 Figure error_map_figure(const ContactMap& map);
 
 }  // namespace gearwright

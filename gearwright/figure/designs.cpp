@@ -12,7 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kFree = 0.06;  // margin at each end of an axis, over the range of the values
+constexpr double kFree =
+    0.06;  // margin at each end of an axis, relative to the range of the values
 // If the greatest value is more than this many times the least value, the axis is logarithmic,
 // because a linear axis would crowd the dots at one end.
 constexpr double kWideSpan = 15.0;

@@ -35,9 +35,9 @@ FigureAxis value_axis(const DistributionScene& scene) {
   return {scene.words, scene.unit, least, greatest};
 }
 
-// Draws the percentiles. If the figure has its usual width of 560 px, they lie above `top`, the
-// greatest y of the data. Labels that would overlap on a narrow screen are in different rows, up
-// to kMostRows; other lines have no label.
+// Draws the percentiles as vertical lines with labels. At the usual width of 560 px, the labels lie
+// above `top`, the greatest y of the data. Labels that would overlap on a narrow screen are in
+// different rows. A line for which no row has room gets no label.
 void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
   constexpr double kNarrow = 320.0, kRow = 17.0;  // px: least width of a plot, height of a row
   constexpr std::size_t kMostRows = 4;

@@ -1,6 +1,4 @@
-// Makes the figures of an analysis with many samples: the distribution of a quantity, the
-// contribution of each input to its variance, the share of the samples in which a point of a flank
-// is in contact, and the ranking of designs.
+// Makes the figures of an analysis with many samples.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +63,6 @@ struct RankingScene {
 /// Domain    at least one entry (contract)
 Figure ranking_figure(const RankingScene& scene);
 
-/// The share of the samples in which each point of a flank is in contact.
 struct DensityScene {
   std::string id;
   std::size_t which = 0;                 ///< 0 for gear 1, 1 for gear 2

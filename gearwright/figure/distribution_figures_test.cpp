@@ -1,4 +1,3 @@
-// Labels of percentiles do not overlap on a narrow screen, and lie above the data.
 #include "gearwright/figure/distribution_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +47,7 @@ TEST(DistributionFigures, LabelsOfPercentilesAreApart) {
   const Figure close_together = cumulative_figure(close);
   const double room = (1.0 - 100.0 / close_together.y.hi) * close_together.tall * 560;
   for (const FigureMark& label : labels_of(close_together)) EXPECT_LT(label.offset.y(), room);
-  // Percentiles that are far apart are in one row, as high above the data as before.
+  // Percentiles that are far apart are in one row.
   const Figure one = cumulative_figure(scene({{5, 6.83}, {50, 7.12}, {95, 7.283}}));
   expect_apart(one);
   EXPECT_DOUBLE_EQ(one.y.hi, 112.0);

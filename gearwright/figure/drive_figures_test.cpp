@@ -1,7 +1,3 @@
-// Laws: (1) everything that is drawn lies within the axes; (2) the scheme contains the name of
-// every gear and the symbol of every fixed body; (3) each band has a label with its power, and the
-// sum of the losses of all meshes is the difference between input and output; (4) the curves under
-// load cover one period; (5) no line crosses the name of a gear.
 #include "gearwright/figure/drive_figures.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,3 @@
-// Draws a drive under load: the load shares of its planets, the displacement of a floating body,
-// and the transmission error of the output, each over one period of the meshes.
 #include <fmt/format.h>
 
 #include <algorithm>

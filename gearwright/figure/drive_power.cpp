@@ -14,8 +14,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kBar = 0.05;  // half the width of a node, relative to the distance between columns
-constexpr double kAir = 0.62;  // gap between nodes in a column, over the distance between columns
-constexpr double kShown = 0.006;  // least width of a drawn band, over the height of the diagram
+constexpr double kAir = 0.62;  // gap between nodes, relative to the distance between columns
+constexpr double kShown = 0.006;  // least width of a band, relative to the height of the diagram
 constexpr int kPieces = 24;
 // px: the picture width for which the names are spaced, and the step by which names are moved
 // up
@@ -169,7 +169,6 @@ class PowerDiagram {
 
   double x_of(const Node& n) const { return n.column; }
 
-  // Draws a band of constant width along a line.
   void ribbon(const std::vector<Vec2>& line, double width, const std::string& style,
               const std::string& words) {
     std::vector<Vec2> area, under;

@@ -340,13 +340,11 @@ class Scheme {
       bottom_ = std::min(bottom_, at.y() - 1.2);
   }
 
-  // A torque in N m, or in kN m if it has more than five digits.
   static std::string torque_text(double Nm) {
     return std::abs(Nm) < 99999.5 ? fmt::format("{:.5g} N m", Nm)
                                   : fmt::format("{:.5g} kN m", Nm / 1e3);
   }
 
-  // Writes a text with the subscripts of n_in and T_in.
   static std::string symbol_text(const std::string& text) {
     std::string out;
     for (std::size_t i = 0; i < text.size(); ++i) {

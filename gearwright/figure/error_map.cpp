@@ -1,4 +1,3 @@
-// Draws the peak-to-peak transmission error over two errors of mounting in shaded steps.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -20,7 +20,6 @@
 
 namespace gearwright {
 
-/// The point that begins a new piece of a line or of an area.
 inline const Vec2 kNewPiece = Vec2::Constant(kNoNumber);
 inline bool is_new_piece(const Vec2& p) { return std::isnan(p.x()) || std::isnan(p.y()); }
 
@@ -155,7 +154,7 @@ struct Figure {
   std::string caption;      ///< HTML, after the title
   FigureAxis x, y;
   std::string note = {};  ///< the decisive value, at the upper right; plain text
-  double tall = 0.45;     ///< height of the plot over its width
+  double tall = 0.45;     ///< height of the plot divided by its width
   double pitch = 0.0;     ///< one pitch of gear 1 along x; 0 if x is not a rotation
   bool bare = false;      ///< a small picture without axes
   bool plane = false;     ///< a region of a plane, with the same scale on both axes
@@ -171,14 +170,13 @@ struct Figure {
   std::string definitions = {};  ///< SVG definitions of shapes; empty if the page contains them
 
   void line(std::vector<Vec2> points, std::string style, std::string words = {}, int frame = -1);
-  /// Adds an area. `words` are shown at the pointer, for example the values of a step of a map.
   void area(std::vector<Vec2> points, std::string style, std::string words = {});
   void bar(const Vec2& a, const Vec2& b, std::string style, std::string words = {});
   void dot(const Vec2& at, double radius, std::string style, std::string words = {},
            int frame = -1);
   void text(const Vec2& at, std::string markup, Anchor anchor = Anchor::start,
             std::string style = {}, const Vec2& offset = Vec2::Zero());
-  /// Adds a label at `offset` px from the dot or on the opposite side.
+  /// Adds a dot with a label. `offset`, px, is the preferred position of the label.
   void point(const Vec2& at, double radius, std::string style, std::string label,
              const Vec2& offset);
   void circle(const Vec2& center, double radius, std::string style, int gear,

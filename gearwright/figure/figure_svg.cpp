@@ -82,7 +82,6 @@ struct Layout {
   double lane_words = 0.0;
   std::vector<AxisName> across, up;
 
-  // Width of the column of names at one side.
   static double column(const Figure& f, Anchor side) {
     double wide = 0.0;
     for (const FigureLeader& l : f.leaders)

@@ -1,5 +1,3 @@
-// Draws developed flanks with the face from left to right, the root at the bottom and the tip at
-// the top. They show the marking, the gap, and the path of contact with its ellipses or lines.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
 // possible positions at which it touches none of these. If there is none, it gets the position
 // with the fewest overlaps, provided that the caller permits this number. Sizes are computed
-// for the letters on a narrow screen, which are the largest ones.
+// for the letters on a narrow screen, which are the largest.
 #pragma once
 
 #include <string_view>
@@ -18,18 +18,18 @@ struct PixelBox {
   double left, top, right, bottom;
 };
 
-/// The width of a line of words in the letters of a narrow screen, which are the largest ones, px.
-/// `plain` is text without markup.
+/// The width of a line of words, px. `plain` is text without markup.
 double label_width(std::string_view plain);
 
 struct LabelPlace {
-  Vec2 at;      ///< px, the labelled point
-  Vec2 offset;  ///< px, from the labelled point to the middle of the near end of the words; for
-                ///< `middle`, to the middle of the words
+  Vec2 at;  ///< px, the labelled point
+  /// From the labelled point to the middle of the near end of the words, px. For the anchor
+  /// `middle`, the vector ends in the middle of the words.
+  Vec2 offset;
   Anchor anchor;
 };
 
-/// The area of the words on a narrow screen. `plain` is their text without markup.
+/// The area of the words. `plain` is their text without markup.
 PixelBox label_box(const LabelPlace& place, std::string_view plain);
 bool meet(const PixelBox& a, const PixelBox& b);
 

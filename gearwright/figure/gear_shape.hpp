@@ -38,7 +38,6 @@ std::string tooth_path(const Gear& gear);
 /// gear has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
-/// Returns true if there is an outline to draw.
 bool has_outline(const Gear& gear);
 
 /// The length of a path unit, mm.

@@ -43,7 +43,6 @@ std::vector<Vec2> points_of(const std::string& path, double unit) {
     const Vec2 step(n[count - 2], n[count - 1]);
     const Vec2 next = command == 'M' ? step : Vec2(pen + step);
     if (command == 'a') {
-      // Selects the shorter arc about the origin.
       const double from = std::atan2(pen.y(), pen.x());
       const double turn =
           std::remainder(std::atan2(next.y(), next.x()) - from, 2 * std::acos(-1.0));

@@ -1,5 +1,3 @@
-// Draws curves under load over the rotation and over the torque: transmission error, load shares,
-// stiffness and root stress.
 #include <fmt/format.h>
 
 #include <algorithm>

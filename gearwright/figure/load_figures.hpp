@@ -51,7 +51,7 @@ Figure pressure_along_figure(const LoadScene& scene);
 Figure ellipse_figure(const LoadScene& scene, std::size_t which);
 std::optional<Figure> point_pressure_figure(const LoadScene& scene);
 
-/// The greatest root stress along the fillet over the face, for both gears.
+/// The greatest root stress along the fillet, for both gears, over the position along the face.
 std::optional<Figure> root_face_figure(const LoadScene& scene);
 
 }  // namespace gearwright

@@ -1,5 +1,3 @@
-// Draws developed flanks under load: the pressure of line contact, and the ellipses of point
-// contact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +70,6 @@ std::vector<Vec2> bearing_places(const LoadScene& scene, std::size_t which, cons
   return line;
 }
 
-// Adds marks for each loaded tooth pair, with a frame for every position.
 template <class Add>
 void add_frames(Figure& f, const LoadScene& scene, const Add& add) {
   const auto positions = frame_positions(scene);

@@ -17,13 +17,11 @@ namespace gearwright {
 
 struct LoadScene {
   std::array<const Gear*, 2> gears{};
-  const ParallelPair* pair = nullptr;  ///< the pair that turns with the slider; null if teeth touch
-                                       ///< at points
+  const ParallelPair* pair = nullptr;  ///< turns with the slider; null if teeth touch at points
   bool gear2_drives = false;
   LoadedContact contact;  ///< positions evenly spaced over one pitch, starting at −half a pitch
   std::vector<LoadStandard> standard;      ///< results of the standard at each torque; may be empty
-  std::optional<std::size_t> chosen = {};  ///< index of the torque whose fields are drawn; if none,
-                                           ///< the greatest torque
+  std::optional<std::size_t> chosen = {};  ///< index of the shown torque; by default the greatest
   std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
   /// The halves of a double-helical pair at z > 0 and at z < 0, or only one half if they are
   /// mirror images. For such a pair, the other members describe the whole gears.
@@ -33,7 +31,6 @@ struct LoadScene {
 /// Returns the torques that pictures and tables show, as indices of `contact.torques`. If there are
 /// too many to distinguish, a selection is returned that includes the first and the last.
 std::vector<std::size_t> shown_torques(const LoadScene& scene);
-/// Returns the torque whose pressures and stresses are drawn.
 const LoadedTorque& shown_torque(const LoadScene& scene);
 /// The torque in words, "250 N m".
 std::string torque_words(const LoadedTorque& torque);

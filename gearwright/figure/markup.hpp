@@ -50,7 +50,6 @@ std::string symbol_svg(std::string_view symbol);
 /// are unchanged, because the "_" of a symbol follows a single letter.
 std::string with_symbols(std::string_view text);
 
-/// Markup without its tags.
 std::string without_tags(std::string_view markup);
 
 /// The HTML element `figure` with these attributes. It contains the picture and the caption.

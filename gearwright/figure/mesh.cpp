@@ -97,8 +97,7 @@ void add_path(Figure& f, const InvolutePair& pair) {
                               {"T_1", 0.0, "mark hollow"},
                               {"T_2", T2, "mark hollow"}};
   const Vec2 along = (at(to) - at(from)).normalized();
-  // px; y points down
-  const Vec2 across = 14.0 * Vec2(along.y(), along.x());
+  const Vec2 across = 14.0 * Vec2(along.y(), along.x());  // px; y points down
   for (const Letter& one : letters) {
     if (at(one.rho1).allFinite())
       f.point(at(one.rho1), 3.2, one.style, symbol_svg(one.words), across);

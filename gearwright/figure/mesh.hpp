@@ -54,7 +54,6 @@ MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>&
 enum class MeshFrame { whole, mesh, flank };
 /// The box, enlarged to this ratio of width to height.
 Bounds with_aspect(const Bounds& box, double aspect);
-/// Returns the window of a picture with this ratio of width to height.
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 
 /// Draws bodies and circles with their names, axes, both lines of action, and the path of contact
@@ -65,14 +64,12 @@ Figure mesh_figure(const MeshScene& scene, const Bounds& window);
 /// another picture.
 Figure whole_figure(const MeshScene& scene, const Bounds& window, const Bounds& framed);
 
-/// Draws only the bodies.
 Figure bodies_figure(const MeshScene& scene, const Bounds& window);
 
 /// Draws the filled bodies of the gears and then their outlines, so that an overlap is visible.
 /// `angles` are in degrees.
 void add_bodies(Figure& figure, const MeshScene& scene, const std::array<double, 2>& angles);
 
-/// Draws the circles of the scene about both axes, with their symbols if `named`.
 void add_circles(Figure& figure, const MeshScene& scene, bool named);
 
 /// Rotations of gear 1 and gear 2 from the rest position of pair/pair.hpp to the position in which

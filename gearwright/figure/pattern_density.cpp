@@ -1,4 +1,3 @@
-// Draws the share of the samples in which each point of a flank is in contact, in shaded steps.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -24,7 +24,6 @@ struct RackScene {
 /// The extent of a picture with this ratio of width to height.
 Bounds rack_window(const RackScene& scene, MeshFrame frame, double aspect);
 
-/// Draws only the bodies.
 Figure rack_bodies_figure(const RackScene& scene, const Bounds& window);
 /// Draws the bodies with circles, datum line, path of contact A–E and both lines of action.
 Figure rack_mesh_figure(const RackScene& scene, const Bounds& window);

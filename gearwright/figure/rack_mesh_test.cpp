@@ -1,5 +1,3 @@
-// Tests the picture of a rack and its pinion. The drawn section touches the pinion at C and does
-// not enter it anywhere, and the backlash opens on the other side.
 #include "gearwright/figure/rack_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +76,6 @@ TEST(RackMeshFigure, is_drawn) {
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
-// The windows contain the pinion, the rack with its back, and the path of contact.
 TEST(RackMeshFigure, windows_contain_their_parts) {
   const RackPair p = drawn_pair(0.1, 15, 0.05);
   const RackScene scene{&p, {"gear1", "gear2"}};

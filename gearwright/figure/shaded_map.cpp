@@ -1,4 +1,3 @@
-// Draws the values of a raster as a map of shaded steps, dark for low and bright for high values.
 #include <fmt/format.h>
 
 #include <cmath>

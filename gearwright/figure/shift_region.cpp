@@ -33,13 +33,13 @@ constexpr std::array<EdgeLook, kShiftEdges> kEdges{{{"least shift of gear 1", "e
                                                     {"interference at gear 2", "edge-hit"},
                                                     {"no working pressure angle", "edge-mesh"}}};
 
-// Margins around all limits, and around a region with its labels. Each is divided by the longer
-// side of what it surrounds.
+// Margins around all limits, and around a region with its labels. Each margin is a fraction of the
+// longer side of the limits or of the region.
 constexpr double kPadding = 0.17;
 constexpr double kZoomPadding = 0.42;
 constexpr double kMinWindow = 1e-3;  // modules; if the longer side is shorter, this length is used
 constexpr double kMap = 0.19;        // size of the overview map, relative to the width
-constexpr double kMapGap = 0.015;    // from the map to the corner of the plot, over the width
+constexpr double kMapGap = 0.015;  // from the map to the corner of the plot, relative to the width
 // Length of a short stretch, divided by the width of the plot. A shorter stretch of an edge is
 // named only if it is the longest stretch of this edge.
 constexpr double kShortStretch = 0.025;
@@ -305,7 +305,7 @@ Figure exchanged(Figure f) {
   f.tall = 1.0 / f.tall;
   for (FigureMark& m : f.marks) {
     for (Vec2& p : m.points) p = Vec2(p.y(), p.x());
-    // The outside is on the right of a border.
+    // The outside of a border is on its right, so the mirrored borders are reversed.
     if (m.border && m.kind == FigureMark::Kind::line)
       std::reverse(m.points.begin(), m.points.end());
     for (std::string* words : {&m.words, &m.label}) swap_words(*words);

@@ -44,7 +44,6 @@ std::optional<double> sum_at_distance(const ShiftGraph& graph, double a, const B
 /// Returns true if one exact centre distance is required, not a range.
 bool exact_distance(const SearchProblem& problem);
 
-/// A region and the data of its figures.
 struct ShiftChart {
   const ShiftGraph& graph;
   ShiftRegion region;

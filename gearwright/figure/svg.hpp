@@ -1,5 +1,4 @@
-// Builds inline SVG pictures and arranges labels without overlap, in pixels. It is used by the
-// writer of figures and for the figures of the theory pages.
+// Builds inline SVG pictures and arranges labels without overlap, in pixels.
 //
 // Positions are pixels of the picture, with y down. Colours and widths are classes of
 // figure_style.css, so one picture suits light and dark screens and paper. Strokes, marks and
@@ -16,7 +15,6 @@
 
 namespace gearwright {
 
-/// Classes of marks of gear 1 and gear 2.
 inline constexpr std::array<const char*, 2> kInk{"g1", "g2"};
 
 /// The smallest rectangle that contains some points. It is initially empty.

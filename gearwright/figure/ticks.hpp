@@ -8,8 +8,7 @@ namespace gearwright {
 
 struct Ticks {
   std::vector<double> values;
-  int decimals;  ///< number of decimals that distinguish the values; −1 if each value is written
-                 ///< with as many as it needs
+  int decimals;  ///< decimals of every value; −1 if each value has as many as it needs
 };
 
 /// Returns round values within [lo, hi]: multiples of 1, 2 or 5 times a power of ten.

@@ -1,4 +1,3 @@
-// Draws the transmission error over the rotation of gear 1, and its spectrum.
 #include <fmt/format.h>
 
 #include <algorithm>

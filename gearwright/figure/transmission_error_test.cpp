@@ -27,8 +27,8 @@ TEST(TeRuns, TheHandoverIsWhereTheCurvesCross) {
   const auto b = [](double x) { return 3.0 + 2.0 * x; };
   std::vector<ContactPoint> points;
   for (int i = 0; i < 5; ++i) points.push_back(a(i) > b(i) ? point(i, a(i), 0) : point(i, b(i), 1));
-  points.push_back(point(-1, a(2.0) - 5.0, 9));  // a lower value, so that the intersection is not
-                                                 // below the range of values
+  // The value is low, so that the intersection is not below the range of values.
+  points.push_back(point(-1, a(2.0) - 5.0, 9));
   std::rotate(points.begin(), points.end() - 1, points.end());
   const auto runs = te_runs(points);
   ASSERT_EQ(runs.size(), 3u);

@@ -3,8 +3,7 @@
 // Internal to generation/. The height of a point is its radius on an external tooth, and minus its
 // radius on the tooth of an internal gear, so on both it increases from root to tip. It also
 // increases along every branch. The tooth is the lower envelope of the half angles of the branches,
-// |θ| < min θ(height). If two neighbouring branches do not join smoothly, they intersect, and the
-// intersection is found in a closed bracket.
+// |θ| < min θ(height).
 //                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
 #pragma once
 
@@ -25,13 +24,10 @@ struct Branch {
   CurvePtr curve;
   double t_lo, t_hi;
   double height_lo, height_hi;
-  bool smooth_start =
-      false;          ///< true if the branch continues smoothly from the end of the preceding
-                      ///< branch
-  double side = 1.0;  ///< height = side · radius; −1 on an internal gear
-  std::vector<double> turns = {};  ///< parameters at which the half angle is stationary
-  bool ends_on_center_line =
-      false;  ///< true for a rounded tip: θ = 0 at its end, but the tooth is not pointed
+  bool smooth_start = false;         ///< true if the branch continues the preceding branch smoothly
+  double side = 1.0;                 ///< height = side · radius; −1 on an internal gear
+  std::vector<double> turns = {};    ///< parameters at which the half angle is stationary
+  bool ends_on_center_line = false;  ///< true if a rounded tip ends the branch at θ = 0
 
   double height(double t) const { return side * curve->point(t).norm(); }
   double t_at(double h) const;
@@ -40,7 +36,6 @@ struct Branch {
   void start_at(double h);
 };
 
-/// Makes the branch of `curve` from t_lo to t_hi and computes its heights from the curve.
 Branch branch_of(ArcName name, CurvePtr curve, double t_lo, double t_hi, double side);
 
 /// The limits of the branches of a tooth. `side` is equal to Branch::side.
@@ -49,12 +44,12 @@ struct ToothEnds {
   double side;             ///< 1; −1 for an internal gear
   double root_land_angle;  ///< rad, polar angle where the root land ends; π/|z| without a root land
   double blank_radius;     ///< mm; infinite (internal gear: 0) if no blank is given
-  double cutter_radius;    ///< mm, radius at which the cutter ends the tooth; infinite (internal
-  ///< gear: 0) if the cutter has no bottom
-  bool rack = true;         ///< true if the cutter is a rack
+  double cutter_radius;    ///< mm, where the cutter ends the tooth; infinite (internal gear: 0) if
+                           ///< the cutter has no bottom
+  bool rack = true;        ///< true if the cutter is a rack
   bool turns_back = false;  ///< true if the cutter may also cut behind the tooth
-  std::function<std::vector<Branch>()> all = {};  ///< returns all branches, ahead of and behind the
-  ///< tooth; empty for a rack
+  /// Returns all branches, ahead of and behind the tooth. Empty for a rack.
+  std::function<std::vector<Branch>()> all = {};
 };
 
 /// Joins the branches, which are ordered from root to tip, and ends them at the tip. On entry,
@@ -67,10 +62,8 @@ struct ToothEnds {
 Result<GeneratedTooth> finish_tooth(const std::vector<Branch>& branches, const ToothEnds& ends,
                                     GeneratedTooth tooth);
 
-// Joins branches to a chain. A chain is a list of branches in order of height. Each branch begins
-// at the end of the preceding branch, so the chain represents the half angle as a function of the
-// height.
-//                            theory: docs/theory/03-rack-and-generation.md, [T3.11]…[T3.13]
+// A chain is a list of branches in order of height. Each branch begins at the end of the preceding
+// branch, so the chain represents the half angle as a function of the height.
 
 /// Returns the chain up to the tip. The branches must be in the order of the cutter's edge from
 /// root to tip. The result is empty if the ends of two neighbouring branches do not meet.

@@ -57,9 +57,9 @@ Joint joint(const Branch& last, const Branch& next) {
     if (next.height_lo > last.height_lo) return {Joint::at_height, lo};
     return {Joint::last_hidden};
   }
-  if (std::isinf(
-          hi)) {  // two involutes; at large heights, the smaller base circle gives the smaller half angle
-    // Upper limit for the height of a tooth, as a multiple of `lo`.
+  if (std::isinf(hi)) {
+    // Both curves are involutes. At large heights, the smaller base circle gives the smaller angle.
+    // The search ends at this multiple of `lo`, which no tooth reaches.
     constexpr double kFarOut = 1e6;
     hi = 2.0 * lo;
     while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;

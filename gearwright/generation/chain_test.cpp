@@ -1,4 +1,3 @@
-// Tests the lower envelope of branches whose half angles are given by formulas.
 #include "gearwright/generation/branch.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +53,6 @@ TEST(LowerEnvelope, a_dent_narrower_than_the_steps_behind_its_beginning) {
   EXPECT_EQ(chain[1].curve, branches[1].curve);
 }
 
-// Branches that coincide within rounding do not hide each other and do not alternate.
 TEST(LowerEnvelope, branches_that_coincide_are_one) {
   constexpr double kRounded = 1e-15;
   const std::vector<Branch> branches{parabola(0.1, 1.0, 0.2, 0.3, 1.0, 1.6),

@@ -61,10 +61,9 @@ FlankRuler flank_ruler(const CutterEdge& edge, const RackMotion& motion);
 struct FilletArc {
   double radius;    ///< r_r or r_t  mm
   double distance;  ///< D  distance of the centre from the gear axis, mm
-  Angle
-      span;  ///< σ  angle of the arc from the flank to the centre line, or to the land at a tip corner
-  double end;    ///< mm: radius at which the arc meets the centre line or the land
-  Angle land{};  ///< γ  half angle of the land; 0 if there is none
+  Angle span;       ///< σ  angle of the arc from the flank to the centre line or to the land
+  double end;       ///< mm: radius at which the arc meets the centre line or the land
+  Angle land{};     ///< γ  half angle of the land; 0 if there is none
 };
 
 /// Returns the root fillet that touches the flank at ξ_C and is centred in the space. The result is
@@ -99,7 +98,6 @@ struct CircularFillet {
 /// Domain    0 < ρ_a ≤ r_a − r_b (contract)
 CircularFillet tip_corner_at(const Involute& flank, double tip_radius, double radius);
 
-/// Circular fillets that replace the root or tip cut by the rack, if requested.
 struct CircularFillets {
   std::optional<CircularFillet> root, tip;
 };

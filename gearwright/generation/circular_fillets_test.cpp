@@ -1,5 +1,3 @@
-// Tests circular fillets. They touch the flank, are centred, and change with the point of contact
-// as their formulas require.
 #include "gearwright/generation/circular_fillets.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +25,6 @@ std::vector<Tooth> teeth() {
           {2, {3.0, 1.9}}};
 }
 
-// Roll angles along the flank up to its point.
 std::vector<double> rolls(const Tooth& tooth) {
   const double point = std::tan(inverse_involute(tooth.flank.base_half_angle()));
   std::vector<double> all;

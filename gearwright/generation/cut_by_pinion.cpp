@@ -52,8 +52,7 @@ class Cutting {
   Cutting(const GeneratedTooth& cutter, const PinionMotion& motion)
       : cutter_(cutter), motion_(motion) {}
 
-  bool misses_flank =
-      false;  // true if the centrode lies inside the base circle of the cutter's flank
+  bool misses_flank = false;  // true if the centrode lies inside the cutter's base circle
   std::vector<Branch> branches;
   bool loops = false;  // true if a normal misses the centrode, so that a path turns back
 

@@ -3,8 +3,7 @@
 //
 // As for the edge of a rack, every arc of the cutter gives branches, and so does every corner with
 // its range of normals. The tip of the cutter cuts the root of the gear, and the root of the cutter
-// cuts the tip of the gear. Trimming, cusps and pointed teeth need no separate treatment. The
-// concave root of the cutter may cut cusps on the tip of the gear.
+// cuts the tip of the gear. The concave root of the cutter may cut cusps on the tip of the gear.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 

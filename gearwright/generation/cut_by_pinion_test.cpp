@@ -1,6 +1,3 @@
-// Tests gears cut by a pinion cutter. They are conjugate to the cutter, and with a large cutter
-// they approach the gear cut by a rack. Every flag and error is tested.
-//
 //   z_0, x_0   the cutter's teeth and shift      E   generating centre distance, module 1
 #include "gearwright/generation/cut_by_pinion.hpp"
 
@@ -35,7 +32,6 @@ GeneratedTooth by_rack(int teeth, double shift, const StraightRack& rack, double
   return testing::taken(cut_by_rack(edge->edge, {teeth / 2.0, 1.0, shift}, teeth, blank, fillets));
 }
 
-// A cutter with rounded tips and a sharp root.
 StraightRack rounded(double addendum = 1.25, double radius = 0.25) {
   StraightRack rack;
   rack.addendum = addendum;
@@ -98,8 +94,6 @@ TEST(CutByPinion, gear_and_cutter_mesh_without_backlash) {
   }
 }
 
-// The tip of the cutter cuts the root of the gear, and the root of the cutter cuts its tip. The
-// lands are circles about the axis on both.
 TEST(CutByPinion, root_and_tip_are_the_cutters_tip_and_root) {
   for (const auto& [z_0, x_0, z, x] : sets()) {
     const double e = tight_distance(z_0, x_0, z, x), side = z > 0 ? 1.0 : -1.0;
@@ -116,7 +110,6 @@ TEST(CutByPinion, root_and_tip_are_the_cutters_tip_and_root) {
   }
 }
 
-// A blank ends the tooth before the root of the cutter does.
 TEST(CutByPinion, blank_ends_the_tooth) {
   const GeneratedTooth external = cut(cutter_of(20, 0.0), {20, 45, 32.5}, 23.4);
   EXPECT_EQ(external.tip_radius, 23.4);
@@ -287,8 +280,6 @@ TEST(CutByPinion, pointed_cutter) {
   }
 }
 
-// A cutter with circular fillets ends on its centre lines, and so does the gear. There are no
-// lands.
 TEST(CutByPinion, fillets_leave_no_lands) {
   StraightRack rack;
   rack.dedendum = 1.0;

@@ -1,5 +1,3 @@
-// Tests circular fillets given by drawing dimensions: the scale along the flank of the rack, each
-// way to specify a position, and the exact ranges in error messages.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +59,6 @@ void expect_refused(const CylindricalSpec& s, const std::string& key) {
   EXPECT_EQ(gear.error().field, key) << gear.error().message();
 }
 
-// Checks that the tooth has the requested fillets and no others.
 void expect_stands(const CylindricalSpec& s) {
   const auto gear = make_gear(s);
   ASSERT_TRUE(gear) << gear.error().message();
@@ -72,8 +69,6 @@ void expect_stands(const CylindricalSpec& s) {
 
 constexpr double kJust = 1e-9;
 
-// l is measured along the flank of the rack. The point of the rack at l cuts the corresponding
-// point of the flank.
 TEST(FlankRuler, measures_along_the_racks_flank) {
   for (const double beta : {0.0, 30.0}) {
     const auto edge = make_edge(StraightRack{}, 2.0, 20_deg);
@@ -123,7 +118,6 @@ TEST(FewTeeth, point_c_is_the_undercut_limit_and_the_offset) {
   EXPECT_FALSE(plain.involute()->point_c_l || plain.involute()->point_j_l);
 }
 
-// Radius, position and end describe the same fillet.
 TEST(FewTeeth, three_ways_to_name_a_tip_fillet) {
   const Gear by_radius = made(with_tip(two_teeth(), By::radius, 0.332));
   const Gear by_l = made(with_tip(two_teeth(), By::l, *by_radius.involute()->point_j_l));

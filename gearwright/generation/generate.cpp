@@ -111,7 +111,6 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
   return std::nullopt;
 }
 
-// Adds the requested circular fillets and removes the branches of the rack that they replace.
 std::optional<Error> put_fillets(std::vector<Branch>& branches, int teeth,
                                  const CircularFillets& fillets, GeneratedTooth& tooth) {
   const auto flank = std::find_if(branches.begin(), branches.end(),

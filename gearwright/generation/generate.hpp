@@ -33,10 +33,8 @@ struct GeneratedTooth {
   bool through_axis = false;  ///< true if the root circle would have a radius of 0 or less
   bool severed = false;       ///< true if the root fillets of both flanks meet (tooth cut off)
   bool pointed = false;       ///< true if the two flanks meet before blank or cutter ends the tooth
-  bool tip_cut_by_rack =
-      false;  ///< true if the bottom land of the cutter, not the blank, ends the tooth
-  bool rounded_tip =
-      false;  ///< true if a tip fillet without a land ends the tooth on its centre line
+  bool tip_cut_by_rack = false;  ///< true if the bottom land of the cutter ends the tooth
+  bool rounded_tip = false;      ///< true if a tip fillet without a land ends the tooth
   std::optional<FilletArc> root_fillet, tip_fillet;  ///< circular fillets, if requested
 };
 

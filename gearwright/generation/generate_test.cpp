@@ -1,5 +1,3 @@
-// Tests teeth as cut: the result of each kind of edge, every flag, and cases where branches only
-// touch.
 #include "gearwright/generation/generate.hpp"
 
 #include <gtest/gtest.h>

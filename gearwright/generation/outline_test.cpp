@@ -1,4 +1,3 @@
-// Tests arcs and their samples: ends exact to the last bit, direction from root to tip.
 #include "gearwright/generation/outline.hpp"
 
 #include <gtest/gtest.h>

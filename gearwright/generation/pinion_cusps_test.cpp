@@ -1,5 +1,3 @@
-// Tests the cusps of a pinion cutter's envelope and the stationary points of its half angle. The
-// closed forms must give exactly the points that a fine scan finds.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,3 @@
-// Tests the envelope of a pinion cutter's curves. The points are compared with points found by
-// rolling, tangent and curvature with differences, and the involute with its closed form.
-//
 //   ψ   turn of the cutter; at ψ = 0, its tooth 0 points at space 0 of the gear
 #include "gearwright/generation/pinion_envelope.hpp"
 

@@ -1,5 +1,3 @@
-// Tests the laws of the envelope of a rack's edge, and compares its tangent and curvature with
-// differences of points.
 #include "gearwright/generation/rack_envelope.hpp"
 
 #include <gtest/gtest.h>

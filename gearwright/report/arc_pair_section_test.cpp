@@ -1,5 +1,3 @@
-// The page of a circular-arc pair is valid HTML, does not mention involutes, and shows flanks that
-// touch.
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/report/report_sections.hpp"
 

@@ -35,7 +35,7 @@ TEST(CentrodePicture, SaysWhatHappensToTheReferenceCircles) {
   EXPECT_TRUE(has(closer, "= 61.3351 mm"));
   EXPECT_TRUE(has(centrode_figures(testing::helical_pair()), "are apart by"));
   // The centre distance of this internal pair is smaller than the reference one, so the reference
-  // circle of the pinion does not reach that of the internal gear.
+  // circle of the pinion does not reach the reference circle of the internal gear.
   EXPECT_TRUE(has(centrode_figures(testing::pinion_in_cut_ring()), "are apart by 0.9245 mm"));
 }
 

@@ -89,9 +89,9 @@ Arcs arcs_of_contact(const ArcPair& pair, const ArcPairContact& contact, double 
   const std::size_t convex = contact.convex_gear == 1 ? 0 : 1;
   Arcs best{};
   double least = 1e300;
-  // Finds the convex and the concave arc that touch each other. Two arcs touch if their points
-  // at the normal angle of the contact coincide. For each combination of arcs, the distance of
-  // these points is computed, and the combination with the least distance is used.
+  // Finds the convex and the concave arc that touch each other. Two arcs touch if their points at
+  // the normal angle of the contact have the same height. The combination with the least difference
+  // of these heights is used.
   for (const WorkingArc& v : convex_arcs(pair.gears[convex])) {
     for (const WorkingArc& c : concave_arcs(pair.gears[1 - convex])) {
       const double apart = std::abs((v.radius - c.radius) * std::sin(theta) - (v.b - c.b));

@@ -46,7 +46,6 @@ TEST(ArcPicture, BothRacksPassTheirContactPoint) {
   // Arcs with a radius of 1.4 modules are divided into 32 chords, which deviate by less than 3e-4
   // modules.
   EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[0]), M), 3e-4 * m);
-  // The rack of the mating gear is turned upside down and moved by half a pitch.
   const double half_pitch = 3.14159265358979323846 * m / 2;
   EXPECT_LT(testing::chain_distance(rack_half_tooth(pair.gears[1]), {-M.x(), half_pitch - M.y()}),
             3e-4 * m);

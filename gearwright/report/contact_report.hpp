@@ -16,8 +16,7 @@ namespace gearwright {
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  Angle peak_to_peak;         ///< of the continuous TE if contact is not lost; NaN if no teeth
-                              ///< touch
+  Angle peak_to_peak;         ///< of the continuous TE if contact is not lost; NaN without contact
   bool as_specified = false;  ///< true for all errors together, as in the other pictures
 };
 

@@ -83,7 +83,6 @@ TEST(ContactReport, WordsAndKinds) {
     EXPECT_TRUE(is_edge(edge)) << words_of(edge);
 }
 
-// A tooth passes through every position once, in the order of the mesh.
 TEST(ContactReport, ThePathOnAToothIsAPitchOfPositions) {
   for (const ContactSample& s : samples()) {
     const double pitch = pitch_of(s.report);

@@ -77,7 +77,6 @@ std::string facts(const ContactReport& report, UnitSystem units) {
   return t.str();
 }
 
-// A figure with a paragraph of explanation beside it.
 std::string beside(const std::string& figure, const char* words) {
   return in_columns(figure, fmt::format("\n<p>{}</p>\n", words));
 }
@@ -197,7 +196,6 @@ std::string arc_part(const ContactReport& report, UnitSystem units) {
          side_by_side(figures);
 }
 
-// The contact of each half of a double-helical pair.
 std::string halves_of(const ContactReport& report, UnitSystem units) {
   std::vector<std::string> pictures;
   for (const ContactReport& half : report.halves)

@@ -1,5 +1,3 @@
-// The sentences about a contact agree with the kinds of contact at its positions, from which the
-// pictures are drawn.
 #include "gearwright/report/contact_report.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +23,6 @@ void agree(const ContactResult& result) {
   EXPECT_EQ(say("at the start of a relief"), ridge && !any(result, is_edge)) << words;
 }
 
-// Regression: the text was "an edge touches" although the picture showed "start of a relief".
 TEST(ContactWords, TheStartOfAReliefIsNoEdgeOfATooth) {
   testing::SamplePair p = testing::involutes(20, 41, 12);
   FlankModifications m;

@@ -37,12 +37,11 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
 /// The lines of action in plan, and both whole gears in plan.
 std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 
-/// HTML with both figures of plan_figures().
 std::string plan_part(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
 /// The projection of a point of the housing onto the section, (h, x) in mm.
 ///
-/// Formula   h = −y cos β_1 + z sin β_1
+/// Formula   h = −σ y cos β_1 + z sin β_1; σ = −1 if gear 2 is internal, else 1
 Vec2 in_section(const InvolutePair& pair, const Point<Housing>& p);
 
 struct SectionEllipse {
@@ -53,7 +52,7 @@ struct SectionEllipse {
 
 /// The cylinder of `radius` about the axis of gear `which` (0, 1), cut by the plane of the section.
 ///
-/// Formula   centre (z_L tan β_1, 0), (−z_L tan β_2, a); half width r/cos β_i, half height r
+/// Formula   centre (z_L tan β_1, 0), (−σ z_L tan β_2, a); half width r/cos β_i, half height r
 /// Domain    radius > 0 (contract)
 SectionEllipse section_of_cylinder(const InvolutePair& pair, std::size_t which, double radius);
 

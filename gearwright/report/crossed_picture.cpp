@@ -61,7 +61,7 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the width and height, mm, of a picture that contains `half` with some margin and whose ratio
+// Half the width and height of a picture, mm. The picture contains `half` with a margin. Its ratio
 // of width to height is `aspect`.
 Vec2 window(const Vec2& half, double aspect) {
   const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());

@@ -19,8 +19,8 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The same gears as a pair without backlash whose common rack has the pressure angle α_wn. None if
-/// there is no such rack.
+/// The pair of the same gears without backlash, for a common rack with the pressure angle α_wn.
+/// None if there is no such rack.
 ///
 /// Formula   crossed_place, then mesh_of at the resulting position
 /// Domain    crossed axes (contract)

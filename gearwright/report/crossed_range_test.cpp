@@ -26,7 +26,6 @@ TEST(CrossedRangePicture, SamplesAreThePairAtItsPlaces) {
     ASSERT_TRUE(s.has_value());
     EXPECT_NEAR(s->place.shaft_angle.rad(), pair.shaft_angle.rad(), 1e-12);
     EXPECT_NEAR(s->place.center_distance, *pair.backlash_free_center_distance, 1e-9);
-    // No sample has a smaller centre distance than the least one.
     ASSERT_TRUE(pair.min_distance.has_value());
     for (const CrossedSample& each : samples)
       EXPECT_GE(each.place.center_distance, pair.min_distance->center_distance - 1e-10);

@@ -21,8 +21,7 @@ namespace {
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
 constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // width, px, and height over width
 constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
-constexpr double kTeethPerSecond = 1.2;  // teeth per second in the fastest mesh while the picture
-                                         // turns
+constexpr double kTeethPerSecond = 1.2;  // in the fastest mesh while the picture turns
 constexpr int kSliderSteps = 240;        // number of positions of the slider
 
 // Degrees, clockwise as in SVG, by which a body turns while t runs from 0 to 1. `ratio` is the

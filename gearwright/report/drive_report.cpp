@@ -87,7 +87,6 @@ std::string power_part(const Drive& drive, UnitSystem units) {
          "</section>\n";
 }
 
-// A table of the rating of each mesh, with the factors of the standard.
 std::string strength_part(const Drive& drive, UnitSystem units) {
   if (drive.ratings.empty()) return "";
   std::string text = "<section>\n<h2>Strength</h2>\n";
@@ -102,7 +101,6 @@ std::string strength_part(const Drive& drive, UnitSystem units) {
   return text + "</section>\n";
 }
 
-// Load sharing of the planets, and the rotation of the output under load.
 std::string load_part(const Drive& drive, UnitSystem units) {
   if (!drive.loaded) return "";
   const LoadedDrive& loaded = *drive.loaded;
@@ -148,8 +146,8 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// The position after the names that begin at `at`. The names are followed by a parenthesis if
-// `mark`, the text before them, is "url(#", and otherwise by a quote.
+// The position after the names that begin at `at`. `mark` is the text before the names. After
+// "url(#", they end at a parenthesis. After any other mark, they end at a quote.
 std::size_t end_of_names(const std::string& html, std::string_view mark, std::size_t at) {
   return std::min(html.find(mark.front() == 'u' ? ')' : '"', at), html.size());
 }

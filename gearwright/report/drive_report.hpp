@@ -1,7 +1,7 @@
 // Writes one HTML page about a whole drive: verdict, scheme, sections of the drive with the control
 // that turns the gears, power, phases, and finally each mesh as a pair of gears.
 //
-// The page depends only on its input. The laws of report_html() hold for this page too.
+// The laws of report_html() hold for this page too.
 #pragma once
 
 #include <string>
@@ -38,7 +38,6 @@ std::string drive_report_html(const DriveReportInput& input);
 /// The name of the SVG definition that contains the shape of a gear (gear_shape.hpp).
 std::string shape_name(std::size_t gear);
 
-/// The SVG definitions of the shapes of all gears.
 std::string drive_definitions(const Drive& drive);
 
 /// A figure for each axial section, true to scale, followed by the phases of the planets. The first

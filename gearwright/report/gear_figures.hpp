@@ -24,18 +24,15 @@
 
 namespace gearwright {
 
-/// The CSS classes for an arc with this name.
 const char* arc_style(ArcName name);
 
 /// Converts a point of the gear frame to a figure in which the tooth on the x axis points up. The
 /// side y > 0 is on the right.
 inline Vec2 upright(const Vec2& p) { return {p.y(), p.x()}; }
 
-/// Draws the shape of the gear with one tooth pointing up.
 void add_upright_gear(Figure& figure, const Gear& gear, const std::string& shape,
                       std::string style);
 
-/// Draws both sides of the upright tooth, each arc in the style of its name.
 void add_upright_arcs(Figure& figure, const Gear& gear,
                       const std::function<const char*(ArcName)>& style);
 

@@ -23,7 +23,6 @@ std::string side_by_side(std::string_view figures);
 /// Returns the legend of the colours of gear 1 and gear 2.
 std::string caption_of_gears();
 
-/// Returns two columns.
 std::string in_columns(std::string_view left, std::string_view right);
 
 /// Returns a table of values under column headings. The first text of each row is the row heading.

@@ -14,7 +14,6 @@
 
 namespace gearwright {
 
-/// A point of a line of action with its letter.
 struct PathMark {
   const char* letter;
   double rho1;

@@ -32,9 +32,9 @@ TEST(LineMarksPicture, ThickWhereFlanksAndFacesAreUsed) {
     return text.find("class=\"action\"") != text.npos;
   };
   EXPECT_TRUE(thick(drawn(testing::crossed_pair(), Lines::both)));
-  EXPECT_FALSE(thick(drawn(testing::nearly_parallel_pair(), Lines::both)));  // lines outside the
-                                                                             // faces
-  EXPECT_FALSE(thick(drawn(testing::crossed_apart(), Lines::both)));         // no contact
+  // On nearly parallel axes, the lines of action lie outside the faces.
+  EXPECT_FALSE(thick(drawn(testing::nearly_parallel_pair(), Lines::both)));
+  EXPECT_FALSE(thick(drawn(testing::crossed_apart(), Lines::both)));  // no contact
 }
 
 TEST(LineMarksPicture, LeadingLineAlone) {

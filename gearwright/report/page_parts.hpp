@@ -1,8 +1,7 @@
 // Parts that all pages share: the head, the style, the hint about pictures, and the spec.
 //
 // Style sheets and scripts are files in report/page/. The build converts each file into a function
-// with the name of the file (cmake/gw_embed.cmake). This also applies to the scripts for rotation
-// and for search tables.
+// with the name of the file (cmake/gw_embed.cmake).
 #pragma once
 
 #include <string>
@@ -18,8 +17,7 @@ namespace gearwright {
 std::string_view page_style();
 
 /// Additional styles for the page of a design search: the wide table, colours of the edges of a
-/// region, dots and curves of the charts. Colours follow the light, dark or paper style of the
-/// page.
+/// region, dots and curves of the charts.
 std::string_view search_style();
 
 /// Makes every picture zoomable (zoom_script.js) and unfolds the tables before printing. Without

@@ -1,5 +1,4 @@
-// Every CSS class on a page occurs in its style sheet or in its scripts. A class that occurs in
-// neither is a mistake, and some part of a picture is invisible.
+// Every CSS class on a page occurs in its style sheet or in its scripts.
 #include "gearwright/report/page_parts.hpp"
 
 #include <gtest/gtest.h>

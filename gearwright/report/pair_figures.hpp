@@ -1,6 +1,4 @@
-// The pictures of a pair on parallel axes: the mesh at the pitch point, the whole pair, the path of
-// contact, the effect of the profile shifts on the centrodes, and the mesh of a rack and its
-// pinion.
+// The pictures of a pair on parallel axes, and of a rack and its pinion.
 //
 //   I    point where the reference circles touch at the reference centre distance a_d
 //   I′   pitch point at the actual centre distance a

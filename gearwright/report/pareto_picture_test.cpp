@@ -25,9 +25,8 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
     const std::array<bool, 2> greater{trial % 2 == 0, trial % 4 < 2};
     std::vector<Vec2> points;
     for (int i = 0; i < 1 + trial % 30; ++i)
-      points.push_back({std::floor(place(random)), std::floor(place(random))});  // whole numbers,
-                                                                                 // so that ties
-                                                                                 // occur
+      // Whole numbers give ties.
+      points.push_back({std::floor(place(random)), std::floor(place(random))});
     const std::vector<Vec2> corners = staircase(points, greater);
     ASSERT_FALSE(corners.empty());
     // (1) every point has a corner that is at least as good in both objectives
@@ -88,7 +87,6 @@ TEST(ParetoPicture, AxesSayWhatTheyAre) {
   EXPECT_TRUE(has(testing::pareto_search(), ">1\u202f000</text>"));
 }
 
-// If there are many designs, only the best of them and the whole front are drawn.
 TEST(ParetoPicture, NoMoreDotsThanAReaderTellsApart) {
   SearchAnswer answer;
   const SearchProblem problem = testing::spur_problem();

@@ -27,7 +27,6 @@ TEST(PathFigures, ShowsTheWholeOfSteepCurves) {
   EXPECT_NE(figure.find("mark g2"), std::string::npos);
 }
 
-// The ruler covers the path from A to E, and its last piece is the fractional part of ε_α.
 TEST(PathFigures, RulerHasTheLengthOfThePath) {
   const auto pair = testing::helical_pair();
   const Figure figure = path_figure(pair);

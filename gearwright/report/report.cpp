@@ -77,7 +77,6 @@ std::string definitions(const ReportInput& input) {
          "</defs></svg>\n";
 }
 
-// The section about roots and tips of gears with few teeth. Empty for other gears.
 std::string few_teeth_section(const ReportInput& input) {
   std::string roots;
   std::string shifts;

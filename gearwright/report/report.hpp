@@ -1,8 +1,5 @@
 // Writes one HTML page about the gears and their pair, for users: words, tables and pictures in one
 // self-contained file.
-//
-// The page depends only on its input, not on a clock, a random number or a path. Every value is
-// taken from the input and rounded to the digits of a drawing.
 #pragma once
 
 #include <array>
@@ -37,20 +34,17 @@ struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
-  std::array<std::optional<Halves>, 2>
-      halves{};                    ///< present for a double-helical gear; `gears` then contains one
-                                   ///< of its halves
+  /// The halves of a double-helical gear, of which `gears` then contains one.
+  std::array<std::optional<Halves>, 2> halves{};
   std::optional<Pair> pair;        ///< none if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< null if there is no rack; with a rack, the only gear is its
-                                   ///< pinion
+  const RackPair* rack = nullptr;  ///< null if there is no rack; its pinion is then the only gear
   /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
-  std::vector<double> masses;                          ///< kg, of the gears whose mass is known
-  std::vector<ValueRecord> measures;                   ///< one for each gear; may be empty
-  std::vector<std::vector<ValueRecord>> measure_ends;  ///< values at the ends of the tolerances;
-                                                       ///< may be empty
-  std::vector<KDiagram> k_diagrams;            ///< for flanks with modifications or a grade; may be
-                                               ///< empty
+  std::vector<double> masses;         ///< kg, of the gears whose mass is known
+  std::vector<ValueRecord> measures;  ///< one for each gear; may be empty
+  /// Values at the ends of the tolerances; may be empty.
+  std::vector<std::vector<ValueRecord>> measure_ends;
+  std::vector<KDiagram> k_diagrams;  ///< of flanks with modifications or a grade; may be empty
   const ContactReport* contact = nullptr;      ///< null if the spec requests no contact
   const LoadScene* load = nullptr;             ///< null if the spec requests no load
   const ProposeView* propose = nullptr;        ///< null if there are no proposals for the flanks

@@ -1,6 +1,5 @@
-// The sections of the report, each in HTML from <section> to </section>: a gear, a pair, a rack and
-// its pinion, ratings and other results. `shapes` are the names of the SVG definitions of the gears
-// (gear_shape.hpp).
+// The sections of the report, each in HTML from <section> to </section>. `shapes` are the names of
+// the SVG definitions of the gears (gear_shape.hpp).
 #pragma once
 
 #include <array>
@@ -103,13 +102,10 @@ std::vector<Figure> scatter_figures(const ScatterView& view);
 /// Strength: inputs, factors, stresses and safety factors with their clauses of the standard.
 std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
-// The section of the report about a rack and its pinion: a picture of the mesh, and the quantities
-// of both.
-
-/// Returns the section in HTML. `shapes` are the names of the SVG definitions of pinion and rack.
-/// The page must contain the definition of the pinion, and the section contains the definition of
-/// the rack. If the rack has no outline, a paragraph with the reason replaces the picture. `head`
-/// is as in pair_section().
+/// A rack and its pinion: a picture of the mesh, and the quantities of both. The page must contain
+/// the definition of the pinion, and the section contains the definition of the rack. If the rack
+/// has no outline, a paragraph with the reason replaces the picture. `head` is as in
+/// pair_section().
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units, std::string_view head = "<h2>Rack and pinion</h2>\n");
 

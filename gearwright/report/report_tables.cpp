@@ -72,8 +72,6 @@ void add_rack(TableBuilder& table, const std::vector<const Gear*>& gears) {
   }
 }
 
-// Adds four rows for each arc of a rack: the signed radius, the two coordinates of the centre, and
-// the range of the normal angle.
 void add_arcs(TableBuilder& table, const std::vector<const Gear*>& gears) {
   std::size_t most = 0;
   for (const Gear* g : gears)
@@ -171,7 +169,7 @@ std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, Unit
   return rows;
 }
 
-// The rows of those interferences in `named` whose words do not yet occur in the rows of `listed`.
+// The rows of `named`, without the interferences whose words already occur in `listed`.
 std::vector<CollisionRow> rows_of(const std::vector<Interference>& named,
                                   const std::vector<CollisionRow>& listed, UnitSystem units) {
   std::vector<CollisionRow> rows;

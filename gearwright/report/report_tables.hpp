@@ -39,11 +39,9 @@ std::string path_table(const InvolutePair& pair, UnitSystem units = UnitSystem::
 /// Interference by name and amount, or a sentence if none was found.
 std::string interference_table(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
 
-// The most important quantities of a pair, at the top of the report.
-
-/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at
-/// both ends of the tolerances), mass, safety factors, contact pressure, transmission error.
-/// Words, symbols and units are defined in the catalogue. Empty if there are no key figures.
+/// A box for each available key figure: ratio, centre distance, contact ratio, backlash (at both
+/// ends of the tolerances), mass, safety factors, contact pressure, transmission error. Empty if
+/// there are no key figures.
 std::string key_figures(const ReportInput& input);
 
 /// One box for each key for which the records have a value, in the order of `keys`. If there are

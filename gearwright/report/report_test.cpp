@@ -178,8 +178,6 @@ TEST(Report, CrossedPairNumbersAreThePairs) {
   const CrossedPair pair = crossed_pair();
   const std::string page = report_html(report_input(pair));
   const Mesh<double>& m = pair.mesh;
-  // Shaft angle, least centre distance and contact ratio of the example agree with its reference
-  // values to their last digit.
   EXPECT_EQ(row(page, "Shaft angle"), (Values{"90.00000"}));
   EXPECT_EQ(row(page, "Centre distance"), (Values{"50.0100"}));
   EXPECT_EQ(row(page, "Working normal pressure angle"), (Values{"18.68383"}));

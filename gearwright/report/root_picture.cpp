@@ -96,8 +96,7 @@ void add_lost_flank(Figure& f, const Gear& gear) {
 // flank.
 void add_fillet(Figure& f, const FilletArc& arc, const Vec2& center, const Vec2& touch,
                 const char* symbol) {
-  constexpr double kReadable = 0.085;  // fraction of the width of the plot; a shorter radius has no
-                                       // label
+  constexpr double kReadable = 0.085;  // of the width of the plot; a shorter radius has no label
   f.circle(center, arc.radius, "thin dot", -1);
   f.line({center, touch}, "thin");
   f.dot(center, 2.2, "mark hollow");

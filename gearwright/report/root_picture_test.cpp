@@ -61,8 +61,7 @@ TEST(RootPicture, ShowsBothRootsAndThePoints) {
   EXPECT_NE(page.find("the undercut tooth as cut by the rack alone"), page.npos);
 
   const std::string undercut = root_figure(sample_gear(8, 2, 0, 0), "gear1", "Gear 1");
-  EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the flank that undercut removed, both
-                                                          // sides
+  EXPECT_EQ(count_of(undercut, "class=\"before\""), 2u);  // the removed flank, both sides
   EXPECT_NE(undercut.find("flank removed by undercut"), undercut.npos);
   EXPECT_EQ(undercut.find(">C<"), undercut.npos);
   const std::string sound = root_figure(sample_gear(10, 2, 0, 0.6), "gear1", "Gear 1");

@@ -18,8 +18,8 @@
 
 namespace gearwright {
 
-inline constexpr std::size_t kMaxDots = 2000;  ///< greatest number in one picture; more dots cannot
-                                               ///< be distinguished
+/// Number of designs with a dot, besides the front. More dots cannot be distinguished.
+inline constexpr std::size_t kMaxDots = 2000;
 
 /// The corners of the staircase through the points that no other point dominates. The staircase
 /// separates the designs found from the part of the plane without designs. `greater` is true for an

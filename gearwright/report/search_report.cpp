@@ -157,8 +157,6 @@ std::string foot(const SearchReport& report) {
       version, to_string(report.units), kNoValue);
 }
 
-// The numbers of trials and feasible designs, and the best design, in two or three sentences
-// (HTML).
 std::string search_verdict(const SearchReport& report) {
   const SearchCounts& counts = report.answer.counts;
   std::string text = fmt::format(
@@ -179,7 +177,6 @@ std::string search_verdict(const SearchReport& report) {
   return text;
 }
 
-// The part of the page between the head and the spec.
 std::string search_sections(const SearchReport& report) {
   std::string text;
   const bool any = !report.answer.designs.empty();

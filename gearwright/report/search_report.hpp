@@ -1,8 +1,5 @@
 // Writes one HTML page about a design search, for users: the number of trials, the best designs in
 // a sortable table, and pictures of their objectives and of the regions of their profile shifts.
-//
-// Like the report of a pair (report/report.hpp), the page is one self-contained file and depends
-// only on its input.
 #pragma once
 
 #include <optional>
@@ -21,15 +18,16 @@ struct SearchReport {
   std::string spec_text;  ///< the spec, verbatim; omitted if empty
   const Search& search;
   const SearchAnswer& answer;
-  std::vector<std::string> reasons;   ///< plain text: warnings; if no design is feasible, also the
-                                      ///< reasons and the changes that would help
+  /// Plain text: warnings. If no design is feasible, also the reasons and the changes that would
+  /// help.
+  std::vector<std::string> reasons;
   std::size_t rows = 200;             ///< number of designs in the table
   std::string version;                ///< version of the program
   UnitSystem units = UnitSystem::mm;  ///< units of the lengths
 };
 
-inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best designs that have a
-                                                    ///< picture
+/// Number of the best designs that have a picture.
+inline constexpr std::size_t kRegionPictures = 20;
 
 /// The page, UTF-8.
 ///
@@ -42,8 +40,7 @@ inline constexpr std::size_t kRegionPictures = 20;  ///< number of the best desi
 std::string search_report(const SearchReport& report);
 
 // Writes one HTML page about designs that are ranked by a percentile of their scatter: a sortable
-// table, and a figure of the percentiles with their confidence intervals. The page is one
-// self-contained file and depends only on its input.
+// table, and a figure of the percentiles with their confidence intervals.
 
 struct StudyReport {
   std::string title, sentence;

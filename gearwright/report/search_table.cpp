@@ -110,7 +110,6 @@ std::vector<ValueRecord> records_of(const SearchProblem& problem, const SearchAn
   return records;
 }
 
-// The symbol with the number of the gear. If the quantity has no symbol, its key is used.
 std::string symbol_of(const Column& c) {
   if (c.info->symbol.empty()) return c.info->key;
   if (!c.gear) return symbol_html(c.info->symbol);

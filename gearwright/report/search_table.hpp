@@ -20,8 +20,7 @@ struct TableColumn {
 };
 struct TableCell {
   std::string html;
-  std::optional<double>
-      key;  ///< value by which the column is sorted; rows without a value come last
+  std::optional<double> key;  ///< value by which the column is sorted; rows without it come last
 };
 struct TableRow {
   std::string attributes;  ///< HTML attributes of the row, with a space in front
@@ -47,8 +46,6 @@ std::string design_table_key(const SearchProblem& problem, const SearchAnswer& a
 /// The script report/page/sort_script.js, which turns the column headings into buttons that sort
 /// the table. Without the script the table is static.
 std::string_view sort_script();
-
-// Words for the limits, objectives and designs of a search.
 
 /// The reason for rejecting a trial, such as "centre distance out of reach".
 std::string_view words_of(Limit limit);

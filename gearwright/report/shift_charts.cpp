@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSoundContactRatio = 1.2;  // the usual least contact ratio of spur gears
 
-// Sets up the axis of tooth numbers, which both charts share.
 Figure over_teeth(Figure f) {
   f.x = {.words = "number of teeth", .unit = {}, .lo = kChartMin, .hi = kChartMax, .symbol = "z"};
   f.x.log = true;

@@ -65,8 +65,6 @@ TEST(ShiftChartPictures, IdenticalGearsSayNothingOfRingsAndCrossedAxes) {
   EXPECT_NE(helical.find("helix angle"), helical.npos);
 }
 
-// If the limits allow no shift, no area is drawn. If there are no limits, the charts are still
-// sound.
 TEST(ShiftChartPictures, LimitsThatLeaveNothingDrawNothing) {
   SearchProblem problem = testing::spur_problem();
   problem.limits.min_shift = 1.0;

@@ -19,8 +19,8 @@ TEST(ShiftPicture, OnlyWhereItSaysSomething) {
   EXPECT_TRUE(shift_is_worth_a_picture(testing::two_teeth()));
   EXPECT_TRUE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0)));
   EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(9, 2, 0, 0)));
-  EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0.7)));  // no undercut and no circular
-                                                                      // fillet
+  // This gear has no undercut and no circular fillet.
+  EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(8, 2, 0, 0.7)));
   EXPECT_FALSE(shift_is_worth_a_picture(sample_gear(3, 2, 0, -0.6)));
   EXPECT_FALSE(shift_is_worth_a_picture(testing::two_and_sixty().gears[1]));
   EXPECT_EQ(shift_figures(sample_gear(20, 2, 0, 0), "gear1", "Gear 1"), "");

@@ -22,7 +22,6 @@ std::string figure_of(const SearchSample& sample, const DesignRow& row) {
   return shift_region_figure(sample.search->graph(row.trial), row);
 }
 
-// A search over a single pair of tooth numbers.
 SearchSample one_pair(int z1, int z2, double least, double greatest) {
   SearchProblem p = testing::spur_problem();
   p.ratio = {static_cast<double>(z2) / z1, static_cast<double>(z2) / z1};

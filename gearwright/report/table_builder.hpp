@@ -22,7 +22,6 @@ class TableBuilder {
   /// may be empty.
   void row(std::string_view words, std::string_view symbol, std::string_view unit,
            const std::vector<std::string>& values);
-  /// Adds the values for a row of the catalogue.
   void row(const TextRow& text, const std::vector<std::string>& values);
   /// Adds a row with a single value, which spans all columns. If there is a note, it takes the last
   /// column.

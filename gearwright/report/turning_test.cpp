@@ -9,8 +9,8 @@ namespace {
 
 TEST(Turning, StandsStillUntilAsked) {
   const std::string control = turn_control(testing::helical_pair());
-  EXPECT_NE(control.find("hidden>"), control.npos);  // the control is hidden, because it does not
-                                                     // work without the script
+  // The control is hidden, because it does not work without the script.
+  EXPECT_NE(control.find("hidden>"), control.npos);
   EXPECT_NE(control.find("type=\"range\""), control.npos);
   const std::string script(turn_script());
   EXPECT_NE(script.find("prefers-reduced-motion"), script.npos);

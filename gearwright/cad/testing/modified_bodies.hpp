@@ -4,13 +4,11 @@
 //   c       material removed along the normal, mm                          the nominal flank, mm
 //
 // An involute helicoid that is turned about its axis by δ is its own parallel surface at the
-// distance δ r_b cos β_b. Therefore d follows from the polar angle of a point, and the foot of its
-// normal has the roll length
-//
-//     L − σ d cos β_b, with L of the point, at the height z ∓ d sin β_b (− on the left flank)
-//
-// which is the plane of [T10.26] written in full. c is computed here from its definition in
-// gear/modifications.hpp and shares no code with it.
+// distance δ r_b cos β_b. Therefore d follows from the polar angle of a point. The normal n is
+// given by [T10.26]. The foot of the normal through a point (L, z) has the roll length
+// L + σ d cos β_b and the height z − d sin β_b on the left flank, or z + d sin β_b on the right
+// flank. c is computed here from its definition in gear/modifications.hpp and shares no code with
+// it.
 #pragma once
 
 #include <algorithm>
@@ -64,8 +62,8 @@ inline Gear internal(double beta_deg) {
   return std::move(gear).take();
 }
 
-/// All modifications at once, with `size` times their usual amounts, and different ones on the left
-/// flank.
+/// All modifications at once, with `size` times their usual amounts. The two flanks have different
+/// modifications.
 inline BothFlanks everything(const Gear& gear, double size) {
   const double root = *gear.root_form_radius(), tip = gear.tip_form_radius();
   FlankModifications right;
@@ -161,7 +159,6 @@ struct FlankReading {
   double error;  ///< d − c  mm
 };
 
-/// Evaluates the law for a point near a flank of any tooth.
 inline FlankReading read_flank(const ModifiedGear& g, const Vec3& p) {
   const auto& ref = g.gear.reference();
   const double r_b = ref.base_diameter / 2, sigma = g.gear.spec.teeth < 0 ? -1.0 : 1.0;

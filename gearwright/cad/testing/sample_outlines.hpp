@@ -108,8 +108,7 @@ struct SampleGear {
   double dedendum = 1.25;
   double tip_radius = 0.38;
   double chamfer = 0.0;  ///< radial height of a straight chamfer, mm
-  bool pointed = false;  ///< true if the tooth ends at the ridge where its flanks meet; the
-                         ///< addendum is then ignored
+  bool pointed = false;  ///< true if the tooth ends where its flanks meet; no addendum is then used
   bool full_radius_root = false;  ///< true if tip_radius is chosen so that no root land remains
 };
 
@@ -120,8 +119,8 @@ inline void append(Outline& outline, ArcName name, std::shared_ptr<const Curve> 
   outline.arcs.push_back({name, std::move(curve), begin, end, from, to});
 }
 
-/// The roll angle at which the two flanks of a tooth meet. It follows from ψ_b, the half thickness
-/// on the base circle: ξ − atan ξ = ψ_b.
+/// The roll angle at which the two flanks of a tooth meet, ξ − atan ξ = ψ_b. ψ_b is the half angle
+/// of the tooth on the base circle.
 inline double pointed_roll(double psi_b) {
   double xi = std::cbrt(3 * psi_b);
   for (int i = 0; i < 50; ++i) xi -= (xi - std::atan(xi) - psi_b) * (1 + 1 / (xi * xi));
@@ -201,10 +200,6 @@ inline double plain_area(int teeth, double r_root, double root_angle, double r_t
 
 /// Returns the distance from a point of the plane to the outline of tooth 0, which is the half
 /// outline and its mirror image, mm.
-///
-/// Every arc is sampled once. Around the nearest sample, the distance is refined by ternary search.
-/// This is done for all arcs that can be nearer than the best result so far; the widest gap between
-/// samples gives the bound.
 class OutlineDistance {
  public:
   explicit OutlineDistance(const Outline& outline) : outline_(outline) {

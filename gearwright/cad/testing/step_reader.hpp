@@ -16,8 +16,7 @@ struct ReadStep {
   int refusals = 0;                ///< number of instances that the reader rejects
   int free_shapes = 0;             ///< number of roots of the product structure
   TopoDS_Shape shape;              ///< shape of the first root
-  std::vector<std::string> names;  ///< names of that root and then of the parts of its components;
-                                   ///< UTF-8
+  std::vector<std::string> names;  ///< names of that root and then of its components, UTF-8
   std::vector<std::array<double, 3>> colours;  ///< colours of the parts, linear RGB
   std::vector<TopoDS_Solid> solids;            ///< each at its position
 };

@@ -1,5 +1,4 @@
-// Checks the arcs of a tooth as cut: the order of their names, and that each arc begins where the
-// preceding arc ends.
+// Checks the outline of a tooth as cut.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Contact results of sample pairs, for the tests of report/. They have the form in which a job
-// passes them.
+// Contact results of sample pairs, for the tests of report/.
 #pragma once
 
 #include <cmath>

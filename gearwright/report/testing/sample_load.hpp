@@ -1,5 +1,4 @@
-// Results of loaded contact for the tests of report/. They have the form in which a job passes
-// them.
+// Results of loaded contact for the tests of report/.
 #pragma once
 
 #include <memory>
@@ -50,7 +49,6 @@ inline LoadSample load_sample(ParallelPair mounted, std::vector<double> torques,
   return sample;
 }
 
-/// 25/43, m_n 3, spur.
 inline ParallelPair spur_pair() {
   return sample_pair(sample_gear(25, 3, 0, 0), sample_gear(43, 3, 0, 0, 0.0, -0.1), 102.0);
 }

@@ -62,7 +62,6 @@ inline Gear two_teeth(double face_width = 17.5, double shift = 0.7) {
   GW_EXPECTS(static_cast<bool>(gear));
   return std::move(gear).take();
 }
-/// A gear with the profile shift x, cut by `cutter`.
 inline Gear cut_gear(const Gear& cutter, int teeth, double shift, double face_width) {
   auto distance = generating_distance(cutter, teeth, shift);
   GW_EXPECTS(static_cast<bool>(distance));

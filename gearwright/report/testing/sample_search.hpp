@@ -1,5 +1,4 @@
-// Small searches with their answers, for the tests of report/. They have the form in which a job
-// passes them.
+// Small searches with their answers, for the tests of report/.
 #pragma once
 
 #include <memory>
@@ -97,7 +96,6 @@ inline SearchSample crossed_search() {
   return search_sample(p);
 }
 
-/// A search without feasible designs.
 inline SearchSample empty_search() {
   SearchProblem p = spur_problem();
   p.center_distance = {{3.0, 3.2}};
