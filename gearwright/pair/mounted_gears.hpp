@@ -1,5 +1,4 @@
-// Two mounted gears: the data that pairs of all kinds of teeth have in common. The file also
-// defines the size below which a backlash counts as none.
+// Two mounted gears: the data that pairs of all kinds of teeth have in common.
 //
 // Gear 1 drives and turns clockwise seen from +z. At rotation 0, tooth 0 of gear 1 and space 0 of
 // gear 2 lie on the centre line, at the mesh. The housing frame is described in
