@@ -84,8 +84,8 @@ Result<Gear> make_given_gear(const GivenPair& given, int which, bool clear_tips)
 }
 
 // The least profile shift, rounded up to four decimals, with which a gear is not undercut if its
-// teeth are thinned for a backlash. Another shift changes the working pressure angle and with it the
-// allowance, so the shift is computed repeatedly. None if no shift is found.
+// teeth are thinned for a backlash. Another shift changes the working pressure angle and with it
+// the allowance, so the shift is computed repeatedly. None if no shift is found.
 std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear& undercut) {
   constexpr int kTries = 8;
   constexpr double kDigits = 1e4;
@@ -109,8 +109,9 @@ std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear&
   return least ? std::optional(*least / kDigits) : std::nullopt;
 }
 
-// The warning about undercut of a gear names the shift for its thickness allowance. If the allowance
-// follows from a backlash and changes with the shift, the shift for this backlash replaces it.
+// The warning about undercut of a gear names the shift for its thickness allowance. If the
+// allowance follows from a backlash and changes with the shift, the shift for this backlash
+// replaces it.
 void name_shift_for_backlash(Arranged& arranged, const GivenPair& given) {
   if (!given.pair.wants_backlash()) return;
   for (Warning& w : arranged.warnings) {

@@ -45,8 +45,8 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// Gives the pinion of an internal pair at least the profile shift with which it is not undercut, and
-// the internal gear the rest of the sum. Both shifts were absent.
+// Gives the pinion of an internal pair at least the profile shift with which it is not undercut,
+// and the internal gear the rest of the sum. Both shifts were absent.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   // Nearer to the reference centre distance, the tip of the internal gear has no room for the
   // greater pinion, and the division makes pairs worse (9 to 25 teeth in 30 to 90).

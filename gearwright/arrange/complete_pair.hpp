@@ -22,16 +22,11 @@ namespace gearwright {
 ///           complete_shifts and complete_place
 Result<PairPlace> complete_pair(GivenPair& given, bool shift_wanted);
 
-// Thins the teeth to obtain a required backlash.
-
 /// The member with the requested backlash, such as "pair.backlash".
 const char* backlash_field(const PairInput& pair);
 
 /// Sets the thickness allowances of both gears so that the mounted pair has the requested backlash.
-/// `backlash_split` divides the thinning between the gears. Backlash depends linearly on the
-/// allowances of involute teeth, and nearly linearly on the allowances of circular-arc teeth. The
-/// function computes the backlash of the mounted pair and corrects the allowances until this
-/// backlash equals the requested backlash.
+/// `backlash_split` divides the thinning between the gears.
 ///
 /// Accuracy  1e-9 mm, or degrees
 /// Domain    given.pair.wants_backlash(), two gears cut by racks, both shifts known (contract)

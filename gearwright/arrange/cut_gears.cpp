@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kSameTip = 1e-9;  // mm; a smaller difference of tip diameters is rounding
 
-// Checks that the cutters given by `cut_by` are possible.
 std::optional<Error> check_cutters(const GivenPair& given) {
   for (const int which : {1, 2}) {
     const GearInput* const gear = given.find(which);

@@ -21,7 +21,9 @@ inline double default_tip_clearance(double normal_module) { return 0.2 * normal_
 ///
 /// Errors    `gearN.cut_by` if two gears cut each other, or the cutter is an internal gear or
 ///           does not exist; `gearN.tip_fillet.clearance` if this gear cuts its mating gear;
-///           the errors of make_pinion_cut_gear
+///           `pair.shorten_tips` if it is true; `pair.mounting` if it is extended and one gear
+///           cuts the other; a member of the gear that contradicts the cutter; the errors of
+///           make_pinion_cut_gear
 std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made);
 
 /// Computes the radius at which the tooth ends from the clearance of a tip fillet, at the given

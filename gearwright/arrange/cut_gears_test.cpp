@@ -1,5 +1,3 @@
-// Gears with a pinion cutter of their own: the tip if no tip diameter is given, and thickness
-// allowances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +12,6 @@
 namespace gearwright {
 namespace {
 
-// A gear with module 2 mm, cut by a cutter with this number of teeth.
 GearInput shaped(int teeth, int cutter_teeth, double x = 0.0) {
   GearInput gear =
       GearInput::of(testing::plain_spec({.teeth = teeth, .module = 2, .face_width = 20.0}));

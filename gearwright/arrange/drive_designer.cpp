@@ -180,7 +180,6 @@ DriveOutcome DriveDesigner::with_stage_modules(DriveCandidate candidate) const {
   return sized(std::move(candidate));
 }
 
-// Compares two designs by the objectives in their order.
 bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) const {
   const auto costs = [&](const DriveOutcome& outcome) {
     const auto* found = std::get_if<FoundDrive>(&outcome);
@@ -288,7 +287,6 @@ DriveOutcome DriveDesigner::sized(DriveCandidate candidate) const {
   return best;
 }
 
-// Makes the drive of the candidate. None if it is impossible.
 std::optional<Drive> DriveDesigner::made_from(const DriveCandidate& candidate) const {
   const auto own = drive_of(problem_, candidate);
   if (!own) return std::nullopt;

@@ -120,7 +120,6 @@ class Candidates {
     return which;
   }
 
-  // Number of candidates that have neither been computed nor left out.
   std::size_t open() const {
     return static_cast<std::size_t>(std::count(made_.begin(), made_.end(), State::open));
   }

@@ -1,7 +1,4 @@
 // The data of one or two gears on a drawing. arrange() computes absent values from given values.
-//
-// In addition to the gear data, a drawing gives the cutting method, measurements, tolerances,
-// material and flank modifications.
 #pragma once
 
 #include <array>
@@ -51,8 +48,8 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// E of the given material, N/mm²: the given number, otherwise the value of the named material or of
-/// the kind, otherwise the value of steel.
+/// E of the given material, N/mm²: the given number, otherwise the value of the named material or
+/// of the kind, otherwise the value of steel.
 ///
 /// Errors    `youngs_modulus` of `owner` for a plastic without a given number
 Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);
@@ -143,7 +140,6 @@ struct GearInput {
     return gear;
   }
 
-  /// Sets the face width to 10 m_n if it is not given.
   void complete_face_width() {
     if (!face_width_given) cylindrical.face_width = 10 * cylindrical.normal_module;
   }
@@ -193,8 +189,6 @@ struct GivenPair {
   }
   const GearInput& gear(int which) const { return const_cast<GivenPair&>(*this).gear(which); }
 };
-
-// Checks whether the input is possible for gears with circular-arc teeth.
 
 /// True if the gear has circular-arc teeth, because its own rack or the rack of its cutter
 /// consists of arcs.

@@ -268,7 +268,6 @@ std::optional<RatedDrawing> rate_drawing(const SearchProblem& problem, const Arr
   return rated;
 }
 
-// Converts a design into the data of a drawing.
 GivenPair drawing_of(const SearchProblem& problem, const DesignRow& row) {
   GivenPair given;
   for (const std::size_t i : {0, 1}) {

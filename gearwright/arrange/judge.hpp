@@ -45,8 +45,8 @@ struct JudgedState {
 std::vector<Finding> findings_within_tolerances(const Arranged& arranged,
                                                 const JudgedWith& with = {});
 
-/// Makes the change that a user would make to follow a proposal of the verdict. Returns false if the
-/// input gives the number in another form, or if another gear determines the number.
+/// Makes the change that a user would make to follow a proposal of the verdict. Returns false if
+/// the input gives the number in another form, or if another gear determines the number.
 bool make_change(GivenPair& given, const SpecChange& change);
 
 /// The verdict on the gears. Messages name members of the input, such as `gear1.profile_shift`.
@@ -55,9 +55,8 @@ Verdict judge(const Arranged& arranged, const JudgedWith& with = {});
 // Converts a design that a search has found into the data of a drawing, and judges this
 // drawing.
 //
-// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and
-// centre distance. The verdict covers the nominal pair and every combination of the ends of
-// these tolerances.
+// A search computes nominal gears. The drawing adds the tolerances of tooth thickness and centre
+// distance.
 
 /// The verdict on the drawing. If the search computes a rating, the verdict includes it. The
 /// finding that the rating of plastics ignores wear is omitted, because it applies to every design.

@@ -25,7 +25,6 @@ struct JudgedMesh {
   std::vector<Warning> warnings;
 };
 
-// The mesh of two gears, or of a pinion and its rack.
 JudgedMesh judged_mesh(const Drive& drive, std::size_t m, const Safeties& wanted) {
   JudgedMesh made;
   if (const auto& rack = drive.geometry.racks[m]) {

@@ -1,7 +1,7 @@
-// Law: while the sun turns, in 120 steps or in 360 in the long test, the outlines of sun, planets and ring overlap nowhere if
-// the verdict is green. They overlap somewhere if the verdict is red because of an overlap. The
-// oracle uses only points of the outlines: two gears overlap if a point of one gear lies inside a
-// tooth of the other gear.
+// Law: while the sun turns, in 120 steps or in 360 in the long test, the outlines of sun, planets
+// and ring overlap nowhere if the verdict is green. They overlap somewhere if the verdict is red
+// because of an overlap. The oracle uses only points of the outlines: two gears overlap if a point
+// of one gear lies inside a tooth of the other gear.
 #include "gearwright/arrange/judge.hpp"
 
 #include <fmt/format.h>
@@ -224,8 +224,8 @@ TEST(JudgeDrive, ASetWithoutTipDiametersRuns) {
 }
 
 // The headline gives a thickness allowance and the backlash that follows from it. A drive with this
-// allowance has this backlash, and the finding disappears. This holds also if the teeth already have
-// an allowance, because their centre distance is less than the one of the nominal teeth.
+// allowance has this backlash, and the finding disappears. This holds also if the teeth already
+// have an allowance, because their centre distance is less than that of the nominal teeth.
 TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
   for (const double given : {0.0, -0.05}) {
     PlanetarySpec set = example();

@@ -102,23 +102,16 @@ Warning edge_carries_at(const std::vector<double>& torques);
 /// Empty if the standard does not cover the pair.
 std::vector<LoadStandard> load_standard(const Arranged& arranged, const LoadAnalysis& answer);
 
-// Finds the reasons why teeth under load are softer or stiffer than ISO 6336 predicts. For this
-// purpose, the pair is computed again: without errors, then also without modifications, and then
-// with a wider face and with solid bodies.
-
 /// Adds a note if the mean stiffness differs from c_γα by more than a quarter. The note
-/// contains the factor of each cause and the remaining factor.
+/// contains the factor of each cause of the difference and the remaining factor.
 ///
 /// Domain    a result of this task with contact (contract)
 void explain_stiffness(const Arranged& arranged, const LoadTask& task, const LoadAnalysis& answer,
                        std::vector<Warning>& warnings);
 
-// Computes the halves of a double-helical pair under torque, and combines them into the results of
-// the whole gears.
-
-/// Computes each half under half of the torque, and combines the results. `arranged` contains
-/// the half at z > 0. The deflections in `input` refer to the whole face including the gap. If
-/// the faces of the gears differ, they refer to the face of the narrower gear.
+/// Computes each half of a double-helical pair under half of the torque, and combines the results.
+/// `arranged` contains the half at z > 0. The deflections in `input` refer to the whole face
+/// including the gap. If the faces differ, they refer to the face of the narrower gear.
 ///
 /// Domain    `halves` of both gears (contract)
 /// Errors    as loaded()

@@ -22,8 +22,8 @@ bool shifts_follow(const GivenPair& given);
 /// or if all computed shifts are 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
-/// A note that names the standard rack of the pressure angle 14.5°, if the rack of such a gear is not
-/// given.
+/// A note that names the standard rack of the pressure angle 14.5°, if the rack of such a gear is
+/// not given.
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
 /// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
@@ -52,12 +52,9 @@ std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bor
                                 std::optional<double> groove = {});
 
 /// A warning if no material remains between the bore and the roots, or between the roots and the
-/// rim of an internal gear, or if this rim is too thin for the rim thickness factor of a rating. The
-/// groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
+/// rim of an internal gear, or if this rim is too thin for the rim thickness factor of a rating.
+/// The groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
-
-// The warnings about the contact of a pair with errors of mounting. They state facts that the
-// numbers of the contact analysis do not show.
 
 /// Warns if the gears jam, see jams(). `touched` is a part of the message. It names the
 /// surfaces that are in contact at the same time, for example "both flanks of a tooth space

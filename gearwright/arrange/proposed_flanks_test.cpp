@@ -1,4 +1,3 @@
-// Laws of the proposed helix modifications, which follow from shaft deflection and tolerances.
 #include "gearwright/arrange/proposed_flanks.hpp"
 
 #include <gtest/gtest.h>

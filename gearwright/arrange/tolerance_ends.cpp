@@ -96,7 +96,6 @@ Result<Ends> of_balls(const Gear& gear, const GearInput& input) {
   return ends;
 }
 
-// The members that give a tolerance.
 const char* thickness_member(const ToleranceInput& tolerance) {
   return tolerance.series       ? "tolerance.series"
          : tolerance.span       ? "tolerance.span"

@@ -60,7 +60,6 @@ struct CandidateBatch {
 /// Evaluates the batch with vector instructions. A value is NaN if a tip lies inside its base
 /// circle or if the gears cannot mesh.
 void evaluate(const CandidateConstants& constants, CandidateBatch& batch);
-/// Evaluates the batch with scalar formulas.
 void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch);
 
 /// Distance from a limit, modules, within which the vector result is not used.

@@ -1,5 +1,4 @@
-// This file replaces candidate_simd.cpp if Google Highway is not available. It uses the scalar
-// formulas, which are also the reference for the tests of the vector code.
+// This file replaces candidate_simd.cpp if Google Highway is not available.
 #include "gearwright/design/candidate.hpp"
 
 namespace gearwright {

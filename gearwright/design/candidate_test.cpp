@@ -1,6 +1,5 @@
 // The vector results are compared with the scalar results, and the scalar results with the formulas
-// of the pair. Law (1) of the header: vector and scalar results agree to 1e-12. sieve_test.cpp
-// tests the filter.
+// of the pair. Law (1) of the header: vector and scalar results agree to 1e-12.
 #include "gearwright/design/candidate.hpp"
 
 #include <gtest/gtest.h>

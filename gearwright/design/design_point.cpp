@@ -68,9 +68,6 @@ double greatest(const F& f, double a, double b, double bend) {
 
 // `asked` means that points at which a tip cuts into a fillet are excluded.
 enum class Fillets { asked, left_out };
-// Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
-// kWallDistance from the borders. If no point of the line keeps it, half of the greatest
-// distance that the search finds is required instead.
 std::optional<Vec2> place_off_walls(const ShiftGraph& graph, Fillets fillets) {
   const ShiftGraph::Sums range = graph.sums();
   if (!(range.lo <= range.hi) || line_is_outside(graph, range.lo, range.hi)) return std::nullopt;

@@ -68,7 +68,6 @@ struct DesignRow {
 /// the same shifts.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
-/// The row for a known region.
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// True if a design exists. This requires a region and, if fillets are checked, a point of the
@@ -91,7 +90,6 @@ struct RankKey {
 };
 RankKey rank_key(const SearchProblem& problem, Objective objective, const DesignRow& row);
 
-/// True if the key of a is smaller than the key of b.
 bool ranks_before(const SearchProblem& problem, Objective objective, const DesignRow& a,
                   const DesignRow& b);
 

@@ -95,7 +95,6 @@ enum class DriveLimit { ratio, assembly, neighbours, phasing, size };
 inline constexpr std::array<std::string_view, 5> kDriveLimitNames{"ratio", "assembly", "neighbours",
                                                                   "phasing", "size"};
 
-/// A drive, defined by its numbers of teeth.
 struct DriveCandidate {
   std::array<int, kSetMembers> teeth{};      ///< > 0, also for rings; 0 if there is no such member
   std::vector<std::array<int, 2>> stages{};  ///< numbers of teeth of the stages of a train
@@ -157,9 +156,9 @@ void complete_ends(DriveSearchProblem& problem);
 /// The set of a candidate, with the losses and the fixed, input and output members of the
 /// problem.   Domain: not a train
 PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& candidate);
-/// The helix angle of the first gear of a stage of a train, degrees. The hand alternates from stage to
-/// stage, so that both gears of an intermediate shaft have the same hand and their axial forces have
-/// opposite directions.
+/// The helix angle of the first gear of a stage of a train, degrees. The hand alternates from stage
+/// to stage, so that both gears of an intermediate shaft have the same hand and their axial forces
+/// have opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
 /// True if the output of this train gets the axis of its input: `coaxial_teeth` is given, all stages
 /// have one module, and the search chooses the profile shifts.
@@ -206,7 +205,6 @@ void sort_by_objective(const DriveSearchProblem& problem, std::vector<T>& list,
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,
                                       const std::vector<DriveCandidate>& candidates);
 
-/// Greatest number of stages of a train in a search.
 inline constexpr int kMostStages = 4;
 /// Greatest number of teeth in a search. The product of three such numbers is exact in double.
 inline constexpr int kMostDriveTeeth = 2000;

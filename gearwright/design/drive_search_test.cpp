@@ -225,9 +225,9 @@ TEST(DriveSearchTest, EndsAreThreeBodies) {
   EXPECT_EQ(search_drives(problem).error().field, "drive.output");
 }
 
-// The pairs of spur teeth in contact at the sun (first) or at the ring of one planet, by counting the
-// flanks between the ends of the path. The flanks of the planet are half a pitch thick, so the ring
-// follows after half the teeth of the planet less half a pitch.
+// The number of spur tooth pairs of one planet in contact at the sun, or at the ring if `at_ring`,
+// divided by ε_α. It counts the flanks between the ends of the path. The flanks of the planet are
+// half a pitch thick, so the ring follows after half the teeth of the planet less half a pitch.
 double pairs_in_contact(const TeethOfPlanet& z, bool at_ring, double t) {
   const double alpha = Angle::degrees(20).rad();
   const auto tip = [&](int teeth, double addendum) {

@@ -1,6 +1,7 @@
-// Laws: (1) the least shift is 0 or the first multiple of 1e-4 without undercut; (2) balanced shifts
-// lie on the line of [T2.18a], and their sum is 0 or one gear is at its limit; (3) all meshes of a
-// stepped set share one centre distance without backlash, and no external gear is undercut.
+// Laws: (1) the least shift is 0 or the first multiple of 1e-4 without undercut; (2) balanced
+// shifts lie on the line of [T2.18a], and their sum is 0 or one gear is at its limit; (3) all
+// meshes of a stepped set share one centre distance without backlash, and no external gear is
+// undercut.
 #include "gearwright/design/drive_shifts.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,6 @@ bool is_undercut(const DriveGear& gear, double x) {
   return made->undercut;
 }
 
-// True if x is the least multiple of the step from 0 up without undercut.
 bool is_least(const DriveGear& gear, double x) {
   return !is_undercut(gear, x) && (x == 0.0 || is_undercut(gear, x - kRounded));
 }

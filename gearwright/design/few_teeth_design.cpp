@@ -34,9 +34,7 @@ constexpr double kOffBase = 1e-9;
 // Relative rounding error between two computations of the same radius.
 constexpr double kSameRadius = 1e-9;
 
-// The rank of a feasible candidate: the contact ratio in steps of 0.02, then |x1 + x2|. If the
-// contact ratios of two candidates fall into the same step, the candidate with the smaller
-// |x1 + x2| is better.
+// The rank of a feasible candidate: the contact ratio in steps of 0.02, then |x1 + x2|.
 struct Rank {
   double ratio, sum;  // contact ratio and |x1 + x2|, as whole numbers of steps
 
@@ -69,7 +67,6 @@ struct Cut {
   double distance, mounted;
 };
 
-// A pair of shifts with its verdict and, if the gears can be mounted, its rank.
 struct Candidate {
   double x1, x2;
   DesignVerdict verdict;
@@ -104,7 +101,6 @@ class FewTeethSearch {
   }
 
  private:
-  // Evaluates all points of a grid around (x1, x2).
   void scan(double reach1, double reach2, double step, double x1, double x2) {
     const int n1 = static_cast<int>(std::lround(reach1 / step));
     const int n2 = static_cast<int>(std::lround(reach2 / step));

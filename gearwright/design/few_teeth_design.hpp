@@ -9,9 +9,7 @@
 //                                  theory: docs/theory/06-few-teeth.md, 6.7
 //
 // The teeth of every candidate are generated exactly. The shifts are searched on a grid with steps
-// of 0.05, and then on finer grids around the best candidate, down to steps of 0.001. The check for
-// interference takes ten times as long as the generation of the teeth. Candidates are therefore
-// checked in the order of their rank, until one has no interference.
+// of 0.05, and then on finer grids around the best candidate, down to steps of 0.001.
 #pragma once
 
 #include <array>

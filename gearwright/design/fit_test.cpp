@@ -1,4 +1,3 @@
-// Each case of fit is either solved or rejected with a reason.
 #include "gearwright/design/fit.hpp"
 
 #include <gtest/gtest.h>

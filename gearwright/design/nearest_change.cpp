@@ -75,7 +75,6 @@ class Least {
     }
     return false;
   }
-  // Evaluates one trial with a given value of the member.
   bool feasible(const Trial& t, double value) {
     ++questions_;
     knob_->set(problem_, value);
@@ -199,7 +198,6 @@ std::vector<Knob> knobs(const SearchProblem& p) {
   using L = SearchLimits;
   const L& limits = p.limits;
   std::vector<Knob> k;
-  // Adds one end of a band, with the function that sets this end.
   const auto add_end = [&k](const char* field, const std::array<double, 2>& band, int i, double far,
                             double scale, Knob::Kind kind, auto set) {
     k.push_back({field, band[i], far, scale, kind,

@@ -10,9 +10,7 @@
 //                   for this trial is found by bisection.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
-// For rated designs, the load, the face width and the steel are changed as well. Each trial is
-// evaluated only a few times. A bisection that repeats the whole search would evaluate every
-// trial in every step.
+// For rated designs, the load, the face width and the steel are changed as well.
 #pragma once
 
 #include <optional>

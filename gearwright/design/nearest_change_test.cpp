@@ -304,7 +304,6 @@ TEST(NearestChange, IsTheOneThatBisectionOfTheWholeSearchFinds) {
       limit = middle;
       (feasible(other) ? yes : no) = middle;
     }
-    // `to` contains the change with four digits, rounded outwards.
     EXPECT_LE(std::stod(at->to), yes + 1e-9);
     EXPECT_NEAR(std::stod(at->to), yes, 1e-3 * (least - yes) + 1e-9);
   }

@@ -45,7 +45,6 @@ struct SieveCounts {
 /// callback may be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
-/// Options for the search of a range.
 struct RangeOptions {
   RegionDetail detail = RegionDetail::whole;  ///< whether rows contain the values of the region;
                                               ///< ranking by area requires `whole`

@@ -1,4 +1,3 @@
-// A search terminates whatever its limits do at their own ends.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -63,7 +63,6 @@ inline constexpr std::array<std::string_view, 13> kObjectiveNames{
     "contact_ratio", "ratio",  "size",       "shift",   "area", "sliding", "formula_contact_ratio",
     "mass",          "safety", "efficiency", "balance", "cost", "noise"};
 
-/// True if greater values are better.
 inline constexpr bool seeks_greatest(Objective objective) {
   switch (objective) {
     case Objective::contact_ratio:
@@ -74,7 +73,6 @@ inline constexpr bool seeks_greatest(Objective objective) {
     default: return false;
   }
 }
-/// True if the objective is computed from a rating.
 inline constexpr bool needs_rating(Objective objective) {
   return objective == Objective::safety || objective == Objective::balance ||
          objective == Objective::noise;

@@ -25,7 +25,6 @@ class SearchSpace {
   /// The number of trials, including trials in which z1 and z2 have a common factor. Absent if it
   /// exceeds 9·10^18.
   std::optional<std::int64_t> size() const { return size_; }
-  /// The number of trials as a double.
   double approximate_size() const;
 
   /// Domain    0 ≤ index < size (contract)

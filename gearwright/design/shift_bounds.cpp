@@ -1,8 +1,7 @@
 // The formulas of the s1–s2 graph: the bounds that each limit imposes on x1 along a line Σ = const,
 // and the bounds that it imposes on Σ.
 //
-// The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift. Tests compare them
-// with the values of a mounted pair.
+// The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -179,8 +179,8 @@ double ShiftGraph::beyond_long_paths(double sum) const {
   }
 }
 
-// The sum above which the tips are too thin, although they are shortened by k. If there is no
-// such sum, a large number is returned.
+// The sum above which the tips are too thin, although they are shortened by k. If 60 steps do not
+// find it, the sum of the last step is returned.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases

@@ -152,7 +152,8 @@ class ShiftGraph {
   std::optional<Limit> what_kills() const;
   /// The smallest margin of all limits at a point, modules, computed from the same bounds as
   /// the slices. The point is inside the region if the margin is ≥ 0. If Σ lies outside sums(),
-  /// the margin is minus the distance of Σ from that range.
+  /// the margin is minus the distance of Σ from that range. Within sums(), the margin is −1 if
+  /// the overlap ratio is too small.
   double margin(double x1, double x2) const;
   /// For each shift, the limits that do not depend on the other shift. If tips are shortened,
   /// these do not include limits that depend on the tip.

@@ -52,7 +52,6 @@ std::vector<Case> cases() {
   return c;
 }
 
-// Plain loops over a rectangle of points. The margin of every point is computed.
 std::set<std::pair<int, int>> plain(const ShiftGraph& graph) {
   std::set<std::pair<int, int>> inside;
   for (int i = -120; i <= 120; ++i) {

@@ -107,7 +107,6 @@ TEST(ShiftRegion, TheLineOfEq11OfTheReference) {
   });
 }
 
-// Tests the corners with the two edges that meet there, and all points of the curved edges.
 TEST(ShiftRegion, CornersAndCurvesOfTheReference) {
   each_region(true, [](const SearchProblem& p, const ShiftGraph& g, const json& expected) {
     const auto region = shift_region(g);

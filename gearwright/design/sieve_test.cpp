@@ -27,7 +27,6 @@ class SieveOfMode : public ::testing::TestWithParam<Mode> {};
 INSTANTIATE_TEST_SUITE_P(Modes, SieveOfMode, ::testing::ValuesIn(kModes),
                          [](const auto& mode) { return std::string(mode.param.name); });
 
-// One problem for many pairs, and the corresponding input of the filter.
 struct SieveCase {
   SearchProblem problem;
   SieveConstants constants;

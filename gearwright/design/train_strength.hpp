@@ -31,7 +31,6 @@ struct RatedTrain {
 /// No residual of the other trains exceeded the greatest residual of the fit by more than 0.020
 /// (S_H) or 0.057 (S_F).
 inline constexpr double kFlankMargin = 0.05, kRootMargin = 0.12;
-/// Least number of rated trains for an estimate.
 inline constexpr std::size_t kLeastRatedTrains = 24;
 
 class TrainStrength {

@@ -10,8 +10,8 @@
 namespace gearwright {
 namespace {
 
-// A train of two stages with safeties by hand formulas: S_H² = A/(κ z_1^0.6), S_F = B/(w u^0.5), and
-// each is multiplied by `scatter`.
+// A train of two stages with safeties by hand formulas: S_H² = A/(κ z_1^0.6), S_F = B/(w u^0.5),
+// and each is multiplied by `scatter`.
 RatedTrain law_train(std::mt19937& random, double scatter_range) {
   std::uniform_int_distribution<int> pinion(17, 40), wheel(40, 150), width(15, 60);
   std::uniform_real_distribution<double> scatter(-scatter_range, scatter_range);
@@ -56,8 +56,9 @@ TEST(TrainStrengthTest, LeavesOutTrainsBeyondTheMargins) {
   }
 }
 
-// Law (1): a train of the estimate that has the required safeties is not hopeless. With scatter, other
-// trains of the same kind do not exceed the bound either, because the margins cover the difference.
+// Law (1): a train of the estimate that has the required safeties is not hopeless. With scatter,
+// other trains of the same kind do not exceed the bound either, because the margins cover the
+// difference.
 TEST(TrainStrengthTest, KeepsTrainsWithTheRequiredSafeties) {
   std::mt19937 random(11);
   const std::vector<RatedTrain> rated = law_trains(random, 0.06);

@@ -1,5 +1,4 @@
-// Checks whether a drive can be computed under a load. The checks concern the kind of the drive,
-// the floating body and the errors of the pins.
+// Checks whether a drive can be computed under a load.
 #include <fmt/format.h>
 
 #include <algorithm>

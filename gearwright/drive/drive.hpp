@@ -21,7 +21,6 @@
 
 namespace gearwright {
 
-/// A group of planets with its places and phases.
 struct PlanetSet {
   PlanetGroup group;
   Assembly assembly;
@@ -40,8 +39,8 @@ struct DriveError {
     double amplitude;        ///< rad; if the output is a rack, its travel with 2π per pitch
   };
   /// Peak-to-peak value, rad. If the meshes have several frequencies, it is the sum of the values
-  /// of all frequencies. The error reaches this sum when the peaks coincide. Under load, meshes that
-  /// share planets contribute the range over all combinations of their positions [T13.26b].
+  /// of all frequencies. The error reaches this sum when the peaks coincide. Under load, meshes
+  /// that share planets contribute the range over all combinations of their positions [T13.26b].
   double peak_to_peak = 0.0;
   std::vector<Line> lines;  ///< lines in the order of frequency
   /// p_t/2π mm, set if the output is a rack. The error of the travel of the rack is this length
@@ -116,7 +115,9 @@ struct Drive {
   DriveMotion motion;
   DriveGeometry geometry;
   std::vector<std::optional<MeshEfficiency>> efficiencies;  ///< one for each mesh
-  std::optional<PowerFlow> flow;  ///< none if an efficiency is unknown, or if meshes are redundant
+  /// None if an efficiency is unknown, if meshes are redundant, or if the speeds of several inputs
+  /// are not given.
+  std::optional<PowerFlow> flow;
   std::optional<PowerFlow> backward;  ///< power flow if the output drives; none if `flow` is none
                                       ///< or if there are several inputs
   std::vector<PlanetSet> sets;
@@ -135,7 +136,7 @@ struct Drive {
   /// inputs are not given.
   std::optional<double> speed_rpm(std::size_t body) const;
   /// ω of a body divided by ω of the first input. None if there are several inputs and their speeds
-  /// are not given.
+  /// are not given, or if the first input is at rest.
   std::optional<double> speed_ratio(std::size_t body) const;
   /// Transverse pitch p_t of the rack on a body, mm, computed from the module of its pinion. None
   /// if the body has no rack or the module is unknown.
@@ -146,7 +147,7 @@ struct Drive {
   /// Speed v = n p_t of the body of a rack, m/s. None if the speed or the pitch is unknown.
   std::optional<double> linear_speed(std::size_t body) const;
   /// External force on the body of a rack, F = 2π T/p_t, N. None if the torque, the power flow or
-  /// the pitch is unknown.
+  /// the pitch is unknown, or if the drive is self-locking.
   std::optional<double> force(std::size_t body) const;
   /// ω of a body relative to the frame of its first mesh, divided by ω of the first input. None if
   /// speed_ratio() is none.

@@ -1,8 +1,9 @@
 // Laws: (1) a drive with one mesh has the curve of its pair, whichever gear drives; (2) conjugate
 // flanks have no transmission error; (3) if three planets mesh in sequence, only every third
 // harmonic remains; (4) with one planet, the error is the sum of both curves at the actual
-// positions of the planet, which the test computes itself; (5) the same holds for a pinion between a
-// wheel and a rack; (6) meshes that do not move the output change nothing; (7) known contacts are used.
+// positions of the planet, which the test computes itself; (5) the same holds for a pinion between
+// a wheel and a rack; (6) meshes that do not move the output change nothing; (7) known contacts are
+// used.
 #include "gearwright/drive/drive_error.hpp"
 
 #include <gtest/gtest.h>
@@ -189,8 +190,8 @@ DriveGraph steering(bool pair, bool rack_drives) {
   return graph;
 }
 
-// The travel of the rack has the error of the contact of the pinion with its rack. If the rack drives,
-// the pinion has the same error divided by its reference radius.
+// The travel of the rack has the error of the contact of the pinion with its rack. If the rack
+// drives, the pinion has the same error divided by its reference radius.
 TEST(DriveErrorTest, ARackHasTheErrorOfItsContact) {
   for (const bool rack_drives : {false, true}) {
     const auto drive = make_drive({steering(false, rack_drives), {}, 5});
@@ -226,8 +227,8 @@ TEST(DriveErrorTest, APairBeforeTheRackAddsItsError) {
               *alone->error->lever * alone->error->peak_to_peak + 20.0 * of_pair, 1e-12);
 }
 
-// Without modifications and errors, the travel of a rack is exact. If a rack transmits the motion of one
-// pinion to another one, their phase is unknown, so there is no result.
+// Without modifications and errors, the travel of a rack is exact. If a rack transmits the motion
+// of one pinion to another one, their phase is unknown, so there is no result.
 TEST(DriveErrorTest, AConjugateRackHasNoneAndTwoPinionsAreUnknown) {
   DriveGraph graph = steering(false, false);
   graph.gears[0].modifications = {};
@@ -245,8 +246,9 @@ TEST(DriveErrorTest, AConjugateRackHasNoneAndTwoPinionsAreUnknown) {
   EXPECT_FALSE(two->error);
 }
 
-// A pinion of 21 teeth meshes with a wheel of 58 teeth and with a rack, in the directions `to_wheel` and
-// `to_rack` from its axis, in turns. Rack and pinion are gear 2 and gear 1 of their mesh.
+// A pinion of 21 teeth meshes with a wheel of 58 teeth and with a rack, in the directions
+// `to_wheel` and `to_rack` from its axis, in turns. Rack and pinion are gear 2 and gear 1 of their
+// mesh.
 DriveGraph pinion_between(double to_wheel, double to_rack, bool rack_drives) {
   DriveGraph graph = steering(false, rack_drives);
   DriveGear wheel = graph.gears[0];
@@ -265,15 +267,15 @@ DriveGraph pinion_between(double to_wheel, double to_rack, bool rack_drives) {
   return graph;
 }
 
-// The transmission error of a pair at this rotation of gear 1.
 double te_at(Transmission& transmission, double rotation1) {
   const ContactPair& pair = transmission.pair();
   return pair.turned() * transmission.at(pair.to_world(rotation1)).te();
 }
 
-// The error of the output of pinion_between() while the wheel turns by one pitch: the travel of the rack
-// in mm, or the rotation of the wheel in rad. The pinion turns by x_w from the position in which a
-// tooth points to the wheel, and by x_r from the position in which a tooth points to the rack.
+// The error of the output of pinion_between() while the wheel turns by one pitch: the travel of the
+// rack in mm, or the rotation of the wheel in rad. The pinion turns by x_w from the position in
+// which a tooth points to the wheel, and by x_r from the position in which a tooth points to the
+// rack.
 std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, double to_rack,
                                           bool rack_drives) {
   const auto flanks = relieved(0.004, 0.006);
@@ -291,7 +293,8 @@ std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, d
   const double sense = drive.motion.speeds[0][0].value() < 0.0 ? -1.0 : 1.0;
   std::vector<double> output;
   for (int i = 0; i < kErrorPositions; ++i) {
-    // The wheel is gear 1 of its pair. It has a tooth towards the pinion where the pinion has a space.
+    // The wheel is gear 1 of its pair. It has a tooth towards the pinion where the pinion has a
+    // space.
     const double turned = pitch * (i - 0.5 * kErrorPositions) / kErrorPositions;
     const double te_w = te_at(of_wheel, turned * 21 / 58);
     const double x_w = turned + te_w + pitch / 2;
@@ -303,8 +306,9 @@ std::vector<double> pinion_turned_by_hand(const Drive& drive, double to_wheel, d
   return output;
 }
 
-// (5) The shift 0.5 makes the teeth of the pinion thicker than half a pitch, which delays one mesh. The
-// series of 64 positions is interpolated between its positions, so its harmonics have a small error.
+// (5) The shift 0.5 makes the teeth of the pinion thicker than half a pitch, which delays one mesh.
+// The series of 64 positions is interpolated between its positions, so its harmonics have a small
+// error.
 TEST(DriveErrorTest, APinionBetweenAWheelAndARackAddsBothCurves) {
   for (const bool rack_drives : {false, true})
     for (const auto& [to_wheel, to_rack] :
@@ -324,8 +328,9 @@ TEST(DriveErrorTest, APinionBetweenAWheelAndARackAddsBothCurves) {
     }
 }
 
-// (6) The output is shaft 2, so the rack and a second pinion on it carry no load. An error of the teeth
-// of the rack, an unknown phase of the second pinion or unknown teeth do not change the error.
+// (6) The output is shaft 2, so the rack and a second pinion on it carry no load. An error of the
+// teeth of the rack, an unknown phase of the second pinion or unknown teeth do not change the
+// error.
 TEST(DriveErrorTest, IdleMeshesDoNotCount) {
   const MeshErrors errors = [](std::size_t) {
     ContactErrors e;
@@ -357,8 +362,8 @@ TEST(DriveErrorTest, IdleMeshesDoNotCount) {
   expect_same({});
 }
 
-// (7) The curves of the contacts of a drive are used as they are: they give the same error, bit by bit,
-// and curves of twice the height give twice the error.
+// (7) The curves of the contacts of a drive are used as they are: they give the same error, bit by
+// bit, and curves of twice the height give twice the error.
 TEST(DriveErrorTest, ContactsAreNotComputedAgain) {
   const MeshErrors errors = [](std::size_t) {
     ContactErrors e;

@@ -1,6 +1,6 @@
-// Laws: (1) closed forms of a helical planet between sun and ring; (2) the forces on the planets act on
-// the carrier with the torque of the power flow; (3) axial forces of all bodies add up to 0; (4) a pair
-// has the forces of the common normal.
+// Laws: (1) closed forms of a helical planet between sun and ring; (2) the forces on the planets
+// act on the carrier with the torque of the power flow; (3) axial forces of all bodies add up to 0;
+// (4) a pair has the forces of the common normal.
 #include "gearwright/drive/drive_forces.hpp"
 
 #include <gtest/gtest.h>

@@ -383,8 +383,7 @@ std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, st
 
 namespace {
 
-// Returns s/p = 1/2 + 2 x tan α_n/π + z (inv α_t − inv α_wt)/π, the ratio of tooth thickness to
-// pitch, on the circle with the transverse pressure angle α_wt.
+// The ratio of tooth thickness to pitch on the circle with the transverse pressure angle α_wt.
 double thickness_share_at(const Gear& gear, double alpha_wt) {
   const auto& reference = gear.reference();
   return 0.5 +

@@ -7,7 +7,6 @@
 //                                              theory: docs/theory/13-drives.md
 //
 // A planetary set and a train of stages are short forms of such a graph (drive/short_forms.hpp).
-// Everything is computed from the graph.
 #pragma once
 
 #include <array>

@@ -108,7 +108,6 @@ class Layout {
     return z_a * (theta_a - phi_[two[0]]) + z_b * (theta_b - phi_[two[1]]) - kTurn / 2;
   }
 
-  // Turns one gear of a mesh until its teeth mesh with the other gear.
   void meet(const std::array<std::size_t, 2>& two, std::size_t which) {
     const int z = teeth_of(made_.gears[two[which]].gear);
     phi_[two[which]] += off_phase(mesh_phase(two)) / z;

@@ -46,7 +46,7 @@ struct DriveLayout {
 /// Computes the layout of a drive in the initial position.
 ///
 /// Errors    as drive_places(); `drive.gear` if a gear has no geometry; `drive.mesh` or
-///           `drive.body` if teeth do not mesh
+///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be mounted
 Result<DriveLayout> drive_layout(const Drive& drive);
 
 /// The same layout after a number of turns of the first input.

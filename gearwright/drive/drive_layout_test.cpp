@@ -114,7 +114,7 @@ TEST(DriveLayout, ALayoutThatIsOffByATenthOfAPitchIsSeen) {
   EXPECT_NEAR(worst_mesh(drive, layout), 0.1, 1e-6);
 }
 
-// A pinion, or a train of two gears, that drives racks in the given directions.
+// A pinion that drives racks in the given directions, rad.
 Drive rack_drive(int teeth, int rack_teeth, double beta_deg,
                  const std::vector<double>& directions) {
   CylindricalSpec spec;
@@ -174,7 +174,6 @@ TEST(DriveLayout, RacksMeshWithTheirPinionsAtAllTimes) {
   }
 }
 
-// The racks at the left and at the right share a plane with each other, but not with the third one.
 TEST(DriveLayout, RacksThatWouldCrossHaveDifferentPlanes) {
   EXPECT_EQ(laid(rack_drive(20, 26, 0.0, {0.0, kTurn / 2})).sections.size(), 1u);
   EXPECT_EQ(laid(rack_drive(20, 26, 0.0, {0.0, kTurn / 4})).sections.size(), 2u);

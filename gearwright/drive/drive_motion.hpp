@@ -45,7 +45,8 @@ std::vector<Rational> mesh_row(const DriveGraph& graph, const DriveMesh& mesh);
 /// Domain    a checked graph with at least one input (contract)
 /// Errors    `drive.fixed` if the drive is locked (the meshes that lock it are named) or its speeds
 ///           are undetermined; `drive.input`, `drive.output` if the body is fixed or does not
-///           rotate, or if the speeds of the inputs contradict each other
+///           rotate, or if the speeds of the inputs contradict each other; `drive.gear` if a
+///           ratio needs more than 127 bits
 Result<DriveMotion> drive_motion(const DriveGraph& graph);
 
 }  // namespace gearwright

@@ -4,8 +4,6 @@
 //          point
 //   γ_i    delay of the mesh of planet i, in periods [T13.16]
 //                                              theory: docs/theory/13-drives.md, 13.4 and 13.6
-//
-// Internal to drive/.
 #pragma once
 
 #include <complex>
@@ -57,8 +55,8 @@ void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
 /// The planet set that contains the mesh; null if there is none.
 const PlanetSet* set_of(const Drive& drive, std::size_t mesh);
 
-/// The position of copy 0 of a body of the set in the frame of the carrier, mm. None if an idler
-/// has no possible place.
+/// The position of copy 0 of a body of the set in the frame of the carrier, mm. None if a centre
+/// distance is missing, or if an idler has no possible place.
 std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet& set,
                                              std::size_t body);
 

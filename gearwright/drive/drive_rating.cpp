@@ -14,12 +14,10 @@ namespace {
 
 bool carries(const Drive& drive, std::size_t mesh) { return drive.flow->driver[mesh] >= 0; }
 
-// True if gear a (side 0) or gear b (side 1) of the mesh drives.
 bool drives(const Drive& drive, std::size_t mesh, int side) {
   return drive.flow->driver[mesh] == side;
 }
 
-// The input for one gear. The life is multiplied by the number of engagements per turn.
 RatingInput of_gear_use(RatingInput input, const FlankUse& use) {
   if (input.life_h) *input.life_h *= use.engagements;
   input.reversed = input.reversed || use.both;

@@ -49,8 +49,8 @@ FlankUse flank_use(const Drive& drive, std::size_t mesh, int side);
 
 /// The ratings of all meshes; none for a mesh that carries no load or has no pair.
 ///
-/// Errors    `drive.mesh` if there is no power flow or the drive is self-locking; as rate(), with
-///           the name of the mesh
+/// Errors    `drive.mesh` if teeth are circular arcs, if there is no power flow or if the drive is
+///           self-locking; as rate(), with the name of the mesh
 Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
                                                            const DriveLoad& load,
                                                            const GearMaterials& material);

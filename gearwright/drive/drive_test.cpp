@@ -294,10 +294,10 @@ TEST(Drive, GeometryOfASet) {
   EXPECT_NEAR(drive.backlash->input, j / drive.geometry.gears[0]->base_radius(), 1e-12);
 }
 
-// The play of every body is the range of its rotation over all positions of the teeth in their gaps.
-// The extreme rotations occur if each mesh touches one of its two flanks. For each combination of
-// flanks, the kinematic equations z_a ω_a + z_b ω_b = (z_a + z_b) ω_c of the meshes are solved with
-// the motion of the teeth on the right.
+// The play of every body is the range of its rotation over all positions of the teeth in their
+// gaps. The extreme rotations occur if each mesh touches one of its two flanks. For each
+// combination of flanks, the kinematic equations z_a ω_a + z_b ω_b = (z_a + z_b) ω_c of the meshes
+// are solved with the motion of the teeth on the right.
 TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
   PlanetarySpec set;
   set.z(M::sun) = 20;
@@ -323,8 +323,8 @@ TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
     std::array<double, 4> least{}, greatest{};
     for (const double u : {0.0, gap[0]}) {
       for (const double v : {0.0, gap[1]}) {
-        // The ring and `held` stand still. The first unknown is the carrier or the sun, the second
-        // one is the planet.
+        // The ring and `held` stand still. The first unknown is the carrier or the sun, and the
+        // second unknown is the planet.
         const std::size_t free = held == 0 ? 2 : 0;
         const double a = mesh[0][free], b = mesh[0][3], c = mesh[1][free], d = mesh[1][3];
         const double determinant = a * d - b * c;
@@ -347,8 +347,7 @@ TEST(Drive, PlayOfEveryBodyIsTheRangeOverAllFlanks) {
   EXPECT_EQ(*drive.play(0, 2), drive.backlash->input);
 }
 
-// Ring 2 has its own phases. The teeth of ring 2 pass a planet as often as those of ring 1, if the
-// planet has one gear.
+// If the planet has one gear, the teeth of ring 2 pass it as often as the teeth of ring 1.
 TEST(Drive, EveryCentralGearHasItsPhases) {
   PlanetarySpec set;
   set.z(M::planet) = 21;
@@ -384,10 +383,10 @@ TEST(Drive, RackMovesOnePitchPerTooth) {
   EXPECT_NEAR(drive->flow->efficiency, 0.97, 1e-14);
 }
 
-// A wheel drives a pinion of the same shaft as the pinion of a rack. If the rack is held, the wheel can
-// turn by the play of its own mesh and by the travel of the rack between its flanks, divided by the
-// reference radius of the pinion and by the ratio. If the wheel is held, the rack moves by the sum of
-// both along its travel.
+// A wheel drives a pinion of the same shaft as the pinion of a rack. If the rack is held, the wheel
+// can turn by the play of its own mesh and by the travel of the rack between its flanks, divided by
+// the reference radius of the pinion and by the ratio. If the wheel is held, the rack moves by the
+// sum of both along its travel.
 TEST(Drive, BacklashOfARackIsTheTravelBetweenItsFlanks) {
   for (const bool rack_drives : {false, true}) {
     CylindricalSpec spec;

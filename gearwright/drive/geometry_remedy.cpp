@@ -27,7 +27,6 @@ bool no_problem(const std::vector<Warning>& warnings) {
                       [](const Warning& w) { return severity_of(w) == Severity::problem; });
 }
 
-// True if the teeth of the mesh touch.
 bool can_mesh(const std::optional<Pair>& pair) { return pair && pair->contact_ratio_true() > 0.0; }
 
 bool is_possible(const DriveGraph& graph) {

@@ -8,8 +8,6 @@
 //
 // The solution is the minimum of a convex energy: Σ w ∫F dδ − Q·x. A body that no spring touches
 // does not move.
-//
-// Internal to drive/.
 #pragma once
 
 #include <Eigen/Core>

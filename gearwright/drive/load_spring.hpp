@@ -4,8 +4,6 @@
 //   δ      approach from the first touch, mm      F   force along the transverse line of action, N
 //   F(δ)   0 for δ ≤ 0, then a smooth rising curve through the nodes with their slopes [T13.24]
 //                                              theory: docs/theory/13-drives.md
-//
-// Internal to drive/.
 #pragma once
 
 #include <vector>

@@ -29,8 +29,8 @@ using detail::set_of;
 /// Limit of the common multiple of the numbers of planets in positions_of(). A set with which the
 /// multiple would exceed this limit does not affect the number of positions.
 constexpr int kMostCommon = 60;
-/// Limit of the number of equilibria of a set whose meshes have several frequencies. 64 positions of
-/// two frequencies are below it, and 64 positions of three frequencies exceed it.
+/// Limit of the number of equilibria of a set whose meshes have several frequencies. 64 positions
+/// of two frequencies are below it, and 64 positions of three frequencies exceed it.
 constexpr double kMostCombinations = 1e5;
 
 // The number of positions over a period. It is a multiple of the numbers of planets, so that
@@ -56,8 +56,7 @@ struct MeshUnderLoad {
   }
 };
 
-// The results of a set over all combinations of the positions of its meshes. Meshes of several
-// frequencies meet in all combinations of their positions.
+// The results of a set over all combinations of the positions of its meshes.
 class SetTurn {
  public:
   SetTurn(const PlanetEquilibrium& equilibrium, const PlanetSet& set, std::size_t positions,

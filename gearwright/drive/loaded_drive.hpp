@@ -41,14 +41,16 @@ std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 
 /// Computes the load shares of all planets and the transmission error of the drive under load.
 ///
-/// Formula   at each position, all planets are in equilibrium, [T13.25]. If the meshes of a set have
-///           several frequencies, this applies to all combinations of their positions, [T13.26b].
-///           The peaks of frequencies of different sets are added as in transmission_error()
+/// Formula   at each position, all planets are in equilibrium, [T13.25]. If the meshes of a set
+///           have several frequencies, this applies to all combinations of their positions,
+///           [T13.26b]. The peaks of frequencies of different sets are added as in
+///           transmission_error()
 /// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1;
 ///           three planets with a floating sun share equally for any errors of their pins
 /// Domain    one request for each mesh (contract)
 /// Errors    as check_load(); `load.positions` if there are too many combinations of positions;
-///           `load.floating` if there is no equilibrium; as mesh_springs(), with the name of the mesh
+///           `load` if a mesh has no usable flanks; `load.floating`, or `load` without a floating
+///           body, if there is no equilibrium; as mesh_springs(), with the name of the mesh
 Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,
                                  Progress* progress = nullptr);
 

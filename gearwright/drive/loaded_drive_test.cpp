@@ -236,7 +236,6 @@ TEST(LoadedDriveTest, SetsOfATrainAreThoseOfTheirStages) {
   EXPECT_NEAR(whole.error.peak_to_peak, peaks, 1e-9 * peaks);
 }
 
-// A drive with one mesh has the curve that the loaded contact of its pair gives.
 TEST(LoadedDriveTest, OneMeshHasTheLoadedCurveOfItsPair) {
   StageSpec stage;
   stage.pair.teeth = {19, 58};

@@ -5,8 +5,6 @@
 //          action, mm
 //   δ      approach under load, so that the driven gear is ahead by e_0 − δ; F = f(δ)  [T13.24]
 //                                              theory: docs/theory/13-drives.md, 13.7
-//
-// Internal to drive/.
 #pragma once
 
 #include <string>

@@ -8,8 +8,6 @@
 //   F = F(δ), δ = y + e_0                                                              [T13.24]
 //   Σ w F ∂y/∂x = Q                                                                    [T13.25]
 //                                              theory: docs/theory/13-drives.md, 13.7
-//
-// Internal to drive/.
 #pragma once
 
 #include <optional>

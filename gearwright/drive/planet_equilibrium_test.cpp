@@ -43,7 +43,6 @@ Drive set_of_springs(const std::array<int, 3>& teeth, int planets, double module
   return testing::taken(make_drive({testing::taken(graph_of(set)), {}, 3}));
 }
 
-// Springs and leads of every mesh and planet, and the forces of an equal share.
 struct Springs {
   std::vector<std::vector<LoadSpring>> springs;
   std::vector<std::vector<double>> leads;

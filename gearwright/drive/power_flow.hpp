@@ -56,7 +56,7 @@ Result<PowerFlow> power_flow(const DriveGraph& graph, const std::vector<double>&
 /// and the fixed bodies react. A motion of the teeth of a mesh then turns `body` by λ times this
 /// motion [T13.20]. All loads are 0 if `body` itself is held or fixed.
 ///
-/// Domain    one degree of freedom, independent meshes; `held` is the input or the output (contract)
+/// Domain    one degree of freedom, independent meshes; `held` is the input or output (contract)
 std::vector<Rational> lossless_loads(const DriveGraph& graph, const DriveMotion& motion,
                                      std::size_t body, std::size_t held);
 

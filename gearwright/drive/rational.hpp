@@ -40,7 +40,6 @@ class Rational {
   std::optional<long long> denominator() const;
   /// v − floor(v), in [0, 1).
   Rational frac() const;
-  /// The greatest whole number that does not exceed this fraction.
   Rational floor() const;
 
   friend Rational operator+(const Rational& a, const Rational& b);

@@ -154,7 +154,6 @@ std::optional<Error> set_ends(const PlanetarySpec& spec, DriveGraph& graph) {
   return std::nullopt;
 }
 
-// The graph of one pair of gears on fixed axes.
 DriveGraph pair_graph(const PairStage& stage) {
   DriveGraph graph;
   for (const std::size_t i : {0, 1}) {

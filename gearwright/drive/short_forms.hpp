@@ -2,8 +2,7 @@
 // sets and trains of stages.
 //
 // A set has a sun, planets and a ring, or other members of the list below. A stage of a train is a
-// pair of gears or a set. The graph has bodies, gears and meshes, and everything is computed from
-// it.
+// pair of gears or a set.
 #pragma once
 
 #include <algorithm>
@@ -84,7 +83,7 @@ struct PlanetarySpec {
   }
 };
 
-/// The numbers of the teeth of two plain gears.
+/// The tooth data of two plain gears.
 struct PairTeeth {
   double normal_module;  ///< m_n  mm
   Angle normal_pressure_angle = Angle::degrees(20);

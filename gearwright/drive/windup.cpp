@@ -83,8 +83,7 @@ std::optional<double> windup_variation(const std::vector<WindupMesh>& meshes) {
 
 namespace {
 
-// Sets the frequency of the mesh and the delays of its copies. Swaps approach and recess if the
-// second gear drives.
+// Sets the frequency of the mesh and the delays of its copies.
 void place_in_time(WindupMesh& mesh, const MeshPhase& phase) {
   if (!phase.first_drives) std::swap(mesh.approach, mesh.recess);
   mesh.frequency = phase.first;

@@ -1,8 +1,8 @@
-// Windup. Laws: (1) a single mesh has the variation of its contact lines; (2) the variation is that of
-// a fine sampling of all copies with their delays; (3) it does not depend on a factor of the weights
-// or on a common delay; (4) planets in sequence vary less than planets in phase, and copies of spur
-// gears a pitch over N apart vary as one mesh of N ε_α; (5) a drive without geometry has the value of
-// the same drive with standard teeth.
+// Windup. Laws: (1) a single mesh has the variation of its contact lines; (2) the variation is that
+// of a fine sampling of all copies with their delays; (3) it does not depend on a factor of the
+// weights or on a common delay; (4) planets in sequence vary less than planets in phase, and copies
+// of spur gears a pitch over N apart vary as one mesh of N ε_α; (5) a drive without geometry has
+// the value of the same drive with standard teeth.
 #include "gearwright/drive/windup.hpp"
 
 #include <gtest/gtest.h>

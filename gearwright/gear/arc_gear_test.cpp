@@ -1,5 +1,3 @@
-// Tests gears with circular-arc teeth: which data they have, which data they lack, flags and
-// errors.
 #include "gearwright/base/testing/violation.hpp"
 #include "gearwright/gear/finished_gear.hpp"
 #include "gearwright/gear/testing/made.hpp"
@@ -77,8 +75,7 @@ TEST(ArcGear, thickness_on_the_reference_cylinder) {
   }
 }
 
-// The convex arc, the step and the concave arc all belong to the flank. The usable flank extends
-// from the lowest to the highest of these arcs.
+// The usable flank extends from the lowest to the highest of the three flank arcs.
 TEST(ArcGear, double_arcs_have_three_flank_arcs) {
   const Gear gear = made(double_spec(25));
   EXPECT_EQ(names(gear), (std::vector{ArcName::root_fillet, ArcName::flank, ArcName::flank,
@@ -149,7 +146,6 @@ TEST(ArcGear, errors_name_their_key) {
             "rack.addendum");
 }
 
-// The opposite hand mirrors the twist and does not change the section.
 TEST(ArcGear, left_and_right_hand_share_the_section) {
   CylindricalSpec s = spec_of(Cutter::F, 20);
   const Gear right = made(s);

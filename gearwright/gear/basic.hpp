@@ -93,8 +93,7 @@ ReferenceInput<T> as_rack(const BaseGear<T>& gear, const T& alpha_n) {
   return rack;
 }
 
-// The rack that cuts a given root diameter and root form diameter. It is used for gears that are
-// given by their base cylinder.
+// The rack that cuts a given root diameter and root form diameter.
 //
 //   d, d_f, d_Ff          reference, root and root form diameter, mm
 //   ρ_C, ρ_F              radii of curvature of the flank at d and at d_Ff, mm

@@ -1,5 +1,3 @@
-// Tests gears described by their base cylinder and by different racks, and the rack that cuts a
-// given root.
 #include "gearwright/gear/basic.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +29,6 @@ TEST(BaseGear, as_its_own_rack_is_what_it_was) {
   EXPECT_EQ(as_rack(base_gear(20, reference_geometry(gear(20, 0, 0))), 0.3).helix_angle, 0.0);
 }
 
-// Conversion to another rack and back leaves the flanks unchanged.
 TEST(BaseGear, another_rack_has_the_same_flanks) {
   const auto first = reference_geometry(gear(17, 25.0, 0.4));
   const auto other = as_rack(base_gear(17, first), 14.5 * kDegree);
@@ -57,7 +54,6 @@ CylindricalSpec spec(int teeth, double x) {
   return s;
 }
 
-// If the root of a generated tooth is given as input, the result is the rack that cut this root.
 TEST(RackLeavingRoot, gives_back_the_rack_that_cut_it) {
   for (const double radius : {0.0, 0.2, 0.38}) {
     CylindricalSpec s = spec(40, 0.1);

@@ -108,9 +108,9 @@ void warn_about_ring(Gear& gear) {
   warn_about_tip(gear);
 }
 
-// The greatest profile shift at which the root fillets of a tooth without undercut do not meet. It is
-// found by bisection to 1e-6. None if a straight rack does not cut the tooth, or if no profile shift
-// without undercut leaves a tooth.
+// The greatest profile shift at which the root fillets of a tooth without undercut do not meet. It
+// is found by bisection to 1e-6. None if a straight rack does not cut the tooth, or if no profile
+// shift without undercut leaves a tooth.
 std::optional<double> greatest_shift(const Gear& gear) {
   const StraightRack* const rack = gear.straight_cutter();
   const auto least = gear.undercut_free_shift();

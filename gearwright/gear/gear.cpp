@@ -93,7 +93,6 @@ void forget_fillet_cut_off(Gear& gear, double fillet_begin) {
                            2 * tooth.tip_radius));
 }
 
-// Cuts the tooth of an external gear, with circular fillets if requested.
 std::optional<Error> cut(Gear& gear, const CutterEdge& edge) {
   const CylindricalSpec& spec = gear.spec;
   auto& flanks = std::get<InvoluteTeeth>(gear.flanks);

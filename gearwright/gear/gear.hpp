@@ -138,23 +138,20 @@ std::optional<Error> check_limits(const CylindricalSpec& spec);
 /// Errors    the member of CylindricalSpec ("teeth", "normal_module", "rack.dedendum", …).
 ///           Undercut, pointed and severed teeth are not errors but data and warnings
 Result<Gear> make_gear(const CylindricalSpec& spec);
-/// The message of the warning `undercut`. `remedy` ends it, for example "a profile shift of at least
-/// 0.3044 avoids undercut."
+/// The message of the warning `undercut`. `remedy` ends it, for example "a profile shift of at
+/// least 0.3044 avoids undercut."
 ///
 /// Domain    the gear has a tooth (contract)
 std::string undercut_message(const Gear& gear, std::string_view remedy);
 
 // Names of the members of gear 1 and gear 2 in errors, such as "gear1.teeth".
 
-/// The name of gear 1 or 2: "gear1" or "gear2".
 inline std::string gear_field(int which) { return "gear" + std::to_string(which); }
 
-/// The name of a member of gear 1 or 2, for example "gear1.teeth".
 inline std::string gear_field(int which, std::string_view member) {
   return gear_field(which) + "." + std::string(member);
 }
 
-/// Adds the prefix "gear1" or "gear2" to the field of an error.
 inline Error of_gear(int which, Error error) { return within(gear_field(which), std::move(error)); }
 
 }  // namespace gearwright

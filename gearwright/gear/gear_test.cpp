@@ -1,5 +1,3 @@
-// Tests gears made from a spec: defaults, flags with their warnings, and errors that name their
-// key.
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"

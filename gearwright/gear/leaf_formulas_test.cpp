@@ -32,7 +32,6 @@ TEST(LeafFormulas, base_helix_without_an_angle) {
   }
 }
 
-// At the limit of undercut, the flank begins on the base circle.
 TEST(LeafFormulas, undercut_begins_where_the_flank_does_on_the_base_circle) {
   for (const int z : {1, 5, 17, 40}) {
     const double sin_t = std::sin(21.0 * kDegree);
@@ -50,7 +49,6 @@ TEST(LeafFormulas, inside_the_base_circle) {
   EXPECT_TRUE(std::isnan(leaf::curvature(4.0, 5.0)));
 }
 
-// Vector instructions return the second operand if either is NaN, and the scalar functions do the same.
 TEST(LeafFormulas, no_number_gives_the_second) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(leaf::max_of(nan, 1.0), 1.0);

@@ -47,7 +47,6 @@ double in_um(double mm) {
 
 double length(double rho, double r0) { return std::sqrt(std::max(0.0, (rho - r0) * (rho + r0))); }
 
-// Amounts in messages are in µm.
 constexpr const char* kTenth =
     "must lie between {} µm and {} µm, because at most a tenth of the depth of the usable flank is "
     "allowed";

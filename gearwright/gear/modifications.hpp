@@ -238,7 +238,8 @@ class RemovalField {
 ///
 /// Errors    the member of FlankModifications, such as `tip_relief.reach`: a start off the usable
 ///           flank, a relief without a reach or steeper than 1 in 5 (a chamfer), an amount greater
-///           than a tenth of the flank's depth, or a grid that does not cover the flank
+///           than a tenth of the flank's depth, a negative relief, wave height or number of
+///           waves, or a grid that does not cover the flank
 /// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; is_grid() of the topography
 ///           (contract)
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,

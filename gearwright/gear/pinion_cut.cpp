@@ -250,7 +250,6 @@ std::optional<Cutter> cutter_of(const Gear& ring, int z_0, double rounding) {
   c.tip_diameter = 2 * r_a;
   auto cutter = make_gear(c);
   if (!cutter || !cutter->exists() || cutter->pointed()) return std::nullopt;
-  // The cutter must have a land, and its tip must reach the root of the internal gear.
   const auto& land = cutter->tip_tooth_thickness_normal;
   if (!land || *land < kMinLand * c.normal_module) return std::nullopt;
   if (std::abs(cutter->tooth->tip_radius - r_a) > kSameTip * r_a) return std::nullopt;

@@ -1,5 +1,3 @@
-// Tests gears cut by a pinion cutter: the distance determines the profile shift, hand and data
-// follow from the cutter, and error messages name an allowed value.
 #include "gearwright/gear/pinion_cut.hpp"
 
 #include <gtest/gtest.h>
@@ -204,8 +202,6 @@ TEST(PinionCut, takes_module_angles_and_hand_from_the_cutter) {
   }
 }
 
-// By default, the cutter's root determines the tip of the gear, and the cutter's tip determines the
-// root.
 TEST(PinionCut, default_tip_and_root) {
   const Gear cutter = made(two_teeth());
   const Gear gear = cut(cutter, {60, 61.106, 20.0, std::nullopt});

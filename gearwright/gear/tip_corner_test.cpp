@@ -62,8 +62,8 @@ TEST(TipCorner, touches_flank_and_tip_circle) {
   }
 }
 
-// The greatest radius leaves no land. It is the circular tip fillet with its centre on the centre line
-// of the tooth.
+// The greatest radius leaves no land. It is the circular tip fillet with its centre on the centre
+// line of the tooth.
 TEST(TipCorner, is_refused_where_it_does_not_fit) {
   const CylindricalSpec big = cutter_spec(25, 2.5, 3.0);
   const auto gear = make_gear(big);

@@ -25,7 +25,6 @@ Topography sampled(std::vector<double> d, std::vector<double> z,
   return t;
 }
 
-// Uneven steps, from 0.3 to 1.7 of the mean.
 std::vector<double> uneven(std::mt19937& random, std::size_t n, double from, double to) {
   std::uniform_real_distribution<double> step(0.3, 1.7);
   std::vector<double> x{0.0};

@@ -14,7 +14,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::contact_lost, "contact_lost", kProblem,
      "verbs contact, load and compensate: no tooth pair touches at some positions",
      "contact is lost at some positions"},
-    // The gear does not exist.
     {C::through_axis, "through_axis", kProblem,
      "the cutter passes through the axis of the gear, so the gear has no outline",
      "the cutter passes through the axis"},
@@ -27,7 +26,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a bore leaves no gear body"},
     {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
      "a gear has no usable flank"},
-    // The gears do not run.
     {C::no_contact, "no_contact", kProblem,
      "the teeth do not touch, or they touch only outside the usable flanks or (on crossed axes) "
      "outside the faces; amber on crossed axes if the computed contact is never lost",
@@ -78,7 +76,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a safety factor against pitting is below the required value; if it is below 1, the level is "
      "red",
      "the safety against pitting is too small"},
-    // The gears run, but not as intended.
     {C::samples_jam, "samples_jam", kCaution,
      "verb scatter: the gears jam in some samples; the message gives the least play of all samples",
      "the gears jam at some deviations within the tolerances",
@@ -168,7 +165,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the halves of a double-helical gear are staggered, and no gap separates them, so files of "
      "the gear cannot be written",
      "staggered halves without a gap"},
-    // The user should check numbers of the result or of the spec.
     {C::no_outline, "no_outline", kCaution,
      "no CAD files are written for a gear without an outline (teeth cut off, cutter through the "
      "axis, internal gear that no default cutter can generate)",
@@ -235,7 +231,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::rating_plastic, "rating_plastic", kCaution,
      "plastic teeth: wear, deformation and static peaks, which VDI 2736 also covers, are not rated",
      "wear and deformation that are not rated"},
-    // Information only.
     {C::not_read, "not_read", kNote,
      "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
     {C::rating_crowning, "rating_crowning", kNote,
@@ -310,7 +305,6 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::changes_left_out, "changes_left_out", kNote,
      "verb search: the search for a change of the limits that would help was incomplete or "
      "omitted; the message gives the reason"},
-    // Warnings about whole drives.
     {C::not_coaxial, "not_coaxial", kProblem,
      "verb drive: no profile shift brings all meshes of a planet to the same centre distance, or "
      "there is no possible place for an idler",

@@ -136,7 +136,6 @@ enum class WarningCode {
 
 inline constexpr std::size_t kWarningCodes = static_cast<std::size_t>(WarningCode::count);
 
-/// A row of the table.
 struct WarningMeaning {
   WarningCode code;
   const char* text;  ///< the name of the code in all results, such as "undercut"

@@ -1,5 +1,3 @@
-// Tests the closed forms of a circular-arc contact with laws that no table contains. A test in
-// tests/golden compares values.
 #include "gearwright/pair/arc_contact.hpp"
 
 #include <gtest/gtest.h>

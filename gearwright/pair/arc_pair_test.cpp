@@ -1,5 +1,3 @@
-// Tests mounted circular-arc pairs: contacts that lie on both gears, exchanged roles and hands,
-// clearances, and the reasons why two gears cannot mesh.
 #include "gearwright/pair/arc_pair.hpp"
 
 #include <gtest/gtest.h>
@@ -206,7 +204,6 @@ TEST(ArcPair, errors_name_the_key_and_the_numbers) {
   }
 }
 
-// There is a contact exactly within the range that the error names.
 TEST(ArcPair, the_range_of_centre_distances_named_is_the_range) {
   const auto F = spec_of(rack_of(Cutter::F), 15, 18), P = spec_of(rack_of(Cutter::P), 40, -18);
   const double a_d = mounted(F, P).center_distance;

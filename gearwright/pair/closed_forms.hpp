@@ -4,9 +4,8 @@
 //   y    given value of inv α        s_β  sin β of gear 1     e    thickness allowance, mm
 //                                              theory: docs/theory/02-involute-and-pair.md
 //
-// One text of formulas (pair/closed_forms.inc) is compiled for double and for every instruction
-// set. At run time the best available instruction set is used, as in design/candidate.hpp. The
-// result of a row outside the domain is NaN.
+// At run time the best available instruction set is used, as in design/candidate.hpp. The result of
+// a row outside the domain is NaN.
 //
 //   Laws  (1) the vector and the scalar instance give the same inverse involutes, to the last bit,
 //             on any machine

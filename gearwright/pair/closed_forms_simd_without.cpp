@@ -1,5 +1,4 @@
 // If the program is built without Google Highway, the formulas are computed with plain doubles.
-// These functions are also the reference with which the tests compare the vector code.
 #include "gearwright/pair/closed_forms.hpp"
 
 namespace gearwright {

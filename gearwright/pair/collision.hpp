@@ -39,8 +39,7 @@ struct Collision {
   std::string message;                ///< one sentence
 };
 
-// The table of collision causes. It gives the name of each cause in results, and a sentence for the
-// documents.
+// The table of collision causes.
 
 struct CauseMeaning {
   CollisionCause cause;

@@ -21,7 +21,6 @@ namespace gearwright {
 template <class T>
 using BasePair = std::array<BaseGear<T>, 2>;
 
-/// σ: +1 external pair, −1 internal pair.
 template <class T>
 T side_of(const BasePair<T>& gears) {
   return side_of(gears[1]);

@@ -1,7 +1,7 @@
-// Contact lines. Laws: (1) λ is the length that a count over thin slices of all teeth gives; (2) its
-// least and greatest value are those of a fine sampling; (3) its mean is ε_α; (4) a whole ε_α or ε_β
-// leaves no variation; (5) the least length is that of AGMA 908, and of narrow helical gears the
-// number of pairs of spur gears.
+// Contact lines. Laws: (1) λ is the length that a count over thin slices of all teeth gives; (2)
+// its least and greatest value are those of a fine sampling; (3) its mean is ε_α; (4) a whole ε_α
+// or ε_β leaves no variation; (5) the least length is that of AGMA 908, and of narrow helical gears
+// the number of pairs of spur gears.
 #include "gearwright/pair/contact_lines.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace gearwright {
 namespace {
 
-// Cuts every tooth into thin spur gears, each delayed after the one before it, and counts the slices
-// in contact.
+// Cuts every tooth into thin spur gears, each delayed after the one before it, and counts the
+// slices in contact.
 double counted(double transverse, double overlap, double turn) {
   constexpr int kSlices = 4000;
   int touching = 0;
@@ -74,7 +74,8 @@ TEST(ContactLines, WholeRatiosLeaveNoVariation) {  // (4)
 }
 
 TEST(ContactLines, HaveTheClosedFormsOfTheTextbook) {  // (5)
-  // AGMA 908-B89: L_min cos β_b/b = ε_α − r_α r_β/ε_β for r_α + r_β ≤ 1, else with 1 − r_α, 1 − r_β.
+  // AGMA 908-B89: L_min cos β_b/b = ε_α − r_α r_β/ε_β for r_α + r_β ≤ 1,
+  // else with 1 − r_α and 1 − r_β.
   EXPECT_NEAR(contact_line_range(1.4, 1.3).least, 1.4 - 0.4 * 0.3 / 1.3, 1e-15);
   EXPECT_NEAR(contact_line_range(1.7, 0.8).least, 1.7 - 0.3 * 0.2 / 0.8, 1e-15);
   const auto narrow = contact_line_range(1.6, 1e-9);

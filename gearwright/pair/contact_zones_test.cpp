@@ -1,5 +1,5 @@
-// Tests that zones follow each other without a gap, and that the number of pairs in each zone is
-// the contact ratio rounded up or down.
+// Laws: (1) zones follow each other without a gap; (2) the number of pairs in each zone is the
+// contact ratio rounded up or down.
 #include "gearwright/pair/efficiency.hpp"
 
 #include <gtest/gtest.h>

@@ -45,7 +45,6 @@ TEST(Efficiency, of_a_spur_pair_is_the_textbooks) {
   EXPECT_EQ(*efficiency(s, 0.0).gear1_drives, 1.0);
 }
 
-// Compares the closed integrals with the midpoint rule.
 TEST(Efficiency, closed_integrals_are_the_integrals) {
   for (const auto& in : {screws(0.9, 0.6, 9, 15), screws(0.3, 0.1, 17, 23), spur(17, 31)}) {
     const auto m = mesh_of(in);

@@ -1,4 +1,3 @@
-// Tests the nodes of envelopes whose radius is given by a formula.
 #include "gearwright/pair/envelope_nodes.hpp"
 
 #include <gtest/gtest.h>

@@ -27,9 +27,9 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
   return testing::taken(make_gear(s));
 }
 
-// Computes the least distance between 2000 points of the fillet of gear 1 and 4000 positions of the
-// corner of gear 2. The fillet is on the side y > 0 of tooth 0, in the frame of gear 1 in which
-// tooth 0 lies on the x axis. The pair has no backlash, so both flanks touch and no play is
+// Computes the least distance between 2000 points of the fillet of gear 1 and 4000 positions of
+// both tip corners of gear 2. The fillet is on the side y > 0 of tooth 0, in the frame of gear 1 in
+// which tooth 0 lies on the x axis. The pair has no backlash, so both flanks touch and no play is
 // considered.
 double scanned(const ParallelPair& p) {
   const Gear& g1 = p.gears[0];
@@ -88,7 +88,6 @@ TEST(FilletClearance, shrinks_with_the_tip_and_goes_negative) {
   EXPECT_LT(last, 0.0);
 }
 
-// With two equal gears, both clearances are equal.
 TEST(FilletClearance, equal_gears_have_equal_clearances) {
   const ParallelPair p = mounted(filleted(30, 0.1), filleted(30, 0.1), 60.3);
   EXPECT_EQ(*fillet_clearance(p, 1), *fillet_clearance(p, 2));

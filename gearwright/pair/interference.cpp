@@ -94,7 +94,6 @@ void find_form_clearance(InvolutePair& p) {
   }
 }
 
-// Computes the clearances of both tips, and warns if one is too small. [T2.23]
 void find_tip_clearance(InvolutePair& p) {
   const Gear& g1 = p.gears[0];
   const Gear& g2 = p.gears[1];

@@ -1,4 +1,3 @@
-// Tests mounted pairs: gears that cannot mesh, poses, lines of action, clearances and warnings.
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/gear/testing/warns.hpp"

@@ -62,7 +62,6 @@ class LeastGap {
               int depth) {
     const double ends = std::min(one.gap + kNoises * one.noise, two.gap + kNoises * two.noise);
     if (depth >= kDeepest || !worth(ends - 0.5 * bend)) return;
-    // Divides the cell at a zero of H, or in the middle, and examines both parts.
     const bool turns = (one.slope < 0.0) != (two.slope < 0.0);
     const auto [t, middle] = turns ? solved(t_1, one, t_2, two) : halved(t_1, t_2);
     const double inner = bend_of(t_1, one, t, middle, t_2, two);

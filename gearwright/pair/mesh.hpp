@@ -11,8 +11,7 @@
 //                                              theory: docs/theory/04-conjugate-action.md
 //
 // The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
-// parallel axes, α_n follows from a, and X = 0. The functions are templates over the scalar: double
-// in production, 50 digits in the accuracy ledger.
+// parallel axes, α_n follows from a, and X = 0.
 #pragma once
 
 #include <array>

@@ -111,7 +111,6 @@ TEST(MeshOfParallelAxes, backlash) {
   }
 }
 
-// At the backlash-free distance that follows from the tooth thicknesses, the backlash is 0.
 TEST(MeshOfParallelAxes, the_least_distance_is_free_of_backlash) {
   auto in = spur(20, 40);
   in.gears[0].tooth_thickness += 0.4;
@@ -139,7 +138,7 @@ TEST(SpecificSliding, signs_and_the_pitch_point) {
 }
 
 // A contact on a base circle has no specific sliding, although rounding leaves a radius of
-// curvature of ±1e-15 there. Few teeth without undercut touch at such a point.
+// curvature of ±1e-15 there. Gears with few teeth touch at such a point if they are not undercut.
 TEST(SpecificSliding, does_not_exist_at_the_base_tangent_points) {
   const auto in = spur(20, 40);
   const auto m = mesh_of(in);

@@ -1,5 +1,3 @@
-// Tests the gap of two outlines. It is half the backlash where involutes touch involutes, and
-// otherwise the gap of a projecting part.
 #include "gearwright/pair/outline_gap.hpp"
 
 #include <gtest/gtest.h>

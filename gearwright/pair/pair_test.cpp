@@ -1,4 +1,3 @@
-// Tests the mounting of any two gears: the kind of the pair, and combinations that are rejected.
 #include "gearwright/pair/pair.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// Tests which gears can mesh, and the error messages of the others.
 #include "gearwright/pair/partners.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
 

@@ -13,8 +13,7 @@
 //            and the distance between their pitch planes is X = m_n (x_1 + x_2)
 //                                              theory: docs/theory/05-approximations.md
 //
-// With signed tooth numbers, internal pairs (parallel axes) need no separate formula. Classes and
-// functions are templates over the scalar.
+// With signed tooth numbers, internal pairs (parallel axes) need no separate formula.
 #pragma once
 
 #include <array>

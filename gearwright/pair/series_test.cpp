@@ -1,5 +1,3 @@
-// Tests the least distance by series: golden values, the order of every error, and the example of
-// the paper.
 #include "gearwright/pair/series.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// Tests that shifts and centre distance can be computed from each other.
 #include "gearwright/pair/shift.hpp"
 
 #include <gtest/gtest.h>

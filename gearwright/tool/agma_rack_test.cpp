@@ -7,7 +7,6 @@
 namespace gearwright {
 namespace {
 
-// The whole depths in 1/P of the tooth systems, and tip roundings that fit.
 TEST(AgmaRack, WholeDepthAndRoundingOfTheToothSystems) {
   for (const auto& [name, depth] :
        {std::pair{"AGMA-14.5", 2.157}, {"AGMA-20", 2.25}, {"AGMA-25", 2.25}, {"AGMA-stub", 1.8}}) {

@@ -1,5 +1,3 @@
-// Tests the racks F and P for given numbers. A test in tests/golden compares them with published
-// values.
 #include "gearwright/tool/arc_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -44,8 +42,6 @@ TEST(ArcRack, F_and_P_touch_at_the_pressure_angle) {
   EXPECT_NEAR(on_F.y(), on_F.x() / std::tan(psi.rad()), 1e-15);
 }
 
-// With the full radius, the roundings of both sides of the cutter's tip meet. A larger radius is
-// rejected.
 TEST(ArcRack, full_radius) {
   for (const Cutter cutter : {Cutter::F, Cutter::P}) {
     ArcRack rack = rack_of(cutter);
@@ -58,7 +54,6 @@ TEST(ArcRack, full_radius) {
   }
 }
 
-// The message names the full radius only if the cutter can have it. If not, it names the depth.
 TEST(ArcRack, names_a_radius_only_if_it_is_possible) {
   ArcRack rack = rack_of(Cutter::F);
   rack.center_a = 1.134;

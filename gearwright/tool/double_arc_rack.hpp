@@ -55,7 +55,7 @@ struct DoubleArcDerived {
   Angle concave_end;      ///< δ_2   normal angle at the upper end of the concave arc
 };
 
-/// Computes the numbers of the rack that follow from the given ones.
+/// Computes the numbers of the rack that follow from the given numbers.
 ///
 /// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);

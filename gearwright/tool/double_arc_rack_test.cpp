@@ -1,4 +1,3 @@
-// Tests that the numbers in the table of the standard for double circular-arc racks are consistent.
 #include "gearwright/tool/double_arc_rack.hpp"
 
 #include <gtest/gtest.h>

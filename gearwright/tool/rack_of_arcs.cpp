@@ -16,7 +16,7 @@ namespace {
 constexpr double kSameNormal = 1e-6;  // rad
 constexpr double kAbove90 = 1e-15;    // rounding error of 90°, relative to 90°
 constexpr double kOverlap = 1e-12;    // rounding error of y at the tip, relative to half the pitch
-// The error of arc i. The message counts arcs from 1.
+
 Error bad_arc(std::size_t i, std::string rule) {
   return {fmt::format("rack.arcs[{}]", i + 1), "", std::move(rule)};
 }

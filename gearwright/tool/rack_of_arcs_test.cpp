@@ -1,5 +1,4 @@
-// Tests edges of arcs: the laws of cutter_edge.hpp for racks of every kind, joints and corners, and
-// edges that are impossible.
+// Tests the laws of cutter_edge.hpp for racks of every kind.
 #include "gearwright/tool/rack_of_arcs.hpp"
 
 #include <gtest/gtest.h>

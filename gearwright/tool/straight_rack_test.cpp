@@ -1,5 +1,4 @@
-// Tests the edge of a rack given by its numbers: the laws of cutter_edge.hpp for many racks, and
-// for every impossible edge the key that causes the error.
+// Tests the laws of cutter_edge.hpp for many racks that are given by their numbers.
 #include "gearwright/tool/straight_rack.hpp"
 
 #include <gtest/gtest.h>
@@ -201,7 +200,6 @@ TEST(StraightRack, what_is_impossible_is_named) {
             "rack.semi_topping_angle");
 }
 
-// The greatest allowed value in an error message is accepted.
 TEST(StraightRack, the_limits_named_are_the_limits) {
   StraightRack rack;
   rack.root_fillet_radius = full_radius(rack, 20_deg);
