@@ -17,7 +17,6 @@ using V = Pair;
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-// The pair as this kind, or null if it is another kind.
 template <class Kind>
 const Kind* as(const V& v) {
   return v.as<Kind>();
@@ -37,7 +36,6 @@ const Efficiency* efficiency_of(const V& v) {
   return p && p->efficiency ? &*p->efficiency : nullptr;
 }
 
-// A getter that has one function for each kind of pair.
 template <class... Of>
 auto by_kind(Of... of) {
   return [get = Overloaded{of...}](const V& v) { return v.visit(get); };
@@ -137,7 +135,6 @@ void add_mounting(Quantities<V>& q) {
       .shown(is<CrossedPair>);
 }
 
-// Adds quantities that exist only on crossed axes.
 void add_crossed(Quantities<V>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
@@ -328,7 +325,6 @@ void add_sliding(Quantities<V>& q) {
               });
 }
 
-// Adds quantities that exist only on parallel axes.
 void add_parallel(Quantities<V>& all) {
   auto q = all.part(as<ParallelPair>);
   all.under(kFace);
