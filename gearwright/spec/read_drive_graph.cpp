@@ -32,7 +32,6 @@ std::optional<std::vector<T>> read_values(TableReader& t, const std::string& key
   return values;
 }
 
-// An element of a list of tables, with its path in the spec.
 struct ListedTable {
   std::string path;
   const Json& node;

@@ -233,7 +233,8 @@ double straight_depth(const StraightRack& rack, double alpha_n) {
   return rack.dedendum - radius * (1.0 - std::sin(alpha_n));
 }
 
-// Reads the racks to be tried. Each is used for both gears.
+// Reads the racks to be tried. A rack in the list `racks` is used for both gears. Without this
+// list, each gear has its own rack, and gear 2 takes an absent rack from gear 1.
 void read_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>& blanks) {
   const auto depth = t.number("undercut_depth");
   const Json* list = t.any("racks");

@@ -26,8 +26,8 @@ constexpr double default_face_step(UnitSystem units) {
 
 /// The modules of ISO 54, series I (1) or series II (2), in mm.
 const std::vector<double>& iso54_modules(int series);
-/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any other
-/// name.
+/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any
+/// other name.
 std::vector<double> module_series(std::string_view name);
 
 // Reads the inputs of a search that are outside its own table. If [search] requires safety, the
@@ -40,7 +40,8 @@ std::vector<double> module_series(std::string_view name);
 inline constexpr double kSearchFaceLoad = 1.4;
 
 /// Adds the default `face_load_factor` to the table [rating] of a search, if the table has neither
-/// this key nor [rating.mounting].
+/// this key nor [rating.mounting]. A rating by VDI 2736 and the rating of a complete pair have no
+/// default.
 void lend_face_load(Json& tree);
 
 /// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
@@ -69,7 +70,6 @@ void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.
 
-/// True if the table is a search for drives.
 bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);

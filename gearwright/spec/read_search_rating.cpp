@@ -69,7 +69,6 @@ void check_names(const TableReader& t, const SearchAllowances& allowances) {
       t.fail("center_distance_tolerance", half.error().rule);
 }
 
-// The first of the keys that is in the table.
 std::string given_of(const TableReader& t, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (t.given(key)) return key;
