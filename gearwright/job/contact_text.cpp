@@ -51,7 +51,6 @@ std::string over_face(const SolvedJob& job, double degrees) {
                      unit_text(units, Unit::um));
 }
 
-// Lists the transmission error and the movement of the whole gears, and where each half touches.
 std::string halves_listing(const ContactAnswer& answer, UnitSystem units) {
   const auto mm = [&](double x) { return text_in(units, Unit::mm, x, 4); };
   const std::string_view unit = unit_text(units, Unit::mm);

@@ -35,7 +35,6 @@ std::string part_of(const Drive& drive, std::size_t body) {
                                             : "";
 }
 
-// The records of the bodies or of the meshes of a drive.
 template <class View, class List>
 std::vector<ValueRecord> records_of(const Quantities<View>& quantities, const Drive& drive,
                                     const List& list) {
@@ -86,8 +85,6 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
                       "rack_pair.contact_ratio_true", "rack_pair.backlash.normal_mm"});
 }
 
-// The tooth forces in the meshes and on the bodies. The listing is empty if the drive has no
-// torque.
 std::string force_listing(const Drive& drive, UnitSystem units) {
   if (!drive.graph.torque_Nm) return "";
   std::vector<std::string> meshes, bodies;
@@ -142,7 +139,6 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-// A sentence with the K_γ of the rating and the K_γ of the planets under load, which may differ.
 std::string load_factor_sentence(const Drive& drive) {
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
   if (!computed || !rated) return "";

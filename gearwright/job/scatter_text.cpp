@@ -1,4 +1,3 @@
-// The answer of `scatter` in JSON, as a listing and as a table.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -68,7 +67,6 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
-// The distribution of one quantity as a view. `x_of` returns the coordinates of a sample.
 template <class Of>
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
                        const Spread& spread, const Of& x_of) {
@@ -334,7 +332,6 @@ std::string loosening_listing(const ScatterAnswer& a, UnitSystem units) {
   return out;
 }
 
-// Lists the percentiles under each torque, once without and once with the corrections.
 std::string robust_load_listing(const RobustView& r) {
   std::string out;
   for (std::size_t k = 0; k < r.before.loaded.size(); ++k) {
