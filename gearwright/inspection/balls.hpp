@@ -24,7 +24,6 @@
 
 namespace gearwright {
 
-/// A ball that touches both flanks of a space.
 struct BallSeat {
   double ball_diameter;          ///< D_M   mm
   double center_pressure_angle;  ///< α_Kt  rad
@@ -82,7 +81,6 @@ std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
-/// The diameters of the ideal ball and of the nearest standard balls and pins.
 struct BallSizes {
   double ideal;   ///< mm, with contacts at usual_contact_diameter()
   double metric;  ///< mm, a size of gear measuring pins (DIN 3977)
