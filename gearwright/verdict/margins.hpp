@@ -15,13 +15,12 @@ namespace gearwright::detail {
 /// Findings for clearances that are not negative but below their margins.
 std::vector<Finding> margin_findings(const Pair& pair);
 
-/// A finding if the normal backlash j_n, mm, is 0. `recommended` is the smallest recommended j_n, mm.
+/// A finding if the normal backlash j_n, mm, is 0. `recommended` is the smallest recommended j_n,
+/// mm.
 std::vector<Finding> backlash_findings(double j_n, double recommended);
 
 /// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
 std::vector<Finding> contact_findings(const PatternPlace& place);
-
-// Findings for safety factors that are too low, and changes that would raise them sufficiently.
 
 /// A sentence with the changes that raise all safety factors to their required values: "6 mm more
 /// face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the sentence
