@@ -51,8 +51,9 @@ struct PinReading {
 /// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
-/// Errors    `ball_diameter` if the ball is too small for the space, rests on the tips or does not
-///           project beyond the tips. The message gives the diameters that fit
+/// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
+///           if the ball is too small or too large for the space, rests on the tips, touches the
+///           root or does not project beyond the tips. The message gives the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
 /// The dimension over two opposite balls in one transverse plane; for an internal gear, the
