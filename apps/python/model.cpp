@@ -127,6 +127,7 @@ ModelPtr with_two_gears(ModelPtr model) {
 void raise(const Error& error, const Model& model) { raise(spelled(error, model.given())); }
 
 Json GearValue::spec() const {
+  // This tree contains the values that gear 2 inherits from gear 1.
   const Json tree = inherit(model->spec).tree;
   const std::string table = which == 1 ? "gear1" : "gear2";
   Json own = tree.contains(table) ? tree[table] : Json::object();

@@ -36,6 +36,7 @@ class FileHandle {
   ~FileHandle() { close(); }
 
   bool is_open() const { return descriptor_ >= 0; }
+  /// The error number if opening failed, otherwise 0.
   int error() const { return error_; }
 
   int write(std::string_view bytes);

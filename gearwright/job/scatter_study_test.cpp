@@ -50,6 +50,7 @@ TEST(ScatterStudy, RowsAreTheAnswersOfScatter) {
   }
 }
 
+// The greatest percentile counts, wherever it is in the list.
 TEST(ScatterStudy, IsRankedByTheGreatestPercentile) {
   const auto run = run_study(study_spec(), {});
   ASSERT_TRUE(run);

@@ -67,6 +67,7 @@ ValueMap as_spec(const SolvedJob& job, const ScatterAnswer& a, const std::vector
   return sample;
 }
 
+// The distribution of one quantity as a view. `x_of` returns the coordinates of a sample.
 template <class Of>
 SpreadView spread_view(const SolvedJob& job, const ScatterAnswer& a, const SpreadEntry& entry,
                        const Spread& spread, const Of& x_of) {

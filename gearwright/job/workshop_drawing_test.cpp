@@ -282,6 +282,7 @@ TEST(WorkshopDrawing, takes_the_roughness_of_the_flanks_from_the_rating) {
   EXPECT_EQ(count(kSurfaces + pair, "Ra 0.4"), 1);
 }
 
+// A general texture applies to the surfaces without a symbol of their own.
 TEST(WorkshopDrawing, has_no_blank_symbols_beside_a_general_texture) {
   const auto lines = [](const std::string& toml) {
     return taken(workshop_sheets(solved(toml), {1}, SheetSize::a3, 0.001)).sheets[0].paths.size();
