@@ -16,7 +16,6 @@ namespace gearwright::apps {
 
 namespace {
 
-// The introduction of `gearwright --help`.
 constexpr const char* kIntroduction =
     "Gearwright: exact geometry, mesh and CAD files of cylindrical gears.\n\n"
     "  gearwright run pair.toml              everything: report.html, STEP, STL, 3MF, GLB, DXF, "

@@ -55,8 +55,6 @@ class CommandLine {
 /// The verbs that a user sees, in the order of --help.
 std::vector<const CLI::App*> verbs_of(const CLI::App& app);
 
-// Makes the completion scripts for shells from the definition of the command line.
-
 /// Returns the script for bash, zsh or fish.   Domain  shell is one of the three (contract)
 std::string completion(const std::string& shell, const CLI::App& app);
 
@@ -64,9 +62,6 @@ std::string completion(const std::string& shell, const CLI::App& app);
 /// option is a file name or free text.
 std::vector<std::string> words_of(const CLI::Option& option);
 
-// Makes the manual page from the command line and the catalogue of keys.
-
-/// Returns the page gearwright(1) for man.
 std::string manual_page(const CLI::App& app);
 
 }  // namespace gearwright::apps

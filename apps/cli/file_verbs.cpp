@@ -65,7 +65,6 @@ std::string collision(const Options& o) {
   return {};
 }
 
-// Prints the result of a run and returns its exit status.
 int end_run(const Options& o, UnitSystem units, const RunFiles& made, const std::string& listing,
             const std::vector<Warning>& warnings) {
   if (o.json) {
@@ -90,7 +89,6 @@ int run_drive(const Options& o, const Door& door, const JobSpec& spec, const fs:
                  job->drive.findings);
 }
 
-// If all files could be made, writes them and prints their list. Otherwise reports the error.
 int end_export(const Options& o, const Door& door, UnitSystem units,
                const std::vector<Result<JobFile>>& made, const std::vector<Warning>& warnings) {
   std::vector<JobFile> files;

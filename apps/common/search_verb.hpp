@@ -16,7 +16,6 @@ namespace gearwright::apps {
 // Command-line options for work that several processes can divide among themselves by means of
 // a common folder: the verb search, and the verb scatter over the designs of a search.
 
-/// The options that both verbs have.
 struct CampaignCommand {
   std::string spec;
   std::optional<std::string> out, shard;
@@ -56,7 +55,6 @@ struct SearchCommand : CampaignCommand {
   std::optional<std::int64_t> chunk;
 };
 
-/// Adds the verb `search` to a program.
 CLI::App* add_search(CLI::App& app, SearchCommand& command);
 
 /// Returns the exit status.   Throws  IoError
@@ -81,7 +79,6 @@ CLI::App* add_study(CLI::App& app, StudyCommand& command);
 /// Returns the exit status.   Throws  IoError
 int run_study_verb(const StudyCommand& command, const SpecText& text,
                    const Together* together = nullptr);
-/// Reads the spec that the command names, and runs the verb for it.
 int run_study_verb(const StudyCommand& command, const Together* together);
 
 }  // namespace gearwright::apps

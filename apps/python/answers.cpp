@@ -199,7 +199,6 @@ void each_member(const ScatterAnswer& a, const Cell& cell) {
   }
 }
 
-// Returns an array with a row for each sample.
 py::array members_of(const ScatterAnswer& a) {
   StructuredArray rows;
   for (const std::string& name : member_columns(a)) rows.add(name, "f8");

@@ -74,7 +74,6 @@ class StructuredArray {
   std::size_t stride_ = 0;
 };
 
-/// Returns an array with a row for each record of a list.
 py::array table_array(const QuantityTable& table, const ValueList& records);
 
 }  // namespace gearwright::python

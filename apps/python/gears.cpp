@@ -77,7 +77,6 @@ PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
   return pair_value(std::move(spec), pair.model->folder);
 }
 
-// Returns the Gear or the Pair of a file or a dict.
 py::object load(const py::object& given) {
   Json spec;
   fs::path folder;

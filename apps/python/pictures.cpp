@@ -97,7 +97,6 @@ std::vector<Figure> gear_figures(const GearValue& g) {
   return in_units_of(*g.model, {std::move(tooth)});
 }
 
-// The figures of the report on a pair, which depend on the kind of the pair.
 struct PairFigures {
   std::vector<Figure> operator()(const ParallelPair& pair) const {
     std::vector<Figure> figures;

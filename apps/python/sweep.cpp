@@ -94,7 +94,6 @@ std::optional<Error> put(JobSpec& spec, const Swept& s, std::size_t row) {
   return std::nullopt;
 }
 
-// Solves the pair for the numbers of one row.
 Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::size_t row) {
   for (const Swept& s : keys)
     if (auto error = put(spec, s, row)) return *error;

@@ -1,4 +1,3 @@
-// Output files appear completely or not at all. After a failure the folder is unchanged.
 #include "gearwright/base/output_file.hpp"
 
 #include <fcntl.h>

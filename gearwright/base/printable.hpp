@@ -19,7 +19,6 @@ std::string printable(const std::string& text, std::size_t most = kLongText);
 
 // Reads UTF-8 one code point at a time, for writers of files with other encodings.
 
-/// One code point and its number of bytes.
 struct Utf8Point {
   char32_t code;
   std::size_t bytes;

@@ -1,8 +1,8 @@
 // Texts of users in sentences and on terminals.
 //
 // (1) a text that reaches the limit with its last character is complete; (2) a longer text is cut
-// after a whole character; (3) control characters and invalid UTF-8 are escaped, byte by byte; (4) a
-// text without them is unchanged.
+// after a whole character; (3) control characters and invalid UTF-8 are escaped, byte by byte;
+// (4) a text without them is unchanged.
 #include "gearwright/base/printable.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// The fields of errors have subjects.
 #include "gearwright/base/subject.hpp"
 
 #include <gtest/gtest.h>

@@ -23,9 +23,7 @@ inline constexpr double kMetresPerMm = 1e-3;
 
 // Torques in N m, as users read and write them, and in N mm, the internal unit.
 
-/// Converts a torque from N mm to N m.
 constexpr double newton_metres(double torque) { return torque / kMmPerM; }
-/// Converts a torque from N m to N mm.
 constexpr double from_newton_metres(double torque_Nm) { return torque_Nm * kMmPerM; }
 
 }  // namespace gearwright

@@ -23,7 +23,6 @@ struct RecordColumn {
   bool opened() const { return info().of && info().list.empty(); }
   /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
-  /// True if the column is available at the given interface.
   bool has(Doors door) const;
   /// The number of values in each row, including the values of nested lists. It is 0 if the number
   /// varies.
@@ -37,7 +36,6 @@ struct RecordColumn {
   std::vector<const Value*> values(const ValueRecord& row) const;
 };
 
-/// The columns in the order of the table.
 std::vector<RecordColumn> columns_of(const QuantityTable& table);
 
 /// The value of a quantity in a record of its table, or null if the record lacks it.

@@ -25,12 +25,10 @@ struct CorrectionEntry {
   std::string_view own_key() const { return std::string_view(key).substr(key.find('.') + 1); }
 };
 
-/// All corrections, in the order of the documents.
 const std::vector<CorrectionEntry>& correction_entries();
 
 const CorrectionEntry& entry_of(const WorkshopCorrection& correction);
 
-/// The quantity that the corrections minimise.
 enum class CompensateAim { transmission_error, loaded_transmission_error, pressure };
 constexpr bool under_load(CompensateAim aim) { return aim != CompensateAim::transmission_error; }
 

@@ -24,7 +24,6 @@ auto at_place(F get) {
   };
 }
 
-// A getter for a quantity that exists only at a position with contact.
 template <class F>
 auto touching(F get) {
   return [get](const ContactPoint& p) {
@@ -32,8 +31,7 @@ auto touching(F get) {
   };
 }
 
-// is_rack is true if gear 2 is a rack, and is_gear if it is not. The results for a rack are travels
-// instead of angles.
+// The results for a rack are travels instead of angles.
 const auto is_rack = [](const auto& x) { return static_cast<bool>(x.rack); };
 const auto is_gear = [](const auto& x) { return !x.rack; };
 bool of_rack(const ContactView& v) { return is_rack(v.driving); }
@@ -142,7 +140,6 @@ void add_position(Quantities<ContactPoint>& q) {
       .list({2, 3});
 }
 
-// The quantities of the non-working flanks at the same positions.
 const Quantities<ContactResult>& non_working_quantities() {
   using R = ContactResult;
   return define("contact.non_working_flank", [](Quantities<R>& q) {

@@ -8,8 +8,7 @@
 
 namespace gearwright {
 
-/// The texts of the title block, the surface textures, and the fits of bore and keyway. A text is
-/// empty if it is not given.
+/// A text is empty if it is not given.
 struct DrawingInput {
   std::string title, number, author, date, material, note;
   std::string heat_treatment, surface_texture, edges, general_tolerances;

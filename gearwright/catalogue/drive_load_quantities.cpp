@@ -1,4 +1,3 @@
-// The quantities of a drive under load. A result contains them under `drive.load`.
 #include <algorithm>
 
 #include "gearwright/base/units.hpp"

@@ -23,7 +23,6 @@ Value rating_of(const DriveMeshView& v) {
   return record ? Value(*record) : Value();
 }
 
-// The records of all elements of a list, with the names of the elements.
 template <class View, class List>
 ValueMap by_name(const Quantities<View>& quantities, const Drive& d, const List& list) {
   ValueMap map;
@@ -32,7 +31,6 @@ ValueMap by_name(const Quantities<View>& quantities, const Drive& d, const List&
   return map;
 }
 
-// The profile shifts of the gears with teeth, by the names of the gears.
 ValueMap shifts_of(const Drive& d) {
   ValueMap map;
   for (std::size_t g = 0; g < d.graph.gears.size(); ++g)
@@ -93,7 +91,6 @@ const Quantities<DriveError>& drive_error_quantities() {
 
 const PlanetSet* first_set(const Drive& d) { return d.sets.empty() ? nullptr : &d.sets.front(); }
 
-// True if the power flow is self-locking, or null if there is no power flow.
 Value locks(const std::optional<PowerFlow>& flow) {
   return flow ? Value(flow->self_locking()) : Value();
 }

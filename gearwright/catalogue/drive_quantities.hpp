@@ -14,7 +14,6 @@ const Quantities<Drive>& drive_quantities();
 /// `coaxial`.
 const Quantities<Drive>& coaxial_quantities();
 
-/// A view of one body of a drive, and a view of one mesh.
 struct DriveBodyView {
   const Drive* drive;
   std::size_t body;

@@ -36,7 +36,6 @@ struct ErrorEntry {
   std::string member() const;  ///< member of ContactErrors, "cutter_lead[0]"
 };
 
-/// The entries of all errors, in the order for documents.
 const std::array<ErrorEntry, kErrorCount>& error_entries();
 /// The index of a key in error_entries, or nothing if there is no such error.
 std::optional<std::size_t> error_index(std::string_view key);
@@ -55,7 +54,6 @@ struct ErrorsInput {
   ContactErrors of(const std::array<const Gear*, 2>& gears) const;
 };
 
-/// The least and the greatest value of an error, as a list.
 inline constexpr KeyList kErrorRange{
     .least = 2, .most = 2, .order = {true, "must grow: the least value, then the greatest"}};
 

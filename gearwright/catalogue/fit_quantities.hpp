@@ -33,7 +33,6 @@ const Quantities<FitView>& fit_quantities();
 
 const Quantities<Identification>& identify_quantities();
 
-/// The quantities of one candidate.
 const Quantities<IdentifiedGear>& identified_gear_quantities();
 
 }  // namespace gearwright

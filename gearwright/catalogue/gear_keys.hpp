@@ -34,10 +34,7 @@ const KeyTable& basic_keys();
 const KeyTable& root_fillet_keys();
 const KeyTable& tip_fillet_keys();
 const KeyTable& bore_keys();
-/// The keys of [gearN.double_helical].
 const KeyTable& double_helical_keys();
-
-// The keys of [gearN.material]: the material of the teeth, for loads and ratings.
 
 const KeyTable& material_keys();
 
@@ -75,8 +72,6 @@ const KeyTable& measured_keys();
 const KeyTable& measured_ball_keys();
 /// The keys of a [gearN] that has readings but no module, for other known data of the gear.
 const KeyTable& unknown_gear_keys();
-
-// The keys of [pair], which describe the mounting of the two gears.
 
 const KeyTable& pair_keys();
 

@@ -44,7 +44,6 @@ using Reference = ReferenceGeometry<double>;
 
 Value doubled(const std::optional<double>& radius) { return radius ? Value(2 * *radius) : Value(); }
 
-// Parts that only one kind of gear has. They are null for other gears.
 const InvoluteTeeth* involute_of(const Gear& g) { return g.involute(); }
 const ArcTeeth* arcs_of_gear(const Gear& g) { return g.arcs(); }
 const Gear* involute_gear(const Gear& g) { return involute_of(g) ? &g : nullptr; }

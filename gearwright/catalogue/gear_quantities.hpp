@@ -27,15 +27,13 @@ constexpr const char* kBody = "Bore (for an internal gear, the rim)";
 
 const Quantities<Gear>& gear_quantities();
 
-/// The quantities of a warning. A warning states a fact about a gear or a pair that is not an
-/// error.
+/// A warning states a fact about a gear or a pair that is not an error.
 const Quantities<Warning>& warning_quantities();
 
 /// The quantities of a gear. For a double-helical gear, `gear` is one half, but the record has the
 /// whole face width.
 ValueRecord gear_record(const Gear& gear, const std::optional<Halves>& halves);
 
-/// Additional quantities of a double-helical gear.
 const Quantities<Halves>& double_helical_quantities();
 
 // The quantities of a verdict. A result contains them under `verdict`.
@@ -53,7 +51,6 @@ const Quantities<RackPair>& rack_pair_quantities();
 // The quantities that a workshop measures, and the description of a gear by another rack. A result
 // contains them under `measure` and `as_rack`.
 
-/// The measurements of one gear.
 const Quantities<GearMeasures>& measure_quantities();
 
 /// Data of a rack that would cut the same teeth.

@@ -111,7 +111,6 @@ constexpr const char* kReadings[] = {
 
 const char* word_of(Reading reading) { return kReadings[static_cast<std::size_t>(reading)]; }
 
-// The units of a reading and of its tool.
 template <class R>
 void add_units(Quantities<R>& q) {
   q.text("unit", "unit of the reading, spelled as in keys",

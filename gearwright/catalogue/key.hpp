@@ -68,8 +68,8 @@ inline constexpr ListOrder kLowerFirst{false, "must be two numbers in rising ord
 /// The properties of a list, for a key that takes a list.
 struct KeyList {
   std::size_t least = 1, most = 1;
-  bool single = false;      ///< a single value without a list is also allowed
-  ListOrder order{};        ///< order of numbers
+  bool single = false;  ///< a single value without a list is also allowed
+  ListOrder order{};
   std::string_view noun{};  ///< noun for one word of the list: "objective"
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
@@ -102,9 +102,9 @@ struct Key {
   std::string_view key;       ///< name in the file, "helix_angle_deg"
   std::string_view symbol{};  ///< symbol of ISO 21771, "β"
   KeyKind kind = KeyKind::number;
-  Words words{};     ///< the permitted words; if the kind is not `word`, words that are also
-                     ///< permitted
-  KeyRange range{};  ///< range of each number
+  Words words{};  ///< the permitted words; if the kind is not `word`, words that are also
+                  ///< permitted
+  KeyRange range{};
   std::optional<KeyList> list{};
   std::string
       form{};  ///< description of the permitted values, if kind and range do not describe them: "a
@@ -134,7 +134,6 @@ struct Key {
                           std::string_view fallback, std::string_view meaning);
   static Key word(std::string_view key, Words words, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
-  /// A key for true or false.
   static Key flag(std::string_view key, KeyPlace place, std::string_view fallback,
                   std::string_view meaning);
   static Key text(std::string_view key, KeyPlace place, std::string_view fallback,

@@ -97,7 +97,7 @@ struct Place {
   std::string path;
 };
 
-// `top` and the tables below it, ordered by depth.
+// The tables below `top`, ordered by depth.
 std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   std::vector<Place> list{{&top, std::string(path)}};
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -114,7 +114,7 @@ std::vector<Place> tables_below(const KeyTable& top, std::string_view path) {
   return list;
 }
 
-// True if both units are lengths, or both are angles.
+// True if the units are of the same kind, such as lengths or angles, or if a unit is empty.
 bool of_one_kind(std::string_view a, std::string_view b) {
   const auto kind = [](std::string_view unit) {
     if (unit == "mm" || unit == "um" || unit == "in") return std::string_view("length");
@@ -138,7 +138,7 @@ std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_v
     if (const Key* found = called(*p.table, word, by_word, false)) return named(*found, p.path);
   }
   if (path.empty()) return std::nullopt;
-  // If this table belongs to gear 2, the tables of gear 2 are searched first.
+  // The table `own`, which contains this table, is searched first.
   const std::string_view own = path.substr(0, path.find('.'));
   std::vector<Place> all = tables_below(spec_keys(), "");
   // The short forms of drives and the table [search] repeat the words of the gears and the

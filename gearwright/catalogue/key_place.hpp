@@ -53,7 +53,6 @@ enum class KeyKind {
   any       ///< any value
 };
 
-/// An input struct.
 class KeyTarget {
  public:
   /// Implicit, so that a reference to any input struct can be passed.
@@ -62,8 +61,6 @@ class KeyTarget {
       KeyTarget(T& input)  // NOLINT(google-explicit-constructor)
       : input_(&input), type_(&kType<T>) {}
 
-  /// The input struct.
-  ///
   /// Domain  an input of this type (contract)
   template <class T>
   T& as() const {
@@ -86,7 +83,6 @@ class KeyPlace {
   template <class T, class V>
   KeyPlace(V T::*member)  // NOLINT(google-explicit-constructor)
       : KeyPlace(within<T>([member](T& t) -> V& { return t.*member; })) {}
-  /// The member `inner` of the member `outer`.
   template <class T, class M, class V>
   KeyPlace(M T::*outer, V M::*inner)
       : KeyPlace(within<T>([outer, inner](T& t) -> V& { return t.*outer.*inner; })) {}

@@ -315,7 +315,6 @@ TEST(Keys, a_word_is_a_slip_of_another_one_or_a_part_of_it) {
             "did you mean mass? Known are ratio, mass");
 }
 
-// Two exchanged letters are one error: "gaer" is "gear", and "ratoi" is "ratio".
 TEST(Keys, exchanged_letters_are_one_error) {
   EXPECT_EQ(edit_distance("gaer", "gear"), 1U);
   EXPECT_EQ(edit_distance("ratoi", "ratio"), 1U);

@@ -24,7 +24,6 @@ void add_stiffness(Quantities<S>& q) {
 const Quantities<S>& stiffness_quantities() {
   return define<add_stiffness<Unit::newton_per_mm_um>>("load.torques stiffness");
 }
-// The stiffness for point contact.
 const Quantities<S>& point_stiffness_quantities() {
   return define<add_stiffness<Unit::newton_per_um>>("load.torques point stiffness");
 }

@@ -28,7 +28,6 @@ std::vector<LoadTorqueView> torque_views(const LoadedContact& contact,
 const Quantities<LoadAnalysis>& load_quantities();
 const Quantities<LoadTorqueView>& load_torque_quantities();
 const Quantities<LoadPositionView>& load_position_quantities();
-/// The quantities of a tooth pair in point contact.
 const Quantities<LoadedPair>& load_point_quantities();
 
 }  // namespace gearwright

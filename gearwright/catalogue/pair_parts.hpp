@@ -99,7 +99,6 @@ const Quantities<InternalMargins>& internal_quantities();
 double working_helix(const ArcPair& pair, std::size_t i);
 double working_transverse(const ArcPair& pair, std::size_t i);
 
-/// One entry of the list `interference`.
 struct InterferenceView {
   WarningCode code;
   int gear;
@@ -112,7 +111,6 @@ std::vector<InterferenceView> interference_of(const Pair& pair);
 /// The quantities of an entry of `overlap` or of `beyond_flank`.
 const Quantities<Collision>& collision_quantities();
 
-/// A contact of circular arcs, and the pair to which it belongs.
 struct ArcContactView {
   const ArcPair* pair;
   const ArcPairContact* contact;

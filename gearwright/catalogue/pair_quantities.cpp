@@ -15,7 +15,6 @@ namespace {
 double deg(double rad) { return Angle::radians(rad).deg(); }
 Value degrees(const std::array<double, 2>& rad) { return std::array{deg(rad[0]), deg(rad[1])}; }
 
-// The pair as this kind, or null if it is another kind.
 template <class Kind>
 const Kind* as(const Pair& v) {
   return v.as<Kind>();
@@ -35,7 +34,6 @@ const Efficiency* efficiency_of(const Pair& v) {
   return p && p->efficiency ? &*p->efficiency : nullptr;
 }
 
-// A getter that has one function for each kind of pair.
 template <class... Of>
 auto by_kind(Of... of) {
   return [get = Overloaded{of...}](const Pair& v) { return v.visit(get); };

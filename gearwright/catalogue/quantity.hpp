@@ -46,7 +46,6 @@ enum class Two {
 
 struct QuantityTable;
 
-/// The description of a quantity.
 struct QuantityInfo {
   std::string key;     ///< key in JSON, with its unit: "tip_diameter_mm"
   std::string words;   ///< the term of ISO 21771 or ISO 1122-1, if one exists
@@ -56,9 +55,9 @@ struct QuantityInfo {
   std::string meaning{};  ///< one sentence without full stop, with the condition under which the
                           ///< value exists
   Type type = Type::number;
-  std::vector<int> list{};            ///< lengths of nested lists, 0 for any length; empty for one
-                                      ///< value
-  Two two = Two::values;              ///< meaning of a list of two values
+  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty for one
+                            ///< value
+  Two two = Two::values;
   bool always = false;                ///< true if the value is never null; by default this follows
                                       ///< from the type of the getter (Shape)
   std::vector<std::string> one_of{};  ///< possible values of a word
@@ -304,7 +303,6 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   const QuantityTable& table() const { return table_; }
   const std::deque<Quantity<S>>& list() const { return list_; }
 
-  /// The record of a subject.
   ValueRecord of(const S& subject) const {
     ValueRecord record;
     record.reserve(list_.size());
@@ -317,7 +315,6 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     }
     return record;
   }
-  /// The records of several subjects, in their order.
   template <class Range>
   ValueList each(const Range& subjects) const {
     ValueList list;
@@ -373,14 +370,12 @@ const Quantities<S>& define(const char* name, Fill fill) {
   static const Quantities<S> kAll(name, fill);
   return kAll;
 }
-/// The quantities that the function `fill` adds.
 template <auto fill, class S = decltype(subject_of(fill))>
 const Quantities<S>& define(const char* name) {
   return define(name, [](Quantities<S>& q) { fill(q); });
 }
 
-/// The number of decimals for users. By default, it is 4 for mm (0.1 µm, the last digit of a gear
-/// drawing), and 5 for degrees (0.17 µm on a radius of 1 m) and for pure numbers.
+/// The number of decimals for users. By default, it is the number of the unit (unit_digits).
 int digits_of(const QuantityInfo& info);
 
 /// The unit system in which an answer in `units` shows the values of this quantity. Modules are in
@@ -401,7 +396,6 @@ struct TextRow {
   std::string_view unit;  ///< the unit of the texts, "mm" or "in"
 };
 
-/// A heading with its rows.
 struct TextGroup {
   std::string title;
   std::vector<TextRow> rows;
@@ -409,8 +403,7 @@ struct TextGroup {
 
 /// The table for users. It shows either several records side by side (two gears) or one record
 /// with values for each gear (a pair). It contains the quantities of the interface `door` that
-/// at least one record shows. They are under their headings and in these units. The quantities
-/// of inner records are also rows. `table` is the table of the records.
+/// at least one record shows. The quantities of inner records are also rows.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");

@@ -32,7 +32,6 @@
 namespace gearwright {
 namespace {
 
-// Every table, including tables within tables.
 void collect(const QuantityTable& table, std::set<const QuantityTable*>& all) {
   if (!all.insert(&table).second) return;
   for (const QuantityInfo* s : table.list)

@@ -277,7 +277,6 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       .digits(2);
 }
 
-// The stresses in the computed tooth contact, divided by the stresses of the standard.
 Value over(const std::array<double, 2>& contact, const FactorPair& standard) {
   return std::array{contact[0] / standard[0].value, contact[1] / standard[1].value};
 }

@@ -23,7 +23,6 @@ struct ToothContact {
   double face_load_factor;            ///< K_Hβ of the computed line load
 };
 
-/// The rating of a pair, with values that would improve it.
 struct RatingAnswer {
   RatedPair pair;
   RatingInput input;

@@ -4,7 +4,6 @@ namespace gearwright {
 
 namespace {
 
-// The flank of one gear.
 struct DensityView {
   const FlankDensity* flank;
   std::int64_t samples;

@@ -26,12 +26,10 @@ struct SpreadEntry {
   double shown(double value) const;
 };
 
-/// A quantity of one pair of the family.
 struct ScatterEntry : SpreadEntry {
   ScatterQuantity quantity;
 };
 
-/// A quantity of one pair under torque.
 struct LoadedEntry : SpreadEntry {
   std::optional<Spread> LoadedSpread::*spread;
 };
@@ -90,11 +88,8 @@ struct ScatterView {
 
 const Quantities<ScatterView>& scatter_quantities();
 
-/// The unit of the numbers of a tolerance.
 Unit unit_of(const ScatterTolerance& tolerance);
 
-/// The quantities of a distribution, of all probabilities of a family, of one probability, and
-/// of a family under one torque.
 const Quantities<SpreadView>& spread_quantities();
 const Quantities<ScatterView>& probabilities_quantities();
 const Quantities<Probability>& probability_quantities();

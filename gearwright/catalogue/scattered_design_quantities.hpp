@@ -10,7 +10,6 @@
 
 namespace gearwright {
 
-/// A design of a search with its scatter, or with the reason why the scatter was not computed.
 struct ScatteredDesign {
   std::int64_t number;  ///< its rank in the search
   DesignView design;

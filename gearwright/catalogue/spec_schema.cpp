@@ -45,7 +45,6 @@ Json enum_schema(const std::vector<std::string_view>& words) { return {{"enum", 
 
 Json reference(const KeyTable& table) { return {{"$ref", fmt::format("#/$defs/{}", table.name)}}; }
 
-// The schemas of one value, or of one element of a list.
 std::vector<Json> element_schemas(const Key& key) {
   switch (key.kind) {
     case KeyKind::number:

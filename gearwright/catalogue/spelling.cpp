@@ -22,7 +22,6 @@ std::string joined(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : std::string(path) + "." + std::string(key);
 }
 
-// Adds to `found` all keys of `table`, which is at `path`, that set the member.
 void find_keys(const KeyTable& table, const std::string& path, std::string_view member,
                std::vector<Spelling>& found) {
   for (const Key& key : table.keys) {

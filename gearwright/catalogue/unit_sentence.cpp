@@ -18,7 +18,6 @@ namespace gearwright {
 
 namespace {
 
-// A number at the beginning of a text.
 struct NumberText {
   std::string_view text;
   double value;

@@ -1,6 +1,5 @@
 // The system of units of a spec and its answer. The catalogue is written in mm. For a spec in inch,
 // keys, values and sentences are converted. The unit at the end of a key determines the conversion.
-// No key and no quantity is defined twice.
 //
 //   mm    _mm   _um    _per_mm   _per_um    _mm_per_rad   _mm_per_turn      1 in = 25.4 mm
 //   inch  _in   _uin   _per_in   _per_uin   _in_per_rad   _in_per_turn      1 µin = 0.0254 µm

@@ -80,7 +80,6 @@ class Value {
   Variant variant_;
 };
 
-/// One quantity of a record: its description and its value.
 struct Member {
   const QuantityInfo* info;  ///< points into the catalogue, which exists as long as the program
                              ///< runs

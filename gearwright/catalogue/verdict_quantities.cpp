@@ -31,7 +31,6 @@ const char* member_of(Adjustable what) {
   return "";
 }
 
-// The keys that the remedy sets, with their values.
 ValueMap change_of(const Finding& finding) {
   ValueMap keys;
   if (!finding.change) return keys;

@@ -24,7 +24,6 @@
 
 namespace gearwright {
 
-/// A ball that touches both flanks of a space.
 struct BallSeat {
   double ball_diameter;          ///< D_M   mm
   double center_pressure_angle;  ///< α_Kt  rad
@@ -52,8 +51,9 @@ struct PinReading {
 /// The ball or pin in a space of the gear, if it touches both flanks and can be measured.
 ///
 /// Formula   inv α_Kt = D_M/(d_b cos β_b) − η_b, [T10.6]; d_K = d_b/cos α_Kt, contacts [T10.7]
-/// Errors    `ball_diameter` if the ball is too small for the space, rests on the tips or does not
-///           project beyond the tips. The message gives the diameters that fit
+/// Errors    `ball_diameter` if the gear has no usable involute flank or fewer than two teeth, or
+///           if the ball is too small or too large for the space, rests on the tips, touches the
+///           root or does not project beyond the tips. The message gives the diameters that fit
 Result<BallSeat> ball_in_space(const Gear& gear, double ball_diameter);
 
 /// The dimension over two opposite balls in one transverse plane; for an internal gear, the
@@ -82,7 +82,6 @@ std::optional<double> ball_touching_at(const Gear& gear, double contact_diameter
 std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_diameter,
                                                 double dimension);
 
-/// The diameters of the ideal ball and of the nearest standard balls and pins.
 struct BallSizes {
   double ideal;   ///< mm, with contacts at usual_contact_diameter()
   double metric;  ///< mm, the nearest size of gear measuring pins (DIN 3977) that can be measured

@@ -1,4 +1,3 @@
-// Tests the series of the chord with golden values, and the order of every error.
 #include "gearwright/inspection/chord_series.hpp"
 
 #include <gtest/gtest.h>

@@ -87,8 +87,6 @@ T shortest_chord_half_angle(const T& theta_t, const T& tan_psi_squared) {
   return root.x;
 }
 
-/// The shortest chord over a tooth.
-///
 /// Formula   k* = 2 r sin θ* √(1 + T cos² θ*), Δh* = 2 r sin² (θ*/2),
 ///           angle arctan(tan ψ cos θ*); [T5.6], [T5.7]. For ψ = 0, exactly 2 r sin θ_t as for a
 ///           spur gear
@@ -148,8 +146,6 @@ struct ConstantChord {
   ContactPlace place;
 };
 
-/// The constant chord of a gear.
-///
 /// Formula   s_c = s_n cos² α_n, h_c = ±(d_a − d)/2 − s_n sin α_n cos α_n/2; [T10.13], [T10.14]
 /// Units     mm
 /// None      if there is no usable flank

@@ -240,7 +240,8 @@ TEST(ShortestChord, of_a_spur_gear_is_the_transverse_one_exactly) {
     EXPECT_EQ(c.caliper_angle, 0.0);
     EXPECT_NEAR(c.height, 17.3 * (1 - std::cos(theta)), 1e-15 * 17.3);
   }
-  // A gear that is nearly a spur gear has nearly the same chord, because no formula divides by tan ψ.
+  // A gear that is nearly a spur gear has nearly the same chord, because no formula divides by
+  // tan ψ.
   const auto a = shortest_chord(ToothArc<double>{0.2, 1e-160, 17.3, 20.0});
   EXPECT_DOUBLE_EQ(a.chord, 2 * 17.3 * std::sin(0.2));
   // At the other end, a helix runs nearly along the circumference. The shortest chord then differs
@@ -270,8 +271,6 @@ TEST(ShortestChord, height_does_not_cancel) {
   const auto c = shortest_chord(ToothArc<double>{1e-7, 0.0, 100.0, 101.0});
   EXPECT_NEAR(c.height, 100.0 * (0.5e-14 - 1e-28 / 24), 2e-28);  // θ²/2 − θ⁴/24, to 2 ulp
 }
-
-// ---- gears ----
 
 CylindricalSpec spec_of(int z, double m, double beta_deg, double x) {
   return testing::plain_spec(

@@ -18,7 +18,6 @@ namespace gearwright {
 //
 //   d_Ff, d_Fa   form diameters, mm       d_y   diameter of a contact, mm
 //   d_V          diameter of the V circle, mm, at which tools of the usual size touch
-//                                              theory: docs/theory/10-inspection.md
 //
 // The flank of an internal gear extends outward from d_Fa, because the tip lies inside.
 

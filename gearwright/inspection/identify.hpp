@@ -152,10 +152,7 @@ struct Identification {
                                                ///< implausible, and if the correction of one
                                                ///< input gives a gear that agrees
 };
-/// Greatest number of candidates in a result.
 inline constexpr int kMostCandidates = 8;
-/// Identifies a gear.
-///
 /// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size
 Result<Identification> identify(const IdentifyProblem& problem);
 

@@ -45,7 +45,6 @@ bool has_group(IdentifyProblem p, Reading group) {
   return own && others;
 }
 
-// The problem with the readings of a group multiplied by a factor.
 IdentifyProblem scaled(IdentifyProblem p, Reading group, double factor) {
   each_length(p, [&](Reading one, double& length) {
     if (group == Reading::all || group == one) length *= factor;
@@ -63,7 +62,7 @@ Identification without_contradiction(const IdentifyProblem& problem) {
   IdentifyProblem others = problem;
   (contradiction->reading == Reading::tip_diameter ? others.tip : others.root).value.reset();
   answer = detail::identify_readings(others, detail::LeaveOut::one);
-  // The contradicting reading is also compared with the gear that the other readings give.
+  // The expected value is the value of the gear that the other readings give.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
     const IdentifiedGear& gear = answer.candidates.front();

@@ -1,5 +1,6 @@
-// Tests the values of the drawing that identify() finds: profile shift, thickness allowance, rack and
-// tip. The readings are computed here from the formulas of spur gears, without the code of the library:
+// Tests the values of the drawing that identify() finds: profile shift, thickness allowance, rack
+// and tip. The readings are computed here from the formulas of spur gears, without the code of the
+// library:
 //
 //   W_k = m cos α (π (k − 1/2) + z inv α) + 2 x_E m sin α      x_E = x + E_sn/(2 m tan α)
 //   d_a = m (z + 2 h_aP* + 2 x)                               d_f = m (z − 2 h_fP* + 2 x_E)
@@ -54,8 +55,8 @@ constexpr double kPitch24 = kMmPerInch / 24, kPitch16 = kMmPerInch / 16;
 // The pinion of DP 24 that a maker measured, with 0.00165 in of thinning.
 SpurGear thinned_pinion() { return {32, kPitch24, 20, 0.0, -0.00165 * kMmPerInch}; }
 
-// The thickness alone does not distinguish x from E_sn. The spec has x = 0 if the allowance is usual,
-// with and without a reading of the tip.
+// The thickness alone does not distinguish x from E_sn. The spec has x = 0 if the allowance is
+// usual, with and without a reading of the tip.
 TEST(IdentifyDrawing, thinning_is_an_allowance_and_no_profile_shift) {
   const SpurGear gear = thinned_pinion();
   IdentifyProblem p = spans_of(gear);
@@ -187,7 +188,6 @@ TEST(IdentifyDrawing, readings_in_the_other_unit_are_found) {
   }
 }
 
-// A known profile shift, allowance or rack is kept.
 TEST(IdentifyDrawing, known_values_determine_the_others) {
   const SpurGear gear{25, 2.0, 20, 0.25, -0.09};
   IdentifyProblem p = spans_of(gear);

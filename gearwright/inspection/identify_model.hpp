@@ -13,7 +13,6 @@ namespace gearwright::detail {
 
 inline constexpr double kSigmas = 1.96;  ///< standard deviations for 95 %
 
-/// The numbers that describe a gear.
 struct GearNumbers {
   int teeth;      ///< z, signed
   double module;  ///< m_n  mm

@@ -98,8 +98,6 @@ TEST(Identify, refuses_what_says_nothing) {
   EXPECT_EQ(identify(p).error().field, "teeth");
 }
 
-// ---- synthetic gears ----
-
 struct Workshop : testing::Draw {
   using Draw::Draw;
   double normal() {  // by Box and Muller, to get the same numbers on every machine

@@ -86,7 +86,6 @@ struct Touch {
   Real distance, u, z;
 };
 
-// The point of the flank nearest to a ball's centre.
 Touch nearest(const Flank& flank, const LongPoint& center, Real reach) {
   const auto best_z = [&](Real u) {
     return golden([&](Real z) { return norm(flank.at(u, z) - center); }, -reach, reach);

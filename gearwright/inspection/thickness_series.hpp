@@ -4,7 +4,7 @@
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           from −IT7/2 to IT7/2
 //   H7            from 0 to IT7
-//   N9            from −IT9 to 0
+//   N9            from −IT9 to 0, both lower by 4 µm for sizes up to 3 mm
 //   P9            from −IT9 to 0, both lower by the fundamental deviation of P
 //                                              theory: docs/theory/10-inspection.md
 #pragma once

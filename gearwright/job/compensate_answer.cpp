@@ -125,8 +125,6 @@ Compensation compensated(const SolvedJob& job, const ContactSetup& setup, Compen
   return result;
 }
 
-// The warning about corrections at the end of the range, or nothing if there are no such
-// corrections.
 std::optional<Warning> bound_warning(const CompensateAnswer& answer) {
   std::string list;
   for (const FoundCorrection& c : answer.corrections) {
@@ -211,7 +209,6 @@ std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup
   return values;
 }
 
-// Adds warnings about positions without contact or without a result under load.
 void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
   const auto contact_lost = [](const Warning& w) {
     return w.code == WarningCode::contact_lost || w.code == WarningCode::contact_lost_to_undercut;
@@ -246,8 +243,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   if (!corrections) return corrections.error();
   CompensateAnswer answer;
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
-  // Before the search, contact is required at every position. If the teeth are too short for this,
-  // no correction can restore contact.
+  // At least one position of the uncorrected pair must have contact. Otherwise, there is no
+  // transmission error to minimise.
   if (std::isnan(
           peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
     return nothing_touches(setup);

@@ -26,8 +26,6 @@ struct CompensateAnswer : CompensateView {
   Verdict verdict;  ///< verdict on the corrected pair under the spec's errors
 };
 
-/// Computes the corrections, the corrected spec and its verdict.
-///
 /// Errors    the errors of answer_contact; `errors` if nothing touches in the uncorrected pair;
 ///           `compensate.corrections` for a correction that the teeth do not permit;
 ///           `compensate.range` if nothing touches at a corner of the range, even with the computed

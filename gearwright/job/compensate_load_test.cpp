@@ -126,8 +126,8 @@ TEST(CompensateLoad, FindsWhatADenseScanFindsForSmallTeeth) {
   expect_the_best_of_a_scan(small_spec_of);
 }
 
-// The estimate of the aim around a pair equals the aim for the change 0, for both aims and at several
-// corrections. A cutter lead has no estimate.
+// The estimate of the aim around a pair equals the aim for the change 0, for both aims and at
+// several corrections. A cutter lead has no estimate.
 TEST(CompensateLoad, EstimatesAreExactAtTheirCenter) {
   const std::vector<WorkshopCorrection> which{{Modification::lead_slope, 1},
                                               {Modification::profile_crowning, 2}};

@@ -61,8 +61,8 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
        touch.gear});
 }
 
-// If the flanks of an internal pair overlap by more than this part of a pitch, the gears jam whatever
-// the fillets do. The fillets are then not examined, because many teeth overlap and their
+// If the flanks of an internal pair overlap by more than this part of a pitch, the gears jam
+// whatever the fillets do. The fillets are then not examined, because many teeth overlap and their
 // computation can take half a minute.
 constexpr double kDeepOverlap = 0.05;
 
@@ -157,7 +157,6 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   return answer;
 }
 
-// Analyses a pinion and its rack.
 Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   if (input.map) return Error{"contact.map", "", "needs two gears, but gear 2 is a rack"};
@@ -180,7 +179,6 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   return answer;
 }
 
-// Analyses both halves of a double-helical pair and the whole gears.
 Result<ContactAnswer> answer_of_halves(SolvedJob& job, const HalvesSetup& setup,
                                        Progress* progress) {
   ContactInput input = job.spec.contact;

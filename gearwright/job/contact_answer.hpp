@@ -14,8 +14,6 @@
 
 namespace gearwright {
 
-// The errors and modifications of a spec for contact analysis, and the names of their influences.
-
 /// The errors of the spec, for a pair or a rack and its pinion. A single gear has no errors.
 ContactErrors errors_of(const SolvedJob& job);
 
@@ -47,7 +45,6 @@ struct ContactAnswer : ContactView {
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
-/// The options that a spec requests for the contact of a rack and its pinion.
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; `errors` if no teeth touch at any position

@@ -130,7 +130,6 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
   parallel_for(list.size() + 1, make);
 }
 
-// The pictures of one pair of flanks.
 ContactReport report_of(const FlankContact& flanks, const RasterSize& size) {
   ContactReport r;
   static_cast<ContactScene&>(r) = flanks;
@@ -146,7 +145,6 @@ bool fits_report(const ContactInput& input) {
   return input.rotations.empty() && input.pitches == 1;
 }
 
-// The report on the whole gears and their halves.
 Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer& given) {
   const ContactInput& input = job.spec.contact;
   std::optional<ContactAnswer> over_pitch;
@@ -219,7 +217,7 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   return r;
 }
 
-// The report on a pinion and its rack. Only the flank of the pinion is drawn.
+// Only the flank of the pinion is drawn.
 Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& answer) {
   ContactOptions options = rack_options(job, nullptr);
   options.request.rotations.clear();

@@ -28,7 +28,6 @@ bool all_plain(const ValueList& list) { return std::all_of(list.begin(), list.en
 
 const Value kNothing;
 
-// The values of one column, a value for each row.
 using Cells = std::vector<const Value*>;
 using Rows = std::vector<const ValueRecord*>;  // a record for each row, null if the row has none
 
@@ -76,7 +75,6 @@ void add_rows(UnitSystem units, const QuantityInfo& info, const std::string& pat
   add_row(units, info, path, *cells[0], cells.size() > 1 ? *cells[1] : kNothing, out);
 }
 
-// Adds the records of the two gears side by side, or the record of the pair.
 void add_records(UnitSystem units, const std::string& path, const QuantityTable& table,
                  const Rows& records, std::string& out) {
   each_column(table, records, [&](const RecordColumn& column, const Cells& cells) {
@@ -122,7 +120,6 @@ void add_columns(UnitSystem units, const std::string& name, const QuantityInfo& 
   }
 }
 
-// A table of records, with a column for every value that at least one of the rows has.
 std::string records_csv(UnitSystem units, const QuantityTable& table, const ValueList& records) {
   Rows rows;
   for (const Value& v : records) rows.push_back(v.record());

@@ -40,9 +40,6 @@ std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer);
 /// A row for each point, with the columns arc, x_mm and y_mm.
 std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 
-// Nominal points of all flanks for a measuring machine, as a table, and the K-diagrams of all
-// flanks.
-
 /// The usable extent of the flank, over which modifications apply. The gear may be internal.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 

@@ -1,4 +1,3 @@
-// The tolerances of a drawing as inputs of `scatter`.
 #include "gearwright/arrange/tolerance_ends.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/job/solved_job.hpp"

@@ -83,8 +83,6 @@ std::string mesh_listing(const Drive& drive, UnitSystem units) {
                   "rack_pair.backlash.normal_mm"});
 }
 
-// The tooth forces in the meshes and on the bodies. The listing is empty if the drive has no
-// torque.
 std::string force_listing(const Drive& drive, UnitSystem units) {
   if (!drive.graph.torque_Nm) return "";
   const auto in_mesh = [&](std::size_t m) { return mesh_forces(drive, m).has_value(); };
@@ -122,7 +120,6 @@ std::string drive_csv(const Drive& drive) {
   return out;
 }
 
-// A sentence with the K_γ of the rating and the K_γ of the planets under load, which may differ.
 std::string load_factor_sentence(const Drive& drive) {
   const auto computed = mesh_load_factor(drive), rated = rated_mesh_load_factor(drive);
   if (!computed || !rated) return "";

@@ -27,12 +27,8 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 ///           rate_meshes() and material_of()
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress = nullptr);
 
-// The answer of a search for drives.
-
-/// Default number of drives in an answer.
 inline constexpr std::size_t kDefaultDrives = 100;
 
-/// True if the spec has a [search] for drives.
 bool searches_drives(const JobSpec& spec);
 
 /// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56". If the stages of a train

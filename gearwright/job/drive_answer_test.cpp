@@ -142,8 +142,8 @@ TEST(DriveAnswerTest, SearchesHaveTheNumbersOfTheirSpecs) {
 }
 
 // Law: if a search gives no profile shifts, no external gear of a listed drive is undercut, and its
-// spec has the listed numbers. Every drive that is green with x = 0 is listed too, with at least the
-// same efficiency.
+// spec has the listed numbers. Every drive that is green with x = 0 is listed too, with at least
+// the same efficiency.
 TEST(DriveAnswerTest, SearchesChooseProfileShifts) {
   struct Case {
     std::string keys, unshifted;

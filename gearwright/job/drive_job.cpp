@@ -202,8 +202,8 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   // A relative difference of K_γ changes S_F by as much and S_H by half of it. A hundredth is far
   // less than the uncertainty of S_F and S_H.
   constexpr double kSameFactor = 0.01;
-  // Without a rating, a planet with twice an equal share is a finding. This includes one of two
-  // planets that carries the whole load, whose K_γ has a rounding error.
+  // Without a rating, a planet that carries twice an equal share is a finding. If one of two
+  // planets carries the whole load, its K_γ is 2 with a rounding error.
   constexpr double kUnequal = 2.0 - 1e-9;
   const bool rated = !drive.ratings.empty();
   const PlanetShares* worst = nullptr;

@@ -38,20 +38,17 @@ MeshErrors mesh_errors(const JobSpec& spec, const Drive& drive);
 /// Errors    `rating.…` for a load that is missing, 0 or contradictory
 Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive);
 
-/// A function that rates each mesh of a drive under the load of [rating], or under the torque of the
-/// drive. The materials of the spec are read once. `spec` must outlive the function.
+/// A function that rates each mesh of a drive under the load of [rating], or under the torque of
+/// the drive. The materials of the spec are read once. `spec` must outlive the function.
 ///
 /// Errors    `rating.…` for a missing load; the errors of material_of() and rate_meshes()
 std::function<std::optional<Error>(Drive&)> drive_rater(const JobSpec& spec);
 
-/// Computes the drive under its [load].
-///
 /// Errors    `load.…` for keys that do not apply to a drive, and for a torque that is missing or
 ///           contradictory; the errors of mesh_spec() for a pair under load, with the mesh
 ///           named in the rule; the errors of loaded_drive()
 std::optional<Error> load_drive(DriveJob& job, Progress* progress = nullptr);
 
-/// Whether the meshes of a drive are rated.
 enum class RateMeshes { no, if_given, yes };
 
 /// Computes the drive of a spec with all other results, and the verdict on them. By default, the
@@ -68,8 +65,6 @@ Safeties wanted_safety(const JobSpec& spec);
 /// The verdict on the drive, including the safeties if the drive is rated.
 Verdict judge(const DriveJob& job);
 
-/// The solids of the drive, made by drive_solids().
-///
 /// Errors    a drive without a layout; the errors of drive_solids()
 Result<std::vector<ToothedBody>> drive_bodies(const DriveJob& job);
 

@@ -1,4 +1,3 @@
-// A drive under load: the keys of [load] that apply to it, and each mesh as a pair under load.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t kListedDrives = 20;
 
-// True if the designs of the search are rated.
 bool rates_drives(const JobSpec& spec, const DriveSearchProblem& problem) {
   return spec.rating.given || problem.safety_flank || problem.safety_root || problem.face_width;
 }
@@ -72,7 +71,6 @@ std::string advice(const FoundDrives& f) {
          "another coaxial_teeth. The verb drive shows why a given set has no green verdict.";
 }
 
-// The profile shifts in the order of the numbers of teeth.
 std::string shifts_text(const FoundDrive& d) {
   std::vector<std::string> list;
   for (const auto& x : d.drive.geometry.shift) list.push_back(x ? fixed_decimals(*x, 4) : "-");

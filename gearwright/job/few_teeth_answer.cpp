@@ -1,4 +1,3 @@
-// The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
 #include <cmath>
 
 #include <fmt/format.h>
@@ -24,7 +23,6 @@ constexpr const char* kChosen =
 std::string shown(double x) { return format_number(x); }
 std::string shown(Angle angle) { return format_number(angle.deg()); }
 
-// The value of a member, or nothing if it is absent.
 template <class T>
 std::string shown(const std::optional<T>& given) {
   return given ? shown(*given) : std::string();
@@ -99,7 +97,6 @@ double shift_as_drawn(double x) { return std::abs(drawn(x) - x) < 1e-12 ? drawn(
 // The tip diameter, rounded so that the tooth is never longer than computed.
 double tip_as_drawn(double d, double side) { return side * std::floor(side * d * 1e4) / 1e4; }
 
-// The pinion, with its module or its diametral pitch as in the given table.
 Json pinion_json(const CylindricalSpec& c, const Json& given) {
   constexpr const char* kPitch = "normal_diametral_pitch_per_in";
   Json g;
@@ -143,7 +140,6 @@ Json spec_of(const JobSpec& spec, const FewTeethDesign& d) {
   return tree;
 }
 
-// The error for a bore of the spec that does not fit into the gear of the design.
 std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d) {
   for (const int which : {1, 2}) {
     const Gear& gear = d.pair.gears[static_cast<std::size_t>(which - 1)];

@@ -180,7 +180,6 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
   return answer.error();
 }
 
-// The rating, or nothing if the spec has no [rating].
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);

@@ -85,7 +85,6 @@ Error of_body(Error error, const std::string& name);
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
                           const std::filesystem::path& path, const FileOptions& options);
 
-/// Rows of a report that describe the contents and the accuracy of the files.
 std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 
 /// Writes the files, each completely or not at all.   Throws  IoError

@@ -1,9 +1,9 @@
 // The verbs fit and identify compute gears that the spec does not give completely. Internal to job/
 // and the program.
 //
-// The verb fit computes the numbers that are absent in a spec. An absent key means an unknown number
-// here, not the default of the key. Every branch of the solution is returned as a spec for the other
-// verbs.
+// The verb fit computes the numbers that are absent in a spec. An absent key means an unknown
+// number here, not the default of the key. Every branch of the solution is returned as a spec for
+// the other verbs.
 #pragma once
 
 #include <string>
@@ -22,7 +22,6 @@ struct FitAnswer : FitView {
   std::vector<Json> specs{};  ///< for each branch, the spec completed by the computed numbers
   std::string remark{};       ///< a sentence for users about the design; may be empty
 };
-/// Adds a branch with its spec.
 void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
                 const std::optional<double>& transverse_contact_ratio = {});
 
@@ -32,7 +31,6 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress = nullptr);
 /// {"fit": {"branches", "reason", "nearest"}}
 Json fit_json(const FitAnswer& answer);
 
-/// A table for users.
 std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 
 // The verb fit for a pinion with few teeth and the wheel that it cuts ([fit] few_teeth = true).
@@ -41,7 +39,6 @@ std::string fit_listing(const FitAnswer& answer, UnitSystem units);
 Result<FitAnswer> answer_few_teeth(const JobSpec& spec, Progress* progress = nullptr);
 
 // The verb `identify` computes the gears that agree with the readings of an unknown gear.
-// Internal to job/ and the program.
 
 struct IdentifyAnswer {
   int gear;  ///< 1 or 2, the gear with the readings
@@ -62,7 +59,6 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec);
 /// {"identify": {"candidates", "contradiction", "next_measurement", "reason"}}
 Json identify_json(const IdentifyAnswer& answer);
 
-/// A table for users.
 std::string identify_listing(const IdentifyAnswer& answer, UnitSystem units);
 
 }  // namespace gearwright

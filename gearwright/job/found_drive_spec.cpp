@@ -1,4 +1,3 @@
-// The spec of a candidate of a search for drives, for the verb `drive`.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -164,7 +164,6 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
   return facts;
 }
 
-// The warning about the readings of gear 2 if both gears have readings.
 std::vector<Warning> unused_readings(const JobSpec& spec) {
   if (!spec.measured[0] || !spec.measured[1]) return {};
   return {
@@ -175,7 +174,6 @@ std::vector<Warning> unused_readings(const JobSpec& spec) {
        2}};
 }
 
-// The sentence about a mistake that explains the readings.
 std::string alternative_text(const Identification& found, UnitSystem units) {
   const Alternative& a = *found.alternative;
   const IdentifiedGear& g = a.gear;

@@ -49,7 +49,6 @@ std::optional<ChangedState> changed_rack(const SolvedJob& job, const SpecChange&
                       rack->normal_backlash()};
 }
 
-// The verdict on the pinion and on its mesh with the rack.
 Verdict rack_verdict(const SolvedJob& job, const JudgedParts& parts) {
   Judged judged = judged_rack(*job.rack, job.warnings);
   judged.contact = parts.contact;

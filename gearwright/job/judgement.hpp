@@ -23,7 +23,6 @@ struct JudgedParts {
                       ///< job
 };
 
-/// The verdict. Its messages name the keys of the file.
 Verdict judge(const SolvedJob& job, const JudgedParts& parts = {});
 
 /// The verdict as the last lines of a listing, for a terminal of 80 columns.

@@ -37,7 +37,6 @@ Result<std::vector<LoadTask>> load_tasks(SolvedJob& job) {
 
 namespace {
 
-// A table with a line for each torque, which contains the quantities that depend on the load.
 std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
                         const std::vector<LoadTorqueView>& torques) {
   std::vector<ValueRecord> records;
@@ -48,7 +47,6 @@ std::string torque_rows(UnitSystem units, const std::vector<std::string>& names,
                       "face_load_factor"});
 }
 
-// The transmission error along the line of action, and the amplitudes of its first harmonics.
 std::string noise_rows(const SolvedJob& job, const LoadedTorque& torque, LoadRegime regime) {
   std::string out;
   const UnitSystem units = job.spec.units();

@@ -1,6 +1,3 @@
-// Teeth under load in extreme cases: pointed teeth, corners that carry load, positions without a
-// result, slices that are too fine.
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@ std::optional<Pair> mounted(const SolvedJob& job) {
   return arranged ? arranged->pair : std::nullopt;
 }
 
-// Measures a gear of the job, or the same gear at an end of its tolerances.
 Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, int which,
                               const MeasureInput& tools, const std::optional<Pair>& pair,
                               std::vector<Warning>& warnings) {

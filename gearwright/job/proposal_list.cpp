@@ -41,7 +41,6 @@ const char* words_of(ReliefLength length) {
   return length == ReliefLength::long_relief ? "long" : "short";
 }
 
-// The reason why a pair has no reliefs of this length.
 std::string why_none(const SolvedJob& job, ReliefLength length) {
   const double ratio = job.pair->involute()->mesh.true_ratio;
   const char* const why =

@@ -125,7 +125,6 @@ const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limit
 
 int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
 
-// The quietest proposal without a loaded edge, or nothing if every proposal has a loaded edge.
 std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& list) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < list.size(); ++i) {

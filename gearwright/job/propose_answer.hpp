@@ -27,8 +27,6 @@ struct ProposeAnswer : ProposeView {
                     ///< the job
 };
 
-/// Computes the proposals, their effects and the verdict on the recommended one.
-///
 /// Errors    `load.torques` if neither [load] nor [rating] gives a torque; teeth with point
 ///           contact; double-helical gears; the errors of answer_load
 Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress = nullptr);
@@ -43,8 +41,9 @@ std::size_t recommended(const std::vector<Proposal>& proposals);
 
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& answer);
 
-/// The proposals in the report of `run`. There are none if [load] has no torque, if the gears have
-/// no grades, if `propose` does not support the gears, or if the computation fails.
+/// The proposals in the report of `run`. There are none if [load] has no torque or lists
+/// rotations, if the gears have no grades, if `propose` does not support the gears, or if the
+/// computation fails.
 std::optional<ProposeAnswer> propose_part(const SolvedJob& job, Progress* progress = nullptr);
 
 // The modifications that are proposed for a pair, without their effects. Internal to job/.
@@ -77,8 +76,6 @@ struct ProposalList {
 ProposalList list_proposals(const SolvedJob& job, const LoadTask& task,
                             const PairCompliance& compliance, const LeadProposal& lead,
                             double pitch_deviation);
-
-// The spec of a proposal is the spec of the job with other flank modifications.
 
 /// The tree with the modifications of the proposal. The reliefs of the proposal replace all
 /// profile modifications of both gears. The crowning and the slope of the proposal replace all

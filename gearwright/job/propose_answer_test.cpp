@@ -51,7 +51,6 @@ Error propose_error(const std::string& text) {
   return answer ? Error{} : answer.error();
 }
 
-// The result of the verb `load` for the spec of a proposal.
 LoadedContact load_of_spec(const Json& tree) {
   const auto spec = read_spec_tree(tree);
   EXPECT_TRUE(spec) << spec.error().message();

@@ -30,8 +30,8 @@ Json job_record(const SolvedJob& job);
 Json job_json(const SolvedJob& job, const Verdict& verdict);
 /// `arcs`: [{name, points}], n points per arc.   Domain: the outline is not empty (contract)
 Json outline_json(const Outline& outline, int n);
-/// Adds the list `key` to `object`, which is the text of an object in JSON. Every one of the `count`
-/// rows is made by row(i) and has a line of its own, because such a list may be long.
+/// Adds the list `key` to `object`, which is the text of an object in JSON. Every one of the
+/// `count` rows is made by row(i) and has a line of its own, because such a list may be long.
 template <class Row>
 void add_row_lines(std::string& object, const char* key, std::size_t count, const Row& row) {
   object.back() = ',';  // replaces the closing brace

@@ -100,7 +100,6 @@ class Schema {
   Json definitions_ = Json::object();
 };
 
-// The schema of a search: the result of a finished search, or the state of a stopped search.
 Json search_schema(Schema& schema) {
   const Json stopped{{"type", "object"},
                      {"properties",
@@ -114,8 +113,6 @@ Json search_schema(Schema& schema) {
                          schema.reference(drive_search_quantities().table()), stopped}}};
 }
 
-// The schema of a study of designs: the result of a finished study, or the state of a study
-// that other shards continue.
 Json study_schema(Schema& schema) {
   const Json unfinished{{"type", "object"},
                         {"properties",

@@ -58,7 +58,6 @@ class Writer {
     return id;
   }
 
-  /// Adds the mesh of two gears as a stage.
   void stage(const std::string& name, const std::string& gear_1, const std::string& gear_2,
              double distance) {
     const std::string id = add("cylindrical_stage", name);
@@ -158,7 +157,6 @@ class Writer {
   std::string note_;
 };
 
-// The reason why REXS cannot describe this gear, or nothing if it can.
 std::optional<Error> not_in_rexs(const Gear& gear, const std::string& name) {
   if (!gear.involute() || gear.spec.root_fillet || gear.spec.tip_fillet)
     return Error{name, "",

@@ -11,15 +11,11 @@
 
 namespace gearwright {
 
-/// Makes the REXS file of a pair.
-///
 /// Laws      (1) reading the file gives a pair with the same numbers within 1e-9
 /// Errors    `gearN` for a single gear, a rack, crossed axes, gears that are not cut by straight
 ///           racks or pinion cutters, and double-helical gears
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
-/// Makes the REXS file of a drive.
-///
 /// Errors    a drive without geometry or with a rack; the errors above for its gears
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path);
 

@@ -1,4 +1,3 @@
-// Tables with a line for each record.
 #include "gearwright/job/listing.hpp"
 
 #include <gtest/gtest.h>

@@ -140,7 +140,6 @@ Distribution distribution_of(const DistributionSpec& spec) {
   return std::move(made).take();
 }
 
-// Adds the two bearing bores of a shaft, one at each end.
 void add_bearings(const ScatterBearings& b, std::vector<ScatterTolerance>& all) {
   for (const bool far_end : {false, true}) {
     all.push_back({far_end ? "bearings.bore_b" : "bearings.bore_a", 1.0,
@@ -203,7 +202,7 @@ Result<std::vector<ScatterTolerance>> tolerances_of(const SolvedJob& job) {
   return all;
 }
 
-// The groups of the spec, followed by a group for each input without a group, in the order of the
+// The groups of the spec and a group for each input without a group, in the order of their first
 // inputs.
 Result<std::vector<ToleranceGroup>> groups_of(const ScatterInput& input,
                                               const std::vector<ScatterTolerance>& tolerances) {

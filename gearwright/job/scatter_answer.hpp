@@ -10,7 +10,6 @@
 
 namespace gearwright {
 
-/// The answer to the request [scatter.robust].
 struct RobustAnswer {
   RobustTask task;
   RobustCorrections found;
@@ -38,7 +37,6 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     const JobSpec& spec, const std::vector<ScatterTolerance>& tolerances,
     const std::vector<ToleranceGroup>& groups);
 
-/// The varied inputs of [scatter] with their correlations and groups.
 struct VariedInputs {
   std::vector<ScatterTolerance> tolerances;
   std::vector<ToleranceCorrelation> correlations;

@@ -246,7 +246,6 @@ TEST(ScatterAnswer, AGradeGivesWhatIsNotGiven) {
                  "in rising order");
 }
 
-// A series of DIN 3967 and JS7 on the drawing have the effect of the same ranges in [scatter].
 TEST(ScatterAnswer, WorstCaseHasWholeWavesAndZeroWavesAreNone) {
   const Json tree = spec_with(R"({"samples": 2, "replicates": 2, "quality": 6, "worst_case": true,
     "errors": {"helix_slope1_um": [0, 0], "helix_slope2_um": [0, 0], "crossing_deg": [0, 0],
@@ -264,6 +263,7 @@ TEST(ScatterAnswer, WorstCaseHasWholeWavesAndZeroWavesAreNone) {
   EXPECT_EQ(count, std::round(count));
 }
 
+// A series of DIN 3967 and JS7 on the drawing have the effect of the same ranges in [scatter].
 TEST(ScatterAnswer, TolerancesOfTheDrawingVary) {
   const Json task = {{"samples", 64}, {"replicates", 2}};
   Json drawn = spec_with(""), given = spec_with("");

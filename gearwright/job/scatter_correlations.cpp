@@ -1,4 +1,3 @@
-// The correlations of [scatter] as correlations of its tolerances.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,8 +33,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
   return std::nullopt;
 }
 
-// The coordinates of x that an entry of `between` names: one, or both of a bore. The name of pitches
-// means their share, and the name of a wave means its number of waves.
+// The coordinates of x that an entry of `between` names: one, or both of a bore. The name of
+// pitches means their share, and the name of a wave means its number of waves.
 std::vector<std::size_t> coordinates_named(const std::string& name,
                                            const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);

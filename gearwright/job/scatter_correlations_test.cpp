@@ -1,5 +1,5 @@
-// Correlations in [scatter]: rejected inputs with their messages, and correlations of 0, which change
-// nothing.
+// Correlations in [scatter]: rejected inputs with their messages, and correlations of 0, which
+// change nothing.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -31,7 +31,7 @@ Error refused_list(const fs::path& path, std::string rule) {
 // Results of [scatter] that are computed for a single pair and are not part of the rows.
 constexpr const char* kOfOnePair[] = {"indices", "worst_case", "loosening", "robust", "pattern"};
 
-// The spec of a design as `search --take` prints it.
+// The spec of a design as `search --take` prints it, without the keys in kOfOnePair.
 Json spec_of(const JobSpec& spec, const Search& search, const DesignRow& row) {
   Json tree = pair_spec(spec, search, row);
   if (tree.contains("scatter"))
@@ -43,7 +43,6 @@ std::string teeth_words(const std::array<int, 2>& teeth) {
   return fmt::format("{}:{} teeth", teeth[0], teeth[1]);
 }
 
-// A design of the list with the spec of its pair.
 struct StudiedDesign {
   DesignRow row;
   JobSpec pair;

@@ -51,8 +51,6 @@ struct StudyRun {
   std::vector<std::filesystem::path> files;
 };
 
-/// The row of one design.
-///
 /// Throws    WorkStopped
 /// Errors    "--designs" if the search of the spec does not have the design; an error of [scatter],
 ///           which concerns all designs. A failure that concerns only this design is a part of its
@@ -79,8 +77,6 @@ Result<StudyRun> run_study_campaign(const JobSpec& spec, const Search& search,
 /// Laws      (1) the rows and files do not depend on the numbers of threads, shards and ranks
 Result<StudyRun> run_study(const JobSpec& spec, const StudyOptions& options);
 
-/// The content of a file.
-///
 /// Throws    IoError
 std::string text_of_file(const std::filesystem::path& path);
 
@@ -100,7 +96,6 @@ void rank_rows(const JobSpec& spec, std::vector<Json> rows, StudyRun& run);
 Json study_json(const JobSpec& spec, const StudyRun& run);
 /// The whole result as JSON text, one design per line.
 std::string study_json_text(const JobSpec& spec, const StudyRun& run);
-/// The result of a study that has not finished.
 Json unfinished_study(const StudyRun& run);
 std::string study_listing(const JobSpec& spec, const StudyRun& run, std::size_t most);
 /// A row for each design. Designs without a scatter are at the end.

@@ -1,4 +1,3 @@
-// The answer of `scatter` in JSON, as a listing and as a table.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

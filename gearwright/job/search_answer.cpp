@@ -110,7 +110,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The face width in words: "the least sufficient width from 10 to 120 mm", "10 modules".
+// The face width in words: "10 mm to 120 mm (the least sufficient width)", "10 modules".
 std::string face_words(const SearchProblem& p) {
   std::string words;
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
@@ -137,7 +137,6 @@ double without_rounding(double pitch) {
   return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
 }
 
-// The table [rating], with the required safeties of the search.
 Json rating_of(const Json& tree, const SearchLimits& limits) {
   Json rating = tree["rating"];
   if (limits.safety_flank) rating["safety_flank_min"] = *limits.safety_flank;

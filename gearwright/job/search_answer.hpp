@@ -21,7 +21,6 @@ Json search_json(const Search& search, const SearchRun& run, UnitSystem units);
 std::string search_json_text(const Search& search, const SearchRun& run,
                              UnitSystem units = UnitSystem::mm);
 
-/// The result of a run that has not finished or was stopped.
 Json unfinished_json(const SearchRun& run);
 
 /// Lists the counts and the best designs in these units. If there are no designs, it lists changes
@@ -39,7 +38,6 @@ std::string drawing_line(const SearchProblem& problem);
 /// One line for each change, such as "search.contact_ratio_min = 1.17 instead of 1.2".
 std::vector<std::string> change_lines(const SearchRun& run, UnitSystem units);
 
-/// The search as an HTML page.
 std::string search_page(const JobSpec& spec, const Search& search, const SearchRun& run);
 
 /// Copies the accuracy grade of the rating to the table of the gear, so that the drawing of the

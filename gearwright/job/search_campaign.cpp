@@ -1,4 +1,3 @@
-// A search that saves its finished chunks in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -21,9 +21,9 @@
 
 namespace gearwright {
 
-// Converts feasible designs to bytes and back, for the chunks of a large search on disk. Every number
-// of a row has 64 bits with the low byte first. The rows follow each other and are compressed by
-// zstd. Reading gives the same rows, bit for bit.
+// Converts feasible designs to bytes and back, for the chunks of a large search on disk. Every
+// number of a row has 64 bits with the low byte first. The rows follow each other and are
+// compressed by zstd. Reading gives the same rows, bit for bit.
 
 struct ChunkFinds {
   std::vector<DesignRow> designs;

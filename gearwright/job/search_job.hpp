@@ -75,8 +75,6 @@ SearchRun begun(const JobSpec& spec, const Search& search);
 /// Greatest number of chunks of a search that a folder and its list can hold.
 inline constexpr std::int64_t kMaxChunks = 1'000'000;
 
-/// Runs the search of the spec.
-///
 /// Throws    IoError
 /// Errors    --yes-large if the search or its grid is large (the message gives the duration or the
 ///           number of points); --out if the folder contains a campaign, or a finished search of
@@ -91,9 +89,7 @@ Result<SearchRun> run_search(const JobSpec& spec, const Search& search,
 /// of a grid are estimated.
 std::optional<Error> refuse_large(const Search& search, const SearchOptions& options);
 
-/// The error for a spec without a search.
 Error no_search();
-/// The error for a search without candidates.
 Error no_tooth_numbers();
 
 /// Determines when regions are computed: at once if the ranking or a table of all designs needs

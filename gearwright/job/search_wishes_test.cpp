@@ -1,5 +1,5 @@
-// Every listed design of a search, solved again from the spec that --take writes, has the numbers of
-// its row, and its verdict is green if the design is drawn. A wish is a random spec of a search.
+// Every listed design of a search, solved again from the spec that --take writes, has the numbers
+// of its row, and its verdict is green if the design is drawn. A wish is a random spec of a search.
 #include <gtest/gtest.h>
 
 #include <algorithm>

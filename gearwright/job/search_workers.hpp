@@ -48,7 +48,6 @@ class SearchWorkers {
 /// Computes changes that would make designs feasible, unless there are feasible designs.
 bool look_for_changes(const Search& search, const SearchOptions& options, SearchRun& run);
 
-/// Computes the regions of the listed designs.
 bool complete_regions(const Search& search, const SearchOptions& options, SearchRun& run);
 
 }  // namespace gearwright

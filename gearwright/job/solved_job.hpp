@@ -32,8 +32,6 @@ struct SolvedJob : Arranged {
   std::shared_ptr<Corners> shared_corners = std::make_shared<Corners>();  ///< for corners()
 };
 
-/// Computes the gears and the pair of a spec.
-///
 /// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and
 ///           halves_of(); `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form`
 ///           for a rack, if the scope is more than the gears

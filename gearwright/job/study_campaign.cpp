@@ -1,4 +1,3 @@
-// A study whose finished rows stay in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +30,6 @@ std::string files_fingerprint(const JobSpec& spec, const std::filesystem::path& 
   return lines;
 }
 
-// The inputs that determine the rows.
 std::string study_fingerprint(const JobSpec& spec, const std::vector<ListedDesign>& list,
                               std::int64_t chunk, const std::filesystem::path& folder) {
   std::string numbers;

@@ -64,7 +64,6 @@ std::string percent_words(const JobSpec& spec) {
   return format_number(spec.scatter.percentiles[ranking_percentile(spec)]) + " %";
 }
 
-// The value of a column in a row, or null if the row has no value.
 Json cell(const JobSpec& spec, const StudyColumn& column, const Json& row) {
   std::string place = column.place;
   if (place.ends_with('%'))

@@ -1,4 +1,3 @@
-// Text in lines of a limited width.
 #include "gearwright/job/listing.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +28,7 @@ TEST(TextLayout, breaks_after_80_characters) {
   EXPECT_EQ(wrapped(word + "a " + micro), word + "a\n  " + micro + "\n");
 }
 
-// Blanks at the start move all lines. Without its line breaks and indents, the text is the original.
+// Blanks at the start move all lines. Without its line breaks and indents, the text is unchanged.
 TEST(TextLayout, indents_further_lines) {
   std::string text = "    ";
   for (int i = 0; i < 60; ++i) text += std::to_string(i * i * i) + (i < 59 ? " " : "");
@@ -43,7 +42,6 @@ TEST(TextLayout, indents_further_lines) {
   EXPECT_EQ(joined, text);
 }
 
-// A word that is longer than a line stands alone.
 TEST(TextLayout, does_not_break_a_word) {
   const std::string path(100, 'p');
   EXPECT_EQ(wrapped("see " + path + " there"), "see\n  " + path + "\n  there\n");

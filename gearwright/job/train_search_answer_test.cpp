@@ -1,8 +1,8 @@
 // Searches for trains: (1) a list of modules finds a train that is not larger than those of its
 // modules alone; (2) the axial forces on an intermediate shaft have opposite directions; (3) each
 // stage has the least module with which it has the required safeties; (4) the spec of a design
-// describes the drive that the search computed; (5) with several objectives, a short list contains the
-// Pareto front of the complete list, if there is room.
+// describes the drive that the search computed; (5) with several objectives, a short list contains
+// the Pareto front of the complete list, if there is room.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -187,9 +187,10 @@ TEST(TrainSearchAnswerTest, AStageHasItsLeastModuleBesideAStageWithTheGreatestOn
   }
 }
 
-// Law (5). If each stage has its own module, the trains are sorted by their estimated sizes, so more
-// than two are computed for the list of two, and some of these are on the front. If all stages have
-// one module, only two are computed for the list, and the rest of the front is computed afterwards.
+// Law (5). If each stage has its own module, the trains are sorted by their estimated sizes, so
+// more than two are computed for the list of two, and some of these are on the front. If all
+// stages have one module, only two are computed for the list, and the rest of the front is computed
+// afterwards.
 TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
   StageSearch search(
       "objective = [\"size\", \"ratio\"]\nnormal_module_mm = [1.5, 2, 2.5, 3, 4, 5]\n"
@@ -260,7 +261,6 @@ TEST(TrainSearchAnswerTest, TheSlidingOfAStageIsComputedOnce) {
   for (const Json& design : search["designs"]) EXPECT_LE(design["sliding_max"], 1.4);
 }
 
-// If no train has the safeties, the advice names keys of trains.
 TEST(TrainSearchAnswerTest, AdviceForUnsafeTrainsIsForTrains) {
   const auto answer = trains_of("1.5",
                                 "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\n"
@@ -286,8 +286,8 @@ TEST(TrainSearchAnswerTest, AdviceForARatioOfTheOtherSignNamesTheSign) {
   }
 }
 
-// Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have opposite
-// directions if its force is the difference of their magnitudes.
+// Law (2). The forces of a gear and of its mate are opposite, so the forces on the shaft have
+// opposite directions if its force is the difference of their magnitudes.
 TEST(TrainSearchAnswerTest, AxialForcesOnAnIntermediateShaftAreOpposite) {
   const auto answer = trains_of("6",
                                 "ratio = [-58, -56]\nstages = 3\npinion_teeth = 18\n"

@@ -43,8 +43,8 @@ struct Answer {
 /// The answer with its specs and notes in the units of the spec.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
-/// The record, followed by `warnings` if there are any or if the verb judges gears, and by `verdict`
-/// if it judges gears, in the units of the answer.
+/// The record, followed by `warnings` if there are any or if the verb judges gears, and by
+/// `verdict` if it judges gears, in the units of the answer.
 Json answer_json(const Answer& answer);
 /// The listing, warnings and verdict.
 std::string answer_text(const Answer& answer);
@@ -84,7 +84,6 @@ std::string verb_names();
 /// Domain    the verb exists (contract)
 Result<Json> answer_json(std::string_view verb, const JobSpec& spec, Progress* progress = nullptr);
 
-/// The output of a batch for one spec.
 struct BatchLine {
   std::string text;  ///< JSON on one line: the result, or {"error": …}
   enum class Outcome {

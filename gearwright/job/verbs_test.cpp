@@ -1,4 +1,3 @@
-// A batch whose jobs violate contracts.
 #include "gearwright/job/verbs.hpp"
 
 #include <fmt/format.h>
@@ -63,7 +62,6 @@ TEST(BatchLine, tells_a_violation_from_an_error_of_the_spec) {
   EXPECT_TRUE(refused.text.starts_with("{\"error\":")) << refused.text;
 }
 
-// The interfaces find a verb by its name, and each row describes the contents of its answer.
 TEST(Verbs, are_found_by_their_names) {
   for (const Verb& verb : verbs()) {
     EXPECT_EQ(find_verb(verb.name), &verb);

@@ -26,8 +26,6 @@ struct CaseOutcome {
   std::vector<std::string> differences;  ///< one line each; empty if the case passes
 };
 
-/// Runs the cases of one file.
-///
 /// Errors    a file that does not have the form above; a file without a case, because an empty
 ///           check must not pass
 Result<std::vector<CaseOutcome>> verify_cases(std::string_view json_text);

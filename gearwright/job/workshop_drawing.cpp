@@ -80,7 +80,6 @@ struct Records {
   }
 };
 
-// Adds the row of a quantity of the catalogue. No row is added if there is no value.
 void add_data(DataGroup& group, const Records& r, std::string_view path, Sign sign = Sign::kept) {
   const Member* const m = find(r.nominal, path);
   if (m) group.rows.push_back({capitalised(m->info->words), m->info->symbol, *r.value(path, sign)});

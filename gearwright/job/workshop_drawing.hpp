@@ -32,8 +32,6 @@ std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm);
 
-/// The sheets as one file.
-///
 /// Domain    at least one gear (contract)
 Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<int>& gears,
                                       SheetFormat format, SheetSize size,

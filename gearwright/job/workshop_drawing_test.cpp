@@ -174,7 +174,6 @@ TEST(WorkshopDrawing, takes_the_greatest_scale_that_has_room) {
   EXPECT_EQ(scale(great, SheetSize::a3), "1:20");
 }
 
-// True if a text of the drawing of gear 1 contains the words.
 bool contains(const std::string& toml, const std::string& words) {
   const auto made = taken(workshop_sheets(solved(toml), {1}, SheetSize::a4, 0.001));
   const auto& texts = made.sheets.front().texts;
@@ -249,7 +248,6 @@ bore_roughness = "MRR Ra 0.8"
 edges = "−0.3"
 )";
 
-// The number of texts of the drawing of a gear that are equal to the words.
 std::ptrdiff_t count(const std::string& toml, const std::string& words, int which = 1) {
   const auto made = taken(workshop_sheets(solved(toml), {which}, SheetSize::a3, 0.001));
   const auto& texts = made.sheets.front().texts;

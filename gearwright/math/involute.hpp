@@ -99,8 +99,6 @@ T inverse_involute(const T& y) {
   return alpha;
 }
 
-// Radius of curvature of an involute.              theory: docs/theory/02-involute-and-pair.md
-
 /// ρ = √(r² − r_b²), the radius of curvature of the involute at the radius r, which is equal to the
 /// rolling length r_b ξ. The result is 0 inside the base circle.
 ///

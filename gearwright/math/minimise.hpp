@@ -26,7 +26,6 @@ struct MinimiserTask {
   std::function<double(const std::vector<double>&)> f{};  ///< finite everywhere in the box
 };
 
-/// True if this build has the minimisers.
 bool can_minimise();
 
 /// The best point found from `start`.

@@ -63,8 +63,8 @@ TEST(Polynomial, degenerate_ones) {
             std::vector<double>{0.5});
 }
 
-// Bisection ends when two neighbouring doubles bracket the root, so the value changes its sign within
-// one ulp.
+// Bisection ends when two neighbouring doubles bracket the root, so the value changes its sign
+// within one ulp.
 TEST(Polynomial, brackets_to_neighbouring_doubles) {
   const std::vector<double> c{-2.0, 0.0, 1.0};  // √2
   const std::vector<double> found = polynomial_roots(c, 0.0, 2.0);

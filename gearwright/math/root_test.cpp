@@ -1,4 +1,3 @@
-// Tests each reason for stopping, and the number of evaluations.
 #include "gearwright/math/root.hpp"
 
 #include <gtest/gtest.h>

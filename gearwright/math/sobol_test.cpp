@@ -1,6 +1,7 @@
-// Golden: points of the published direction numbers and of the scrambling, tests/oracle/sampling.json.
-// Laws: (1) 2^k points of two coordinates are a (0, k, 2)-net, scrambled or not   (2) keys of different
-// seeds, replicates and coordinates differ.
+// Golden: points of the published direction numbers and of the scrambling,
+// tests/oracle/sampling.json.
+// Laws: (1) 2^k points of two coordinates are a (0, k, 2)-net, scrambled or not   (2) keys of
+// different seeds, replicates and coordinates differ.
 #include "gearwright/math/sobol.hpp"
 
 #include <gtest/gtest.h>

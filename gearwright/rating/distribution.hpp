@@ -21,7 +21,6 @@ namespace gearwright {
 /// [ISO 6336-1, figure 13]
 enum class PinionArrangement { a, b, c, d, e };
 
-/// The position of the pinion on its shaft.
 struct PinionMounting {
   double bearing_span = 0.0;    ///< l    mm
   double offset = 0.0;          ///< s    mm, from the middle of the bearings
@@ -89,7 +88,6 @@ struct MeshShafts {
   double hand1 = 0.0;         ///< sign of β of gear 1, > 0 for right hand
   bool gear2_drives = false;  ///< true if gear 2 drives, so that the trailing flanks carry the load
 
-  /// True if at least one gear has a shaft.
   bool any() const { return of[0] || of[1]; }
 };
 

@@ -52,8 +52,6 @@ struct Dynamic {
   Factor K_v;
 };
 
-/// Resonance speed, resonance ratio and dynamic factor.
-///
 /// Formula   [T11.5]…[T11.10]; ISO 6336-1, 6.5: (6), N_S, (13)…(17), (20)…(22)
 /// Laws      (1) K_v → 1 as the speed decreases to 0   (2) K_v is continuous at N = 1.15 and 1.5
 /// Domain    ε_γ > 1; for a smaller ε_γ the constants of the lowest range are used
@@ -86,8 +84,8 @@ inline RatedBody rated_body(const RatedPair& pair, double web, double rim) {
   return {web / pair.face_width, rim / pair.normal_module};
 }
 
-/// The stiffness of a mesh. `specific_load` is F_t K_A K_γ/b in N/mm. A load below 100 N/mm reduces the
-/// stiffness. `elasticity` is E/E_St.
+/// The stiffness of a mesh. `specific_load` is F_t K_A K_γ/b in N/mm. A load below 100 N/mm reduces
+/// the stiffness. `elasticity` is E/E_St.
 ///
 /// Formula   [T11.2], [T11.3]; ISO 6336-1, clause 9; q' with z_n = z/(cos² β_b cos β), and with
 ///           1/z_n2 = 0 for an internal gear

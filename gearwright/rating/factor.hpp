@@ -17,7 +17,6 @@ namespace gearwright {
 /// later edition of ISO 6336 are listed in docs/theory/11-rating.md.
 enum class RatingEdition { iso_2006, iso_2019, vdi_2736 };
 
-/// The name of an edition, for example "ISO 6336:2006".
 inline std::string_view name(RatingEdition edition) {
   constexpr std::array<std::string_view, 3> kNames{"ISO 6336:2006", "ISO 6336:2019",
                                                    "VDI 2736:2014"};

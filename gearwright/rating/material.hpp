@@ -115,7 +115,6 @@ struct Life {
                      ///< linear in log N between them
 };
 
-/// The user's choices for long lives.
 struct LifeChoice {
   bool limited_pitting = false;  ///< true if some pitting is permitted (longer line of Z_NT)
   double at_10_10 = 0.85;        ///< Z_NT, Y_NT at 10¹⁰ cycles, 0.85 … 1

@@ -45,7 +45,6 @@ double tooth_loss(const RatedPair& pair);
 struct RatingInput;
 struct Rating;
 
-/// Errors for the missing inputs that VDI 2736 requires.
 std::vector<Error> missing_plastic_inputs(const RatingInput& input);
 /// Rates a pair by VDI 2736; called by rate(). The result is in the order pinion, wheel.
 ///

@@ -106,8 +106,6 @@ struct Tolerances {
 /// The edition of ISO 1328-1 that an edition of ISO 6336 uses.
 FlankTolerances tolerance_edition(RatingEdition edition);
 
-/// The tolerances of a gear.
-///
 /// Formula   flank_tolerances() for tolerance_edition()
 /// Domain    has_class() (contract)
 Tolerances tolerances(RatingEdition edition, int grade, const RatedGear& gear, double normal_module,

@@ -83,8 +83,6 @@ struct Rating {
 /// The error of rate() for missing inputs and for a grade that the edition of ISO 1328-1 does not
 /// have. This error does not depend on the pair.
 std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
-/// The rating of a pair.
-///
 /// Formula   [T11.1], [T11.22], [T11.40]
 /// Errors    `rating.speed` if it is absent and K_v requires it; `rating.quality` if it is absent
 ///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a

@@ -345,7 +345,6 @@ TEST(RatingLaws, SafetiesFallWithEveryBurden) {
   no_safer(in);
 }
 
-// Given factors are used, and the result marks them as given.
 TEST(Rating, GivenFactorsStand) {
   RatingInput in = testing::helical_24_95_load();
   in.dynamic_factor = 1.2;

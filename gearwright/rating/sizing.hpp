@@ -14,8 +14,8 @@
 
 namespace gearwright {
 
-/// The required safeties S_Hmin and S_Fmin, or the safeties of a pair: S_H and S_F, each the smaller
-/// value of its two gears.
+/// The required safeties S_Hmin and S_Fmin, or the safeties of a pair: S_H and S_F, each the
+/// smaller value of its two gears.
 struct Safeties {
   double flank = 1.0, root = 1.0;
 };

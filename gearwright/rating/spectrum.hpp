@@ -28,8 +28,6 @@ struct SpectrumRating {
   std::array<double, 2> S_H, S_F;
 };
 
-/// The rating of a pair under a load spectrum.
-///
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule
 /// Errors    as rate()
 /// Domain    at least one step; torques, speeds and hours > 0 (contract)

@@ -27,7 +27,6 @@ class Walk {
     step();
     return inside;
   }
-  /// Moves past a value.
   void skip() {
     int deep = 0;
     do {

@@ -41,8 +41,6 @@ Result<JobSpec> read_spec_tree(const Json& tree, const std::filesystem::path& fo
 
 // Converts the units of a spec to mm when it is read, and results and specs back to the units of
 // the user when they are written.
-//
-// Internal to spec/, job/ and the programs, because public headers do not contain trees.
 
 struct GivenKeys;  // catalogue/spelling.hpp
 

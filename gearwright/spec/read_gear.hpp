@@ -48,9 +48,6 @@ bool is_unknown_gear(const Json& gear);
 std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 
 // Reads [gearN.modifications] for the right and the left flank.
-//
-// A key without a prefix sets both flanks. A key with the prefix right_ or left_ sets one flank and
-// takes precedence.
 
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 

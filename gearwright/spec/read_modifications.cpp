@@ -99,7 +99,6 @@ Result<std::vector<Row>> rows_of(std::string_view csv) {
   return rows;
 }
 
-// The distinct values of a column in ascending order.
 std::vector<double> lines_of(const std::vector<Row>& rows, double Row::*column) {
   std::vector<double> x;
   for (const Row& row : rows) x.push_back(row.*column);

@@ -1,4 +1,3 @@
-// [gearN.modifications] as written in a spec, and topographies in CSV.
 #include "gearwright/spec/read_gear.hpp"
 
 #include <gtest/gtest.h>

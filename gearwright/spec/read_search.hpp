@@ -34,7 +34,8 @@ constexpr double default_face_step(UnitSystem units) {
 inline constexpr double kSearchFaceLoad = 1.4;
 
 /// Adds the default `face_load_factor` to the table [rating] of a search, if the table has neither
-/// this key nor [rating.mounting].
+/// this key nor [rating.mounting]. A rating by VDI 2736 and the rating of a complete pair have no
+/// default.
 void lend_face_load(Json& tree);
 
 /// True if the face load factor of a rated search is kSearchFaceLoad because the spec has none.
@@ -59,7 +60,6 @@ void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.
 
-/// True if the table is a search for drives.
 bool is_drive_search(const Json& search);
 
 DriveSearchProblem read_drive_search(const Json& search);

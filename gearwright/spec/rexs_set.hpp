@@ -22,7 +22,6 @@ std::string rexs_name(const RexsComponent& component);
 /// z, < 0 for a ring.   Domain  a gear with `number_of_teeth`
 int rexs_teeth(const RexsComponent& gear);
 
-/// A cylindrical stage with its two gears.
 struct RexsStage {
   const RexsComponent* stage;
   std::array<const RexsComponent*, 2> gears;

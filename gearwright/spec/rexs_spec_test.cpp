@@ -10,7 +10,6 @@
 namespace gearwright {
 namespace {
 
-// A file with these components and relations.
 std::string file(const std::string& relations, const std::string& components,
                  const std::string& version = "1.5") {
   return "<?xml version=\"1.0\"?><model applicationId=\"test\" version=\"" + version +
@@ -163,7 +162,7 @@ TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   const Json by_loads = read(loads.text()).tables["planetary"];
   EXPECT_EQ(by_loads["fixed"], "carrier");
   EXPECT_EQ(by_loads["output"], "ring");
-  // A file that states neither has a note.
+  // A file without loads and without held members has a note.
   const RexsSpec bare = read(SetFile().text());
   EXPECT_FALSE(bare.tables["planetary"].contains("fixed"));
   EXPECT_NE(bare.notes[0].find("no held member"), std::string::npos);

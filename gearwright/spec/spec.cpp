@@ -57,7 +57,6 @@ void check_backlash(const Json& tree, const JobSpec& spec) {
 // Collects the missing inputs of all tables of a spec and reports them as one error.
 class Lacks {
  public:
-  /// Reads a table and collects its missing inputs for a common error.
   template <class F>
   void of(F read) {
     try {
@@ -105,8 +104,8 @@ class Lacks {
   std::vector<SpecError> caught_;
 };
 
-// The error of a missing module of gear 1. It names the module that fits the centre distance, or the
-// readings from which the module can be computed.
+// The error of a missing module of gear 1. It names the module that fits the centre distance, or
+// the readings from which the module can be computed.
 Error missing_module(const Json& tree) {
   const auto number = [&](const char* table, const char* key) {
     const Json& of = tree.value(table, Json::object());
@@ -149,7 +148,6 @@ void share_with_rating(const Json& tree, JobSpec& spec) {
     rating.input.quality = {*one->tolerance.quality, *two->tolerance.quality};
 }
 
-// Rejects two different speeds of gear 1.
 void check_speeds(const JobSpec& spec) {
   const auto &own = spec.pair.speed_rpm, &rated = spec.rating.input.speed;
   if (own && rated && std::abs(*own - *rated) > kSameInput * *own)
@@ -159,7 +157,6 @@ void check_speeds(const JobSpec& spec) {
                                  format_number(*own))}};
 }
 
-// Copies the shafts of the gears to [rating].
 void share_shafts(const Json& tree, JobSpec& spec) {
   MeshShafts shafts;
   shafts.gear2_drives = spec.load.driver == 2;

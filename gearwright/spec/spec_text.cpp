@@ -28,7 +28,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kDeepest = 32;  // greatest depth of nested tables; a spec has three levels
+constexpr int kDeepest = 32;  // greatest depth of nesting; a spec has fewer than ten levels
 
 Error syntax_error(const std::string& what) { return {"", "", "the spec cannot be read: " + what}; }
 

@@ -42,8 +42,6 @@ std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key
 
 // Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
 // unchanged.
-//
-// The page uses this for its forms, and programs use it to change the files of a user.
 
 /// `path` has the form that errors use, "gear1.rack.dedendum". `value` is JSON text. Null removes
 /// the key, and its line if the key has a line of its own.

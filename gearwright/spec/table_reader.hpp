@@ -60,7 +60,6 @@ class TableReader {
   /// 0.
   void use_helix(Angle beta) { cos_beta_ = std::cos(beta.rad()); }
 
-  /// Checks one number against the key's range.
   void check(const std::string& key, double value) const;
   /// Returns a finite number within the key's range. `part` is the name of the number within the
   /// value of the key: "sun" in bore_mm = { sun = 200 }. It is empty if the value is a single
@@ -80,7 +79,7 @@ class TableReader {
   void refuse_unknown() const;  ///< checks only for an unknown key
 
   const KeyTable& keys() const { return keys_; }
-  const std::string& name() const { return path_; }  ///< name of the table
+  const std::string& name() const { return path_; }
   std::string name(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
   [[noreturn]] void fail(const std::string& key, const std::string& why) const;
   /// Fails because the key is missing. `rest` continues the sentence "is missing".

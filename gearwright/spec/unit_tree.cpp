@@ -146,7 +146,6 @@ bool is_spec(const std::string& key, const Json& value) {
                    value.contains("planetary") || value.contains("stage"));
 }
 
-// Converts one sentence or a list of sentences.
 Json sentences_in_inch(const Json& value) {
   if (value.is_string()) return sentence_in(UnitSystem::inch, value.get<std::string>());
   Json list = Json::array();

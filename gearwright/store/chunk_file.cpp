@@ -78,7 +78,6 @@ ChunkRead broken(std::string damage) {
 
 std::string name_of(std::int64_t chunk) { return fmt::format("{:06d}{}", chunk, kEnding); }
 
-// The value of `text`, or nothing if the text is not a whole number ≥ 0.
 std::optional<std::int64_t> number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

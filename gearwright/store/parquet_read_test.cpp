@@ -86,7 +86,6 @@ class ParquetRead : public ParquetFile {
   }
 };
 
-// Writes a table with one optional column of doubles.
 void write_reals(const fs::path& file, const std::vector<std::optional<double>>& values) {
   ParquetWriter table(file, {{"x", ParquetType::float64, true}});
   for (const auto& value : values) {

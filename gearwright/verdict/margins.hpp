@@ -21,8 +21,6 @@ std::vector<Finding> backlash_findings(const StatedBacklash& j);
 /// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
 std::vector<Finding> contact_findings(const PatternPlace& place);
 
-// Findings for safety factors that are too low, and changes that would raise them sufficiently.
-
 /// A sentence with the changes that raise all safety factors to their required values: "6 mm more
 /// face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the sentence
 /// states the greatest permissible torque.

@@ -1,5 +1,5 @@
-// Remedies of findings, and the numbers of a spec that can remove each finding. Each remedy is tried
-// before it is printed.
+// Remedies of findings, and the numbers of a spec that can remove each finding. Each remedy is
+// tried before it is printed.
 //
 // A cure is a row of a table. It contains the code of a finding, the changes in the order in which
 // they are tried, and a clause that is true once the finding is removed. For a given spec, each

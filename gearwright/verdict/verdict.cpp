@@ -248,8 +248,8 @@ std::string Finding::whole() const {
 std::vector<Finding> findings_of(const Judged& judged) {
   GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
   std::vector<Finding> findings;
-  // On crossed axes, edges or crowned flanks can touch without conjugate contact. If the contact was
-  // computed, it decides.
+  // On crossed axes, edges or crowned flanks can touch without conjugate contact. If the contact
+  // was computed, it decides.
   const bool touches =
       judged.pair && judged.pair->crossed() && judged.contact && !judged.contact->contact_lost;
   for (const Warning& w : *judged.warnings) {

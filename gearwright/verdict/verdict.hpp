@@ -48,7 +48,7 @@ struct FindingValue {
   bool length;  ///< true for a length in mm, false for a pure number
 };
 
-/// A change of one number of a spec.
+/// The numbers of a spec that a remedy can change.
 enum class Adjustable {
   profile_shift,        ///< x
   tip_diameter,         ///< d_a   mm
@@ -111,7 +111,7 @@ struct JudgedRating {
   Safeties wanted{};
 };
 
-/// The data to be judged. All pointers must stay valid during the call.
+/// All pointers must stay valid during the call.
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
@@ -149,7 +149,6 @@ struct PatternPlace {
 /// None if the contact was not computed or if no teeth touch.
 std::optional<PatternPlace> pattern_place(const Judged& judged);
 
-/// The results of a changed spec.
 struct ChangedState {
   std::vector<Finding> findings;
   double contact_ratio = 0.0;  ///< 0 without a pair

@@ -46,7 +46,6 @@ val array_of(const Json::binary_t& row) {
   return val::null();
 }
 
-// Converts a tree to objects and arrays of JavaScript.
 val js(const Json& tree) {
   if (tree.is_binary()) return array_of(tree.get_binary());
   if (tree.is_object()) {

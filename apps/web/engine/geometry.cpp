@@ -67,7 +67,6 @@ Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, do
   return out;
 }
 
-// Appends a circle about the axis of a gear for each diameter in a record.
 void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
                     std::size_t gear) {
   for (const Member& m : record) {

@@ -1,5 +1,3 @@
-// Computes teeth under load in steps: first the compliance of each gear, then one position after
-// the other.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

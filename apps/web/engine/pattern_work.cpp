@@ -1,4 +1,3 @@
-// Computes the contact pattern, and the map of the transmission error over two errors, in steps.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

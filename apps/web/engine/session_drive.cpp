@@ -1,4 +1,3 @@
-// The solids of a drive and their motion.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -20,7 +20,6 @@ std::optional<FileKind> kind_of(std::string_view word) {
   return std::nullopt;
 }
 
-// A file of a drive, with all its gears in place.
 Result<Json> drive_file(const JobSpec& spec, const std::string& kind) {
   const auto drive = solve_whole_drive(spec);
   if (!drive) return drive.error();

@@ -1,5 +1,3 @@
-// Computes the scatter of a session's pair in two ways: an estimate to first order while the user
-// moves a slider, and the result of the verb scatter with fewer samples.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
-// The limit that an error message names: six digits if the value is far from it, and more if the value
-// is close.
+// The limit that an error message names: six digits if the value is far from it, and more if the
+// value is close.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -11,7 +11,6 @@
 
 namespace gearwright::testing {
 
-/// The case of this id in tests/oracle/`file`.
 inline nlohmann::json oracle_case(const std::string& file, const std::string& id) {
   const auto all = nlohmann::json::parse(std::ifstream(source_file("tests/oracle/" + file)));
   for (const auto& c : all["cases"])

@@ -1,4 +1,5 @@
-// A temporary folder of one test, removed when the test ends, so that two builds can be tested at once.
+// A temporary folder of one test, removed when the test ends, so that two builds can be tested at
+// once.
 #pragma once
 
 #include <filesystem>

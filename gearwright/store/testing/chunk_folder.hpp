@@ -178,7 +178,6 @@ class ChunkFolderTest : public ::testing::Test {
     bytes.at(at) = static_cast<char>(bytes.at(at) ^ 0x10);
     write(path, bytes);
   }
-  // Checks a complete campaign.
   void expect_complete(const ChunkStore& store, std::int64_t n) const {
     EXPECT_TRUE(store.missing().empty());
     EXPECT_EQ(store.totals(), sum_of(range(n)));
