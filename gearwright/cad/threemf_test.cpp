@@ -7,8 +7,8 @@
 #include <cstring>
 #include <map>
 
-#include "gearwright/cad/testing/sample_outlines.hpp"
 #include "gearwright/base/zip.hpp"
+#include "gearwright/cad/testing/sample_outlines.hpp"
 
 namespace gearwright {
 namespace {

@@ -51,8 +51,8 @@ const KeyTable& load_keys() {
                    "additional approach of the flanks, linear along the common face, caused by "
                    "housing and bearings or by shafts without `[gearN.shaft]`; it is added to the "
                    "deflection of `[gearN.shaft]`; > 0 towards +z; only for line contact"),
-       Key::number("deflection_bow_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::deflection_bow,
-                   "0",
+       Key::number("deflection_bow_um", "", KeyRange::between(-1e5, 1e5),
+                   &LoadInput::deflection_bow, "0",
                    "additional approach of the flanks that is parabolic along the face; the key "
                    "gives its value in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",

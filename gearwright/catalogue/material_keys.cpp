@@ -116,8 +116,8 @@ const KeyTable& material_keys() {
                        "Y_δrelT = 1 for a tempered or normalized steel",
                        "yield strength or 0.2 % proof stress")
              .with_also({"yield", "re", "rp02"}),
-         Key::number("temperatures_C", "ϑ", KeyRange::between(-100, 400), &MaterialInput::temperatures,
-                     "the single values are used at any temperature",
+         Key::number("temperatures_C", "ϑ", KeyRange::between(-100, 400),
+                     &MaterialInput::temperatures, "the single values are used at any temperature",
                      "temperatures of the lists of values, only for plastics; interpolation is "
                      "linear and there is no extrapolation")
              .with_list({.least = kMinSteps,

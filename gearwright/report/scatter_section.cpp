@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/scatter_tables.hpp"
 #include "gearwright/figure/distribution_figures.hpp"

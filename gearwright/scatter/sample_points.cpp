@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "gearwright/base/parallel.hpp"
 
 namespace gearwright {
