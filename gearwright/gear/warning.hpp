@@ -128,6 +128,14 @@ enum class WarningCode {
   mesh_load_factor,
   // A rack that is not given.
   default_rack,
+  // A rating whose accuracy is not the accuracy of the drawing.
+  rating_quality,
+  tolerance_editions,
+  // The safety factors of a load spectrum, which the verdict does not contain.
+  spectrum_safety,
+  spectrum_rated,
+  // A torque that [load] does not contain.
+  torque_of_rating,
   count  ///< the number of codes, not a code
 };
 

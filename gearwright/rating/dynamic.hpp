@@ -52,6 +52,11 @@ struct Dynamic {
   Factor K_v;
 };
 
+/// N_S, the resonance ratio at which the main resonance begins; `specific_load` as in DynamicInput.
+///
+/// Formula   ISO 6336-1, 6.5
+double resonance_begin(double specific_load);
+
 /// Resonance speed, resonance ratio and dynamic factor.
 ///
 /// Formula   [T11.5]…[T11.10]; ISO 6336-1, 6.5: (6), N_S, (13)…(17), (20)…(22)
