@@ -18,7 +18,7 @@ Json compensate_json(const SolvedJob& job, const CompensateAnswer& a) {
 std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) {
   const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec);
-  const auto head = [&](const char* text) { out += fmt::format("\n{}\n", text); };
+  const auto head = [&](const std::string& text) { out += fmt::format("\n{}\n", text); };
   const auto row = [&](const std::string& what, const std::string& value) {
     out += fmt::format("  {:<44}{}\n", what, value);
   };
@@ -39,13 +39,14 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   if (a.nothing_to_correct && !job.spec.errors.any())
     out += wrapped(
         "  The spec has no [errors]. Give this table, for example with crossing_deg = 0.05.");
+  const char* const worst = a.scenarios.size() > 1 ? ", for the worst combination of errors" : "";
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
-    head(fmt::format("Under {} N m", format_number(newton_metres(l.torque))).c_str());
+    head(fmt::format("Under {} N m{}", format_number(newton_metres(l.torque)), worst));
     out += quantity_listing(units, quantities.table(),
                             {quantities.of(l.before), quantities.of(l.after)}, {"before", "after"});
   }
-  if (!a.loads.empty()) head("Without load");
+  if (!a.loads.empty()) head(fmt::format("Without load{}", worst));
   const auto& scores = score_quantities();
   out += quantity_listing(units, scores.table(), {scores.of(a.before), scores.of(a.after)},
                           {"before", "after"});
