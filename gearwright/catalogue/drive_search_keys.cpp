@@ -149,7 +149,8 @@ const KeyTable& drive_search_keys() {
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest permitted diameter over the planets and over the root circles of "
                      "the rings, without the rims; for a train, greatest permitted sum of the "
-                     "centre distances; both are computed without profile shifts"),
+                     "centre distances; both are computed without profile shifts")
+           .with_also({"center_distance"}),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift", "chosen for each set, without undercut"),

@@ -153,8 +153,8 @@ const KeyTable& gear_keys() {
         .words = {"gear1", "gear2"},
         .tables = {cutter_keys},
         .fallback = "cut by `rack`",
-        .meaning =
-            "the pinion cutter, which is a gear of the spec or a separate cutter in a table"},
+        .meaning = "the pinion cutter, which is a gear of the spec or a separate cutter in a table",
+        .also = {"cutter", "pinion_cutter"}},
        Key::number("profile_shift_pair", "e", {}, {}, "",
                    "sum of the profile shifts of the gear and its cutter; a gear with `cut_by` may "
                    "have this key instead of `profile_shift`")

@@ -30,6 +30,12 @@ TEST(KeyHint, what_people_try_leads_to_the_entry_that_says_so) {
   EXPECT_GT(words, 60u);
 }
 
+// [pair] cannot be combined with a search of drives, and the key `cutter` belongs to racks of arcs.
+TEST(KeyHint, a_key_that_fits_is_suggested_before_a_namesake) {
+  EXPECT_EQ(key_hint(drive_search_keys(), "search", "center_distance_mm"), nearest("size_max_mm"));
+  EXPECT_EQ(key_hint(gear_keys(), "gear2", "cutter"), nearest("cut_by"));
+}
+
 TEST(KeyHint, one_letter_of_a_long_key_may_be_anything) {
   for (const KeyTable* table : all_key_tables()) {
     for (const Key& key : table->keys) {

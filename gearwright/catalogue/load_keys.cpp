@@ -22,7 +22,8 @@ const KeyTable& load_keys() {
       "`run`",
       {Key::number("torque_Nm", "T_1", KeyRange::above(0, kMaxInput), &LoadInput::torques, "",
                    "torque on gear 1; a list of torques gives the Harris map; for a drive, one "
-                   "torque on its input, by default the torque of the drive")
+                   "torque on its input, by default the torque of the drive; for a pair, the verb "
+                   "load uses the nominal torque of `[rating]` by default")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),

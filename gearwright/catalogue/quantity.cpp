@@ -32,6 +32,16 @@ Value angles_in(Unit unit, Angle angle) {
   return unit == Unit::arcsec ? angle.arcsec() : angle.deg();
 }
 
+namespace {
+
+// True for a number that would be printed as zero, such as a small damage. Below 1e-9, a number is
+// a rounding error and is printed as zero.
+bool rounds_to_zero(double x, int digits) {
+  return std::abs(x) > 1e-9 && std::abs(x) < 0.5 * std::pow(10.0, -digits);
+}
+
+}  // namespace
+
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none,
                     UnitSystem units) {
   const std::string absent(info.nothing.empty() ? none : std::string_view(info.nothing));
@@ -66,6 +76,8 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
   if (const auto* x = std::get_if<double>(&value.variant())) {
     if (!std::isfinite(*x)) return absent;
     if (info.unit == Unit::percent) return fixed_decimals(100 * *x, digits_of(info));
+    if (info.unit == Unit::none && rounds_to_zero(*x, digits_of(info)))
+      return fmt::format("{:.1e}", *x);
     return text_in(system_of(info, units), info.unit, *x, digits_of(info));
   }
   return absent;

@@ -11,6 +11,7 @@ namespace {
 
 using R = Rating;
 
+constexpr const char* kRatingInputs = "Inputs of the rating";
 constexpr const char* kRatedLoad = "Load";
 constexpr const char* kMaterial = "Material";
 constexpr const char* kGeneral = "General influence, ISO 6336-1";
@@ -55,7 +56,7 @@ const Factor* of_stiffness(const R& r) {
 
 const Factor* cycles(const R& r, std::size_t i) { return r.N_L[i] ? &*r.N_L[i] : nullptr; }
 
-constexpr const char* kWhole = "Spectrum, ISO 6336-6";
+constexpr const char* kWhole = "Spectrum, ISO 6336-6, with K_A = 1";
 constexpr const char* kSizing = "With the required safeties";
 constexpr const char* kBeside = "Additional computation of the teeth under load";
 
@@ -136,23 +137,9 @@ const std::vector<FactorEntry>& entries() {
 
 Value number(const Factor* f) { return f && is_there(*f) ? Value(f->value) : Value(); }
 
-Value section(const RatingAnswer& v, double CriticalSection::*member, double scale = 1.0) {
-  return std::array{std::abs(v.rating.section[0].*member) * scale,
-                    std::abs(v.rating.section[1].*member) * scale};
-}
-
-// The strengths of both materials. A strength is null for a plastic whose strength depends on
-// temperature.
-Value strengths(const RatingAnswer& v, double Material::*member) {
-  ValueList values;
-  for (const Material& m : v.input.materials)
-    values.push_back(m.*member > 0.0 ? Value(m.*member) : Value());
-  return values;
-}
-
 Value tolerance(const RatingAnswer& v, double Tolerances::*member) {
-  if (!v.rating.tolerance) return {};
-  return std::array{(*v.rating.tolerance)[0].*member, (*v.rating.tolerance)[1].*member};
+  const auto& of = v.rating.tolerance;
+  return of ? Value(std::array{(*of)[0].*member, (*of)[1].*member}) : Value();
 }
 
 double speed(const RatingAnswer& v) { return v.input.speed.value_or(0.0); }
@@ -161,6 +148,49 @@ double speed(const RatingAnswer& v) { return v.input.speed.value_or(0.0); }
 double ratio(const RatingAnswer& v) {
   const auto& gears = v.pair.gears;
   return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
+}
+
+// The value of a member of both materials.
+template <class F>
+ValueList of_materials(const RatingAnswer& v, F value) {
+  ValueList values;
+  for (const Material& m : v.input.materials) values.push_back(value(m));
+  return values;
+}
+
+// The strengths of both materials. A strength is null for a plastic whose strength depends on
+// temperature.
+Value strengths(const RatingAnswer& v, double Material::*member) {
+  return of_materials(
+      v, [member](const Material& m) { return m.*member > 0.0 ? Value(m.*member) : Value(); });
+}
+
+// The inputs that the report lists before the factors. Results in JSON do not repeat them.
+void add_given(Quantities<RatingAnswer>& q) {
+  q.under(kRatingInputs);
+  const auto add = [&q](bool each, const char* key, const char* words, const char* symbol,
+                        int digits, auto get) {
+    auto& made = q.number(key, words, symbol, "", get).digits(digits).doors(kPage);
+    if (each) made.per_gear();
+  };
+  const auto required = [](double s) { return s != 1.0 ? Value(s) : Value(); };  // 1 by default
+  add(false, "safety_flank_min", "required safety against pitting", "S_Hmin", 2,
+      [required](const RatingAnswer& v) { return required(v.wanted.flank); });
+  add(false, "safety_root_min", "required safety against root breakage", "S_Fmin", 2,
+      [required](const RatingAnswer& v) { return required(v.wanted.root); });
+  add(false, "life_h", "required life in h", "L_h", 0,
+      [](const RatingAnswer& v) { return v.input.life_h; });
+  add(false, "viscosity_40C", "viscosity at 40 °C in mm²/s", "ν_40", 0,
+      [](const RatingAnswer& v) { return v.input.viscosity; });
+  add(true, "quality", "accuracy grade of ISO 1328-1", "", 0,
+      [](const RatingAnswer& v) { return v.input.quality; });
+  add(true, "flank_roughness_um", "roughness of the flanks", "Rz", 1,
+      [](const RatingAnswer& v) { return v.input.flank_roughness; });
+  add(true, "root_roughness_um", "roughness of the roots", "Rz", 1,
+      [](const RatingAnswer& v) { return v.input.root_roughness; });
+  add(true, "surface_hardness_HV", "surface hardness in HV", "", 0, [](const RatingAnswer& v) {
+    return of_materials(v, [](const Material& m) { return Value(m.hardness_HV); });
+  });
 }
 
 void add_inputs(Quantities<RatingAnswer>& q) {
@@ -183,10 +213,9 @@ void add_inputs(Quantities<RatingAnswer>& q) {
   q.add(Type::text, "material", "material", "",
         "name of the material, or its kind if it has no name",
         [](const RatingAnswer& v) {
-          ValueList names;
-          for (const Material& m : v.input.materials)
-            names.emplace_back(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
-          return names;
+          return of_materials(v, [](const Material& m) {
+            return Value(m.name.empty() ? std::string(material_letters(m.kind)) : m.name);
+          });
         })
       .per_gear();
   q.number("sigma_Hlim_MPa", "allowable contact stress number", "σ_Hlim",
@@ -214,56 +243,56 @@ void add_inputs(Quantities<RatingAnswer>& q) {
 
 void add_section(Quantities<RatingAnswer>& q) {
   using C = CriticalSection;
+  struct Row {
+    const char *key, *words, *symbol, *meaning;
+    double C::*member;
+    double scale = 1.0;
+  };
   q.under(kRoot);
-  q.number("h_F_mm", "bending moment arm", "h_F", "distance of the load from the critical section",
-           [](const RatingAnswer& v) { return section(v, &C::h_F); })
-      .per_gear()
-      .digits(3);
-  q.number("s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section",
-           [](const RatingAnswer& v) { return section(v, &C::s_Fn); })
-      .per_gear()
-      .digits(3);
-  q.number("rho_F_mm", "fillet radius at the critical section", "ρ_F", "",
-           [](const RatingAnswer& v) { return section(v, &C::rho_F); })
-      .per_gear()
-      .digits(3);
-  q.number("alpha_Fen_deg", "direction of the load", "α_Fen",
-           "at the outer point of single pair contact",
-           [](const RatingAnswer& v) { return section(v, &C::alpha_Fen, kDegPerRad); })
-      .per_gear()
-      .digits(3);
-  q.number("d_en_mm", "diameter of the point of load", "d_en", "diameter on the virtual spur gear",
-           [](const RatingAnswer& v) { return section(v, &C::d_en); })
-      .per_gear()
-      .digits(3);
-}
-
-Value of_spectrum(const RatingAnswer& v, std::array<double, 2> SpectrumRating::*member) {
-  return v.spectrum ? Value((*v.spectrum).*member) : Value();
+  for (const Row& row :
+       {Row{"h_F_mm", "bending moment arm", "h_F", "distance of the load from the critical section",
+            &C::h_F},
+        Row{"s_Fn_mm", "chord of the critical section", "s_Fn", "in the normal section", &C::s_Fn},
+        Row{"rho_F_mm", "fillet radius at the critical section", "ρ_F", "", &C::rho_F},
+        Row{"alpha_Fen_deg", "direction of the load", "α_Fen",
+            "at the outer point of single pair contact", &C::alpha_Fen, kDegPerRad},
+        Row{"d_en_mm", "diameter of the point of load", "d_en", "diameter on the virtual spur gear",
+            &C::d_en}})
+    q.number(row.key, row.words, row.symbol, row.meaning,
+             [row](const RatingAnswer& v) {
+               const auto& [one, two] = v.rating.section;
+               return Value(std::array{std::abs(one.*row.member) * row.scale,
+                                       std::abs(two.*row.member) * row.scale});
+             })
+        .per_gear()
+        .digits(3);
 }
 
 void add_spectrum(Quantities<RatingAnswer>& q) {
   using S = SpectrumRating;
+  struct Row {
+    const char *key, *words, *symbol, *meaning;
+    std::array<double, 2> S::*member;
+    int digits;
+  };
   q.under(kWhole);
-  q.number("damage_flank", "damage of the flanks", "U_H",
-           "damage sum by Miner's rule; 1 means failure; null without a spectrum, or if a step "
-           "exceeds the static strength",
-           [](const RatingAnswer& v) { return of_spectrum(v, &S::damage_flank); })
-      .per_gear()
-      .digits(4);
-  q.number("damage_root", "damage of the roots", "U_F", "as `damage_flank`, but for the roots",
-           [](const RatingAnswer& v) { return of_spectrum(v, &S::damage_root); })
-      .per_gear()
-      .digits(4);
-  q.number("S_H_spectrum", "safety against pitting", "S_H", "least safety for the whole spectrum",
-           [](const RatingAnswer& v) { return of_spectrum(v, &S::S_H); })
-      .per_gear()
-      .digits(3);
-  q.number("S_F_spectrum", "safety against root breakage", "S_F",
-           "least safety for the whole spectrum",
-           [](const RatingAnswer& v) { return of_spectrum(v, &S::S_F); })
-      .per_gear()
-      .digits(3);
+  for (const Row& row :
+       {Row{"damage_flank", "damage of the flanks", "U_H",
+            "damage sum by Miner's rule; 1 means failure; null without a spectrum, or if a step "
+            "exceeds the static strength",
+            &S::damage_flank, 4},
+        Row{"damage_root", "damage of the roots", "U_F", "as `damage_flank`, but for the roots",
+            &S::damage_root, 4},
+        Row{"S_H_spectrum", "safety against pitting, spectrum", "S_H",
+            "least safety for the whole spectrum", &S::S_H, 3},
+        Row{"S_F_spectrum", "safety against root breakage, spectrum", "S_F",
+            "least safety for the whole spectrum", &S::S_F, 3}})
+    q.number(row.key, row.words, row.symbol, row.meaning,
+             [row](const RatingAnswer& v) {
+               return v.spectrum ? Value((*v.spectrum).*row.member) : Value();
+             })
+        .per_gear()
+        .digits(row.digits);
   q.under(kSizing);
   q.number(
       "torque_holding_Nm", "greatest torque", "T_1",
@@ -358,8 +387,10 @@ void add_factor(Quantities<RatingAnswer>& q, const FactorEntry& e) {
 }
 
 void add_rating(Quantities<RatingAnswer>& q) {
-  q.groups({"", kRatedLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing, kBeside});
+  q.groups({"", kRatingInputs, kRatedLoad, kMaterial, kGeneral, kFlank, kRoot, kWhole, kSizing,
+            kBeside});
   add_inputs(q);
+  add_given(q);
   add_temperatures(q);
   for (const FactorEntry& e : entries()) {
     // The section of the root is listed before the factors that are computed from it.

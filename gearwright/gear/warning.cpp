@@ -213,7 +213,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the profile shifts are outside the range of the formula for the tooth stiffness c'",
      "profile shifts outside the range of the standard’s tooth stiffness"},
     {C::rating_resonance, "rating_resonance", kCaution,
-     "the pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15",
+     "the pinion runs in the main resonance of the mesh, N_S < N ≤ 1.15",
      "a speed in the main resonance"},
     {C::rating_mounting, "rating_mounting", kCaution,
      "the offset s of the pinion is greater than the standard allows for this arrangement of the "
@@ -340,6 +340,20 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::shaft_through_gear, "shaft_through_gear", kNote,
      "verb drive: the axis of a shaft is within the tip circle of a gear on another shaft, so the "
      "shaft must end before this gear"},
+    {C::rating_quality, "rating_quality", kCaution,
+     "`quality` of [rating] differs from `quality` of a gear, which the drawing contains",
+     "a rating with another accuracy grade than the drawing",
+     "Leave out quality in [rating]; the rating then uses the grades of the gears."},
+    {C::tolerance_editions, "tolerance_editions", kNote,
+     "verb run: the rating and the drawing use the tolerances of different editions of ISO 1328-1"},
+    {C::spectrum_safety, "spectrum_safety", kCaution,
+     "a safety factor under the load spectrum is less than required",
+     "a safety factor under the load spectrum that is less than required"},
+    {C::spectrum_rated, "spectrum_rated", kNote,
+     "the message gives the safety factors under the load spectrum; the verdict applies to the "
+     "torque of the rating, with K_A"},
+    {C::torque_of_rating, "torque_of_rating", kNote,
+     "verb load: [load] gives no torque, so the nominal torque of [rating] is used"},
 }};
 
 constexpr bool each_has_its_row() {

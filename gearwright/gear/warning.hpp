@@ -131,6 +131,14 @@ enum class WarningCode {
   default_rack,
   // A shaft of a drive that would pass through a gear.
   shaft_through_gear,
+  // A rating whose accuracy is not the accuracy of the drawing.
+  rating_quality,
+  tolerance_editions,
+  // The safety factors of a load spectrum, which the verdict does not contain.
+  spectrum_safety,
+  spectrum_rated,
+  // A torque that [load] does not contain.
+  torque_of_rating,
   count  ///< the number of codes, not a code
 };
 

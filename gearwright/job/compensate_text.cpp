@@ -25,13 +25,14 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
         "The spec has no [errors]. Give this table, for example with crossing_deg = 0.05.");
   std::string out = title_listing(job.spec) + listing_of(units, compensate_quantities(), a) +
                     table_listing(found);
+  const char* const worst = a.scenarios.size() > 1 ? ", for the worst combination of errors" : "";
   for (const AimedLoad& l : a.loads) {
     const auto& quantities = loaded_score_quantities();
-    out += fmt::format("\nUnder {} N m\n", format_number(newton_metres(l.torque))) +
+    out += fmt::format("\nUnder {} N m{}\n", format_number(newton_metres(l.torque)), worst) +
            quantity_listing(units, quantities.table(),
                             {quantities.of(l.before), quantities.of(l.after)}, {"before", "after"});
   }
-  if (!a.loads.empty()) out += "\nWithout load\n";
+  if (!a.loads.empty()) out += fmt::format("\nWithout load{}\n", worst);
   const auto& scores = score_quantities();
   out += quantity_listing(units, scores.table(), {scores.of(a.before), scores.of(a.after)},
                           {"before", "after"});

@@ -180,10 +180,34 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
   return answer.error();
 }
 
+// Adds a note if the rating and the drawing use the tolerances of different editions.
+void note_editions(SolvedJob& job, const Rating& rating) {
+  if (!rating.tolerance) return;
+  const FlankTolerances rated = tolerance_edition(rating.edition);
+  const auto year = [](FlankTolerances edition) {
+    return edition == FlankTolerances::iso_2013 ? 2013 : 1995;
+  };
+  for (const int which : {1, 2}) {
+    const ToleranceInput& drawn = job.spec.gear(which).tolerance;
+    if (!drawn.quality || drawn.edition == rated) continue;
+    job.warnings.push_back(
+        {WarningCode::tolerance_editions,
+         fmt::format("The rating by {} uses the tolerances of ISO 1328-1:{}, but the inspection "
+                     "table and the drawing use ISO 1328-1:{}. Give edition = \"ISO 1328:{}\" in "
+                     "[gear1.tolerance] and [gear2.tolerance], or standard = \"ISO 6336:{}\" in "
+                     "[rating], to use one edition.",
+                     name(rating.edition), year(rated), year(drawn.edition), year(rated),
+                     rated == FlankTolerances::iso_2013 ? 2006 : 2019),
+         0});
+    return;
+  }
+}
+
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);
   if (!answer) return answer.error();
+  note_editions(job, answer->rating);
   return std::optional(std::move(answer).take());
 }
 

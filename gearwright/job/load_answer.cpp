@@ -1,6 +1,7 @@
 #include "gearwright/job/load_answer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,21 +15,47 @@
 
 namespace gearwright {
 
+std::optional<double> torque_of_rating(const JobSpec& spec) {
+  if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return std::nullopt;
+  constexpr double kSteps = 1e3;  // steps per N m; a torque from power and speed has many digits
+  return std::max(1.0, std::round(spec.rating.input.torque * kSteps)) / kSteps;
+}
+
+namespace {
+
+std::optional<Error> complete_load(SolvedJob& job) {
+  if (auto error = missing_error(SpecUse::load, job.spec)) return error;
+  const auto torque = torque_of_rating(job.spec);
+  if (!torque || !job.spec.load.probes.empty()) return std::nullopt;
+  job.spec.load.torques = {*torque};
+  job.spec.load.given = true;
+  job.warnings.push_back(
+      {WarningCode::torque_of_rating,
+       fmt::format(
+           "[load] gives no torque, so the nominal torque of [rating], {} N m on gear 1, is "
+           "used. It does not contain K_A.",
+           format_number(*torque)),
+       0});
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result<LoadAnalysis> answer_load(SolvedJob& job, Progress* progress) {
-  if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
+  if (auto error = complete_load(job)) return *error;
   if (job.halves[0])
     return loaded_halves(job, job.halves, errors_of(job), job.spec.load, job.warnings, progress);
   return loaded(job, errors_of(job), job.spec.load, job.warnings, progress);
 }
 
 Result<LoadTask> load_task(SolvedJob& job) {
-  if (auto error = missing_error(SpecUse::load, job.spec)) return *error;
+  if (auto error = complete_load(job)) return *error;
   if (auto error = one_helix_error(job)) return *error;
   return load_task(job, errors_of(job), job.spec.load, job.warnings);
 }
 
 Result<std::vector<LoadTask>> load_tasks(SolvedJob& job) {
-  if (job.halves[0] && !missing_error(SpecUse::load, job.spec))
+  if (job.halves[0] && !complete_load(job))
     return load_tasks_of_halves(job, job.halves, errors_of(job), job.spec.load, job.warnings);
   auto task = load_task(job);
   if (!task) return task.error();

@@ -46,12 +46,11 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
 
 // Copies the torque of [rating] if [load] has no torque.
 void complete_torque(JobSpec& spec, Json& tree) {
-  if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return;
-  constexpr double kSteps = 1e3;  // steps per N m; a torque from power and speed has many digits
-  const double torque = std::max(1.0, std::round(spec.rating.input.torque * kSteps)) / kSteps;
-  spec.load.torques = {torque};
+  const auto torque = torque_of_rating(spec);
+  if (!torque) return;
+  spec.load.torques = {*torque};
   spec.load.given = true;
-  tree["load"]["torque_Nm"] = torque;
+  tree["load"]["torque_Nm"] = *torque;
 }
 
 LoadedScore worst_of(const std::vector<LoadedScore>& scores) {

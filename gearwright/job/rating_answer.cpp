@@ -1,5 +1,9 @@
 #include "gearwright/job/load_answer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
@@ -27,10 +31,41 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back(
         {WarningCode::rating_crowning,
          "K_Hβ is computed without the crowning, helix slope and end relief of this gear. Give "
-         "`rating.face_load_factor`, for example the value that `load` computes.",
+         "`rating.face_load_factor`, for example the value that the verb propose computes with the "
+         "helix slope deviations. The verb load computes K_Hβ without these deviations.",
          which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);
+  if (!rating.tolerance) return;
+  const auto& grades = *job.spec.rating.input.quality;
+  for (const int which : {1, 2}) {
+    const auto& own = job.spec.gear(which).tolerance.quality;
+    const int rated = grades[static_cast<std::size_t>(which - 1)];
+    if (!own || *own == rated) continue;
+    std::string key = gear_field(which, "tolerance.quality");
+    if (!job.spec.given.contains(key)) key = gear_field(which, "quality");
+    job.warnings.push_back({WarningCode::rating_quality,
+                            fmt::format("The rating uses rating.quality = {}, but the drawing uses "
+                                        "{} = {}.",
+                                        rated, key, *own),
+                            which});
+    return;
+  }
+}
+
+// Gives the safety factors under the spectrum, because the verdict applies to one torque with K_A.
+void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
+  const double flank = std::min(answer.spectrum->S_H[0], answer.spectrum->S_H[1]);
+  const double root = std::min(answer.spectrum->S_F[0], answer.spectrum->S_F[1]);
+  const bool holds = flank >= answer.wanted.flank && root >= answer.wanted.root;
+  job.warnings.push_back(
+      {holds ? WarningCode::spectrum_rated : WarningCode::spectrum_safety,
+       fmt::format("Under the spectrum, with K_A = 1, the lowest safety factor is {:.2f} against "
+                   "pitting and {:.2f} against root breakage; {:g} and {:g} are required. Values "
+                   "outside the group Spectrum apply to {:g} N m with K_A = {:g}.",
+                   flank, root, answer.wanted.flank, answer.wanted.root, answer.input.torque,
+                   answer.input.application_factor),
+       0});
 }
 
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
@@ -91,6 +126,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   if (answer.face_holding && job.halves[0])
     answer.face_holding = 2 * *answer.face_holding + job.halves[0]->given.gap;
   warn_of_limits(job, answer.rating);
+  if (answer.spectrum) warn_of_spectrum(job, answer);
   if (table.tooth_contact) {
     auto contact = tooth_contact(job, answer, progress);
     if (!contact) return contact.error();

@@ -19,6 +19,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -54,6 +55,9 @@ struct Records {
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const {
     const Member* const m = find(nominal, path);
     if (!m) return std::nullopt;
+    if (const ValueList* ends = m->value.list(); ends && m->info->type == Type::number)
+      return number(*m->info, *ends->front().number(), units) + " … " +
+             number(*m->info, *ends->back().number(), units);
     const auto x = m->value.number();
     if (!x || m->info->type != Type::number) return with_minus(text_of(*m->info, m->value));
     if (const auto limits = between(*m->info, path)) return limits;
@@ -99,26 +103,31 @@ void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const R
                         short_decimals(value_in(r.units, Unit::mm, cutter.tip_rounding), 4)});
 }
 
-void add_rack(DataGroup& group, const Gear& gear, int mate, const Records& r) {
+// The name of a standard rack as the spec gives it, "AGMA-20" or "ISO 53-A", which is the default.
+std::string rack_name(const JobSpec& spec, int which) {
+  const std::string name = spec.tree->tables.at(gear_field(which)).value("rack", "ISO53-A");
+  return name.starts_with("ISO53") ? "ISO 53" + name.substr(5) : name;
+}
+
+void add_rack(DataGroup& group, const SolvedJob& job, int which, const Records& r) {
+  const Gear& gear = job.gear(which);
+  const auto& cut_by = job.completed.gear(which).cut_by;
   if (const auto* rack = std::get_if<DoubleArcRack>(&gear.spec.rack); rack && rack->named)
     return group.rows.push_back({"Basic rack", "", "GB/T 12759-1991"});
   if (!gear.involute()) return group.rows.push_back({"Basic rack", "", "with circular arcs"});
-  if (gear.cut_by) add_cutter(group, *gear.cut_by, mate, r);
+  if (gear.cut_by) add_cutter(group, *gear.cut_by, cut_by ? cut_by->gear : 0, r);
   if (gear.cut_by && !gear.cut_by->by_default) return;
   const StraightRack& rack = gear.spec.straight_rack();
-  for (const char* name : {"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"}) {
-    const StraightRack iso = *iso53_rack(name);
-    const bool same = rack.named && rack.dedendum == iso.dedendum &&
-                      rack.root_fillet_radius == iso.root_fillet_radius;
-    if (same) return group.rows.push_back({"Basic rack", "", fmt::format("ISO 53-{}", name[6])});
-  }
+  if (rack.named) return group.rows.push_back({"Basic rack", "", rack_name(job.spec, which)});
   group.rows.push_back({"Addendum, basic rack", "h_aP*", fmt::format("{:.10g}", rack.addendum)});
   group.rows.push_back({"Dedendum, basic rack", "h_fP*", fmt::format("{:.10g}", rack.dedendum)});
   group.rows.push_back(
       {"Root fillet, basic rack", "ρ_fP*", fmt::format("{:.10g}", rack.root_fillet_radius)});
 }
 
-DataGroup teeth(const Gear& gear, const std::optional<Halves>& halves, int mate, const Records& r) {
+DataGroup teeth(const SolvedJob& job, int which, const Records& r) {
+  const Gear& gear = job.gear(which);
+  const auto& halves = job.halves[static_cast<std::size_t>(which - 1)];
   DataGroup group{gear.involute() ? "Gear data by DIN 3966-1, symbols of ISO 21771"
                                   : "Gear data, symbols of ISO 21771",
                   {}};
@@ -142,7 +151,7 @@ DataGroup teeth(const Gear& gear, const std::optional<Halves>& halves, int mate,
       add_data(group, two, key);
   }
   add_data(group, r, "lead_mm", Sign::dropped);
-  add_rack(group, gear, mate, r);
+  add_rack(group, job, which, r);
   add_data(group, r, "profile_shift");
   return group;
 }
@@ -232,6 +241,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
 
 DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
+  bool one_sided = false, slope = false;
   for (const ModificationEntry& entry : modification_entries()) {
     const std::array<std::string, 2> texts{amount(entry, flanks[0], units),
                                            amount(entry, flanks[1], units)};
@@ -239,6 +249,8 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSys
     for (const std::size_t i : {0u, 1u}) {
       if (entry.amount_of(flanks[i]) == 0.0) continue;
       const bool both = texts[0] == texts[1];
+      one_sided = one_sided || !both;
+      slope = slope || entry.symbol.starts_with("C_Hβ");
       const char* side = both ? "" : i == 0 ? ", right" : ", left";
       group.rows.push_back(
           {words + side, std::string(entry.symbol.substr(0, entry.symbol.find(" ="))), texts[i]});
@@ -247,6 +259,10 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSys
   }
   if (flanks[0].topography || flanks[1].topography)
     group.rows.push_back({"Topography", "", "by a separate table"});
+  // The sheet defines the flanks and the end to which its values refer.
+  if (one_sided) group.rows.push_back({"Right flank, seen from +z, tooth upwards", "", "right"});
+  if (one_sided || slope) group.rows.push_back({"Face +z of the axial section", "", "right"});
+  if (slope) group.rows.push_back({"A positive helix slope removes more at", "", "face +z"});
   return group;
 }
 
@@ -258,16 +274,18 @@ DataGroup tolerances(const ToleranceInput& given, const Records& measure) {
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
                   given.edition == FlankTolerances::iso_2013 ? 2013 : 1995, *given.quality),
       {}};
-  for (const char* key :
-       {"single_pitch_um", "cumulative_pitch_um", "profile_total_um", "profile_form_um",
-        "profile_slope_um", "helix_total_um", "helix_form_um", "helix_slope_um", "runout_um"}) {
-    const std::string path = std::string("tolerances.") + key;
+  for (const char* path :
+       {"tolerances.single_pitch_um", "tolerances.cumulative_pitch_um",
+        "tolerances.profile_total_um", "tolerances.profile_form_um", "tolerances.profile_slope_um",
+        "tolerances.helix_total_um", "tolerances.helix_form_um", "tolerances.helix_slope_um",
+        "tolerances.runout_um", "flank.profile_evaluation_mm", "flank.helix_evaluation_mm"}) {
     const Member* const m = find(measure.nominal, path);
     if (!m) continue;
     // The symbols of the edition of 1995 do not have the subscript T.
-    std::string symbol = m->info->symbol;
+    std::string symbol = m->info->symbol, value = *measure.value(path);
     if (given.edition == FlankTolerances::iso_1995 && symbol.ends_with('T')) symbol.pop_back();
-    group.rows.push_back({capitalised(m->info->words), symbol, *measure.value(path)});
+    if (m->info->unit == Unit::mm) value += fmt::format(" {}", unit_text(measure.units, Unit::mm));
+    group.rows.push_back({capitalised(m->info->words), symbol, value});
   }
   return group;
 }
@@ -311,8 +329,7 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
     gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }
-  const int cutter = input.cut_by ? input.cut_by->gear : 0;
-  std::vector<DataGroup> groups{teeth(job.gears[i], job.halves[i], cutter, gear), diameters(gear),
+  std::vector<DataGroup> groups{teeth(job, which, gear), diameters(gear),
                                 thickness(job.gears[i].internal(), input, gear, measure),
                                 bore_group(job.gears[i], job.spec.drawing, units),
                                 modifications(input.modifications, units)};
@@ -350,14 +367,8 @@ SurfaceRequirements surfaces(const SolvedJob& job, int which) {
           runout(tolerance.tip_runout_um), runout(tolerance.face_runout_um)};
 }
 
-const char* kind_of(SheetFormat format) {
-  switch (format) {
-    case SheetFormat::pdf: return "PDF drawing";
-    case SheetFormat::svg: return "SVG drawing";
-    case SheetFormat::dxf: return "DXF drawing";
-  }
-  contract_failed("postcondition", "known format of a drawing", __FILE__, __LINE__);
-}
+// In the order of SheetFormat.
+constexpr std::array kKinds{"PDF drawing", "SVG drawing", "DXF drawing"};
 
 }  // namespace
 
@@ -380,21 +391,24 @@ std::optional<SheetFormat> sheet_format(const std::filesystem::path& path) {
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,
                                        SheetSize size, double tolerance_mm) {
   const DrawingInput words = title_words(job);
+  const bool inch = job.spec.units() == UnitSystem::inch;
+  const double unit_mass = inch ? 0.45359237 : 1.0;  // kg in a pound
   WorkshopSheets all{{}, "", 0.0};
   for (std::size_t i = 0; i < gears.size(); ++i) {
     const int which = gears[i];
     const auto body = make_body(job, which, false);
     if (!body) return body.error();
     const auto mass = mass_of(job, which, *body);
-    GearSheetInput input{*body,
-                         job.gear(which).reference_diameter,
-                         drawing_data(job, which),
-                         words,
-                         job.spec.gear(which).tolerance.tip_fit.value_or(""),
-                         surfaces(job, which),
-                         mass ? fmt::format("{:.3g} kg", *mass) : "",
-                         fmt::format("{}/{}", i + 1, gears.size()),
-                         job.spec.units()};
+    GearSheetInput input{
+        *body,
+        job.gear(which).reference_diameter,
+        drawing_data(job, which),
+        words,
+        job.spec.gear(which).tolerance.tip_fit.value_or(""),
+        surfaces(job, which),
+        mass ? fmt::format("{:.3g} {}", *mass / unit_mass, inch ? "lb" : "kg") : "",
+        fmt::format("{}/{}", i + 1, gears.size()),
+        job.spec.units()};
     if (job.gears.size() > 1) input.words.title += fmt::format(", gear {}", which);
     const auto& material = job.spec.gear(which).material.name;
     if (words.material.empty() && material) input.words.material = *material;
@@ -428,7 +442,8 @@ Result<JobFile> make_workshop_drawing(const SolvedJob& job, const std::vector<in
   std::string bytes = pdf                          ? sheets_pdf(made->sheets, about)
                       : format == SheetFormat::svg ? sheets_svg(made->sheets, about)
                                                    : sheets_dxf(made->sheets);
-  return JobFile{path, kind_of(format), made->deviation_mm, note, std::move(bytes)};
+  return JobFile{path, kKinds[static_cast<std::size_t>(format)], made->deviation_mm, note,
+                 std::move(bytes)};
 }
 
 }  // namespace gearwright

@@ -334,6 +334,39 @@ TEST(WorkshopDrawing, has_the_material_of_the_gear) {
   EXPECT_FALSE(named("[drawing]\nmaterial = \"C45\"\n" + pinion));
 }
 
+// A drawing in inch has the mass in pounds, and the rack has the name that was ordered.
+TEST(WorkshopDrawing, has_the_rack_and_the_mass_of_an_inch_spec) {
+  const std::string inch =
+      "units = \"inch\"\n" +
+      gear(
+          "teeth = 60\nnormal_diametral_pitch_per_in = 12.7\nface_width_in = 0.7874\n"
+          "rack = \"AGMA-20\"\nmaterial = \"16MnCr5\"");
+  for (const char* words : {"AGMA-20", " lb"}) EXPECT_TRUE(contains(inch, words)) << words;
+  for (const char* words : {"ISO 53", " kg"}) EXPECT_FALSE(contains(inch, words)) << words;
+  const std::string plain = "teeth = 60\nnormal_module_mm = 2\nface_width_mm = 20\n";
+  EXPECT_TRUE(contains(gear(plain), "ISO 53-A"));
+  EXPECT_FALSE(contains(gear(plain + "rack = { dedendum = 1.3 }"), "ISO 53"));
+}
+
+// A value of one flank or of one end needs the definition of the flank and of the end. The
+// evaluation ranges belong to the tolerances.
+TEST(WorkshopDrawing, defines_flanks_ends_and_evaluation_ranges) {
+  const std::string plain = gear(
+      "teeth = 28\nnormal_module_mm = 2\nhelix_angle_deg = 20\nface_width_mm = 20\n"
+      "quality = 6");
+  const std::string one_side = plain + "[gear1.modifications]\nright_lead_slope_um = -1\n";
+  const std::string both = plain + "[gear1.modifications]\nlead_crowning_um = 6\n";
+  for (const char* words : {"Right flank, seen from +z", "Face +z of the axial section",
+                            "A positive helix slope removes more at"}) {
+    EXPECT_TRUE(contains(one_side, words)) << words;
+    EXPECT_FALSE(contains(both, words)) << words;
+  }
+  for (const char* words :
+       {"Profile evaluation, roll lengths", "Helix evaluation, heights", "−9 … 9 mm"})
+    EXPECT_TRUE(contains(plain, words)) << words;
+  expect_clear(one_side, "helix slope of one flank");
+}
+
 // The default cutter of a ring has half of its teeth (gear/pinion_cut.hpp).
 TEST(WorkshopDrawing, has_the_cutter_by_its_name) {
   const std::string ring = gear("teeth = -60\nnormal_module_mm = 2\nface_width_mm = 20");

@@ -102,6 +102,10 @@ double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materi
   return m[0] * m[1] / (m[0] + m[1]);
 }
 
+double resonance_begin(double specific_load) {
+  return specific_load < 100.0 ? 0.5 + 0.35 * std::sqrt(specific_load / 100.0) : 0.85;
+}
+
 Dynamic dynamic_factor(const DynamicInput& in) {
   Dynamic d;
   d.n_E1 = {30000.0 / (std::numbers::pi * in.teeth) * std::sqrt(in.c_gamma_alpha / in.reduced_mass),
@@ -113,11 +117,9 @@ Dynamic dynamic_factor(const DynamicInput& in) {
   const double b_f = in.c_prime * in.profile_error / in.specific_load;
   const double b_k =
       in.tip_relief ? std::abs(1.0 - in.c_prime * *in.tip_relief / in.specific_load) : 1.0;
-  const double n_s =
-      in.specific_load < 100.0 ? 0.5 + 0.35 * std::sqrt(in.specific_load / 100.0) : 0.85;
   const auto at_resonance = [&] { return c.v1 * b_p + c.v2 * b_f + c.v4 * b_k + 1.0; };
   const auto above = [&] { return c.v5 * b_p + c.v6 * b_f + c.v7; };
-  if (N <= n_s) {
+  if (N <= resonance_begin(in.specific_load)) {
     d.K_v = {N * (c.v1 * b_p + c.v2 * b_f + c.v3 * b_k) + 1.0, "ISO 6336-1, 6.5.4, (13), (14)",
              in.specific_load < 100.0 ? "subcritical, N ≤ N_S < 0.85" : "subcritical, N ≤ 0.85"};
   } else if (N <= 1.15) {

@@ -52,6 +52,11 @@ struct Dynamic {
   Factor K_v;
 };
 
+/// N_S, the resonance ratio at which the main resonance begins; `specific_load` as in DynamicInput.
+///
+/// Formula   ISO 6336-1, 6.5
+double resonance_begin(double specific_load);
+
 /// Formula   [T11.5]…[T11.10]; ISO 6336-1, 6.5: (6), N_S, (13)…(17), (20)…(22)
 /// Laws      (1) K_v → 1 as the speed decreases to 0   (2) K_v is continuous at N = 1.15 and 1.5
 /// Domain    ε_γ > 1; for a smaller ε_γ the constants of the lowest range are used

@@ -80,6 +80,7 @@ TEST(DynamicFactor, LightLoadsResonateEarlier) {
   DynamicInput d = sample_speed(0.8);
   EXPECT_STREQ(dynamic_factor(d).K_v.branch, "subcritical, N ≤ 0.85");
   d.specific_load = 36;
+  EXPECT_DOUBLE_EQ(resonance_begin(36), 0.71);
   EXPECT_STREQ(dynamic_factor(d).K_v.branch, "main resonance, N_S < N ≤ 1.15");
 }
 

@@ -1,5 +1,7 @@
 #include "gearwright/rating/rating.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -43,6 +45,7 @@ struct Rater {
   Rater& operator=(const Rater&) = delete;
 
   void load();
+  double specific_load() const;  // F_t K_A K_γ/b, N/mm
   void dynamics();
   void distribution();
   void flank();
@@ -72,9 +75,12 @@ void Rater::load() {
   }
 }
 
+double Rater::specific_load() const {
+  return r.F_t.value * in.application_factor * in.mesh_load_factor / pair.carrying_width();
+}
+
 void Rater::dynamics() {
-  const double line =
-      r.F_t.value * in.application_factor * in.mesh_load_factor / pair.carrying_width();
+  const double line = specific_load();
   const double e1 = materials[0].youngs_modulus;
   const double e2 = materials[1].youngs_modulus;
   r.stiffness = mesh_stiffness(pair, line, relative_elasticity(e1, e2), in.body);
@@ -225,7 +231,7 @@ std::optional<Error> Rater::root() {
 }
 
 void Rater::check_limits() {
-  const auto say = [&](bool bad, WarningCode code, const char* text, int gear = 0) {
+  const auto say = [&](bool bad, WarningCode code, const std::string& text, int gear = 0) {
     if (bad) r.limits.push_back({code, text, gear});
   };
   say(!(pair.epsilon_alpha > 1.0 && pair.epsilon_alpha < 2.5), WarningCode::rating_contact_ratio,
@@ -241,10 +247,13 @@ void Rater::check_limits() {
   say(!r.stiffness.in_range, WarningCode::rating_stiffness,
       "The formula of the tooth stiffness c' applies to x1 ≥ x2 and −0.5 ≤ x1 + x2 ≤ 2, but the "
       "profile shifts of this pair are outside this range.");
-  say(r.N && r.N->value > 0.85 && r.N->value <= 1.15 && !in.dynamic_factor,
-      WarningCode::rating_resonance,
-      "The pinion runs in the main resonance of the mesh, 0.85 < N ≤ 1.15; ISO 6336-1 requires a "
-      "detailed analysis there.");
+  if (r.N) {
+    const double N_S = resonance_begin(specific_load());
+    say(r.N->value > N_S && r.N->value <= 1.15 && !in.dynamic_factor, WarningCode::rating_resonance,
+        fmt::format("The pinion runs in the main resonance of the mesh, N_S = {:.2f} < N = {:.2f} "
+                    "≤ 1.15; ISO 6336-1 requires a detailed analysis there.",
+                    N_S, r.N->value));
+  }
   say(!r.face.offset_in_range, WarningCode::rating_mounting,
       "The offset s of the pinion is greater than the standard allows for this arrangement of the "
       "bearings.");

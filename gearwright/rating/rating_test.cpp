@@ -244,6 +244,24 @@ TEST(Rating, SpurSectionsOfDin3990) {
   EXPECT_NEAR(s2->q_s, 3.48397821817927, 3e-4);
 }
 
+// m 8, 19/60, 250 N m: F_t K_A/b = 54.8 N/mm, so the main resonance begins at N_S = 0.76.
+TEST(Rating, ResonanceOfLightLoadsIsNamed) {
+  const RatedPair pair = printed_pair({19, 0.4, 0}, {60, 0.1, 0}, 8, 0, 90, 0, StraightRack());
+  RatingInput in = testing::helical_24_95_load();
+  in.torque = 250;
+  in.speed = 6000;
+  in.application_factor = 1.5;
+  in.quality = {8, 8};
+  in.body = {};
+  const Rating light = rate(pair, in).value();
+  EXPECT_NEAR(light.N->value, 0.82, 0.005);
+  ASSERT_EQ(light.limits.size(), 1u);
+  EXPECT_EQ(light.limits[0].code, WarningCode::rating_resonance);
+  EXPECT_NE(light.limits[0].message.find("N_S = 0.76 < N = 0.82"), std::string::npos);
+  in.torque = 1000;  // above 100 N/mm, N_S is 0.85
+  EXPECT_TRUE(rate(pair, in).value().limits.empty());
+}
+
 // (1) twice the torque gives twice σ_F0 and √2 times σ_H0
 TEST(RatingLaws, StressesFollowTheTorque) {
   const RatedPair pair = testing::helical_24_95();

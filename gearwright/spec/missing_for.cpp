@@ -118,13 +118,13 @@ std::vector<Error> missing_for(SpecUse use, const JobSpec& spec) {
   const bool torque = !spec.load.torques.empty();
   const bool probes_alone = use == SpecUse::load && !torque && !spec.load.probes.empty();
   const bool of_two = use != SpecUse::geometry && use != SpecUse::run && !probes_alone;
-  const bool propose_torque = torque || spec.rating.torque || spec.rating.power;
-  if (use == SpecUse::propose && !propose_torque)
+  const bool rating_torque = spec.rating.torque || spec.rating.power;
+  if (use == SpecUse::propose && !torque && !rating_torque)
     missing.push_back(absent_input("load.torque_Nm",
                                    ": enter a torque on gear 1 in N m, for example torque_Nm = "
                                    "100, or give power_kW and speed_rpm in [rating]"));
   const bool under_torque =
-      (use == SpecUse::load && !probes_alone) ||
+      (use == SpecUse::load && !probes_alone && !rating_torque) ||
       ((use == SpecUse::compensate || (use == SpecUse::run && spec.compensate.given && two)) &&
        under_load(spec.compensate.aim));
   const bool rated = can_be_rated(spec) &&

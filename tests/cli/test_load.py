@@ -2,6 +2,7 @@
 results."""
 
 import json
+import math
 import re
 import tempfile
 import unittest
@@ -154,6 +155,12 @@ class Load(unittest.TestCase):
             self.assertEqual(run.json["compensate"], answer)
             self.assertIn("With these corrections, the greatest pressure on the flanks under", (Path(folder) / "report.html").read_text())
 
+    def test_the_values_are_those_of_the_worst_combination(self):
+        rest = 'aim = "pressure"\ncorrections = ["gear1.lead_crowning_um"]\n'
+        text = self.compensated(rest + "[compensate.range]\nhelix_slope1_um = [-10, 10]\n", "torque_Nm = 40\n", options=()).out
+        self.assertIn("Under 40 N m, for the worst combination of errors\n", text)
+        self.assertIn("Without load, for the worst combination of errors\n", text)
+
     def test_corrections_without_load_are_as_before(self):
         answer = self.compensated("").json["compensate"]
         self.assertEqual(answer, self.compensated('aim = "transmission_error"\n').json["compensate"])
@@ -193,6 +200,18 @@ class Load(unittest.TestCase):
             run = load(**words)
             self.assertEqual(run.status, 1, words)
             self.assertEqual(run.json["error"]["key"], key)
+
+    def test_the_torque_of_the_rating_is_used(self):
+        rated = "[rating]\npower_kW = 6\nspeed_rpm = 1000\napplication_factor = 1.25\n"
+        run = load(rest=DRAFT + rated)
+        self.assertEqual(run.status, 0, run.err)
+        torque = 60 * 6000 / (2 * math.pi * 1000)
+        self.assertAlmostEqual(run.json["load"]["torques"][0]["torque_Nm"], torque, delta=6e-4)
+        noted = [w["message"] for w in run.json["warnings"] if w["code"] == "torque_of_rating"]
+        self.assertIn("the nominal torque of [rating], 57.296 N m on gear 1, is used", noted[0])
+        own = load(rest=DRAFT + "torque_Nm = 50\n" + rated).json
+        self.assertEqual(own["load"]["torques"][0]["torque_Nm"], 50)
+        self.assertNotIn("torque_of_rating", [w["code"] for w in own["warnings"]])
 
     def test_a_kind_has_its_elasticity(self):
         """The elasticity follows from the kind of the material, as in a rating."""

@@ -3,6 +3,7 @@ and remedies, and the agreement of JSON, CSV and listing."""
 
 import csv
 import io
+import tempfile
 import unittest
 
 from cli import SOURCE, Run
@@ -191,6 +192,29 @@ class Rate(unittest.TestCase):
         self.assertEqual(float(rows["rating.S_H"]["second"]), r["S_H"][1])
         self.assertEqual(rows["rating.K_v"]["formula"], "ISO 6336-1, 6.5.4, (13), (14)")
 
+    def test_accuracy_of_rating_and_drawing(self):
+        def differs(quality):
+            drawn = spec().replace("teeth = 24\n", f"teeth = 24\nquality = {quality}\n", 1)
+            findings = Run("rate", drawn, "--json").json["verdict"]["findings"]
+            return [(f["level"], f["message"]) for f in findings if f["code"] == "rating_quality"]
+
+        self.assertEqual(differs(6), [])
+        self.assertEqual(differs(7), [("amber", "The rating uses rating.quality = 6, but the drawing uses gear1.quality = 7.")])
+
+    def test_editions_of_rating_and_drawing(self):
+        """One note if the drawing has tolerances of another edition than the rating; none if it has no tolerances."""
+        def noted(tolerance):
+            drawn = spec().replace("teeth = 24\n", "teeth = 24\n" + tolerance, 1)
+            with tempfile.TemporaryDirectory() as folder:
+                run = Run("run", drawn, "--only", "report", "--json", "--out", folder)
+            return [w["message"] for w in run.json["warnings"] if w["code"] == "tolerance_editions"]
+
+        (note,) = noted("quality = 6\n")
+        for word in ("ISO 1328-1:1995", "ISO 1328-1:2013", 'edition = "ISO 1328:1995"', 'standard = "ISO 6336:2019"'):
+            self.assertIn(word, note)
+        self.assertEqual(noted('tolerance = { quality = 6, edition = "ISO 1328:1995" }\n'), [])
+        self.assertEqual(noted(""), [])
+
     def test_spectrum(self):
         step = "[[rating.spectrum]]\ntorque_Nm = {}\nspeed_rpm = 1165.9\nduration_h = {}\n"
         life = RATING.replace("life_h = 175200\n", "").replace("application_factor = 1.25\n", "")
@@ -198,6 +222,17 @@ class Rate(unittest.TestCase):
         plain = self.rated(spec(life + "life_h = 175200\n"))
         for a, b in zip(one["S_H_spectrum"] + one["S_F_spectrum"], plain["S_H"] + plain["S_F"]):
             self.assertAlmostEqual(a, b, delta=1e-4)
+        both = spec(life + "application_factor = 1.25\n" + step.format(250000, 1e-4) + step.format(20000, 1e5))
+        run = Run("rate", both, "--json")
+        lowest = run.json["rating"]["S_H_spectrum"][0]
+        noted = [w["message"] for w in run.json["warnings"] if w["code"] == "spectrum_rated"]
+        self.assertIn(f"with K_A = 1, the lowest safety factor is {lowest:.2f} against pitting", noted[0])
+        self.assertIn("with K_A = 1.25", noted[0])
+        listing = Run("rate", both).out
+        self.assertIn("Spectrum, ISO 6336-6, with K_A = 1\n", listing)
+        self.assertRegex(listing, r"damage of the flanks +U_H +\d\.\de-\d\d")
+        weak = Run("rate", both.replace("[rating]\n", "[rating]\nsafety_flank_min = 9\n"), "--json")
+        self.assertIn("spectrum_safety", [f["code"] for f in weak.json["verdict"]["findings"]])
         self.refused(spec(RATING + step.format(1, 1)), "rating.life_h", "spectrum")
         self.refused(spec(life + step.format(0, 1)), "rating.spectrum[1].torque_Nm", "greater than 0")
 

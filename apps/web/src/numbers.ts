@@ -88,6 +88,9 @@ export function textOf(quantity: Quantity, value: Json | undefined): string {
   if (typeof value === "object") return "";
   if (quantity.type === "whole" || quantity.type === "index") return String(value);
   if (quantity.percent) return fixed(100 * value, quantity.digits);
+  // A small number without a unit, such as a damage, is not printed as zero.
+  const size = Math.abs(value);
+  if (!quantity.unit && size > 1e-9 && size < 0.5 * 10 ** -quantity.digits) return value.toExponential(1);
   return shownText(value, quantity, quantity.digits);
 }
 
