@@ -15,7 +15,6 @@ std::optional<KeyFault> check_probe(LoadProbeInput& probe, const KeyGiven&) {
 }  // namespace
 
 const KeyTable& load_keys() {
-  using Range = KeyRange;
   static const KeyTable table{
       "load",
       "Teeth under torque, for the verb `load` and, with drives, for the verbs `drive`, `rate` and "
@@ -80,7 +79,6 @@ const KeyTable& load_keys() {
 }
 
 const KeyTable& load_probe_keys() {
-  using Range = KeyRange;
   static const KeyTable table{
       "load_probe",
       "Compliance of tooth 0 under a unit line force normal to its flank at y > 0",

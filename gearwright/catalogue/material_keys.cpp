@@ -75,7 +75,6 @@ std::optional<KeyFault> check_name(MaterialInput& m, const KeyGiven&) {
 }  // namespace
 
 const KeyTable& material_keys() {
-  using Range = KeyRange;
   static const KeyTable table = [] {
     const auto kinds = material_kind_words();
     return KeyTable{

@@ -32,7 +32,6 @@ void set_bearing_stiffness(Shaft& shaft, const std::vector<double>& newton_per_u
 }  // namespace
 
 const KeyTable& shaft_keys() {
-  using Range = KeyRange;
   static const KeyTable table{
       "shaft",
       "The shaft of a gear on two bearings; positions are measured along the axis from the middle "
