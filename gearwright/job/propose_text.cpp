@@ -15,6 +15,7 @@ std::string effects(const ProposeAnswer& a, UnitSystem units) {
   std::vector<std::string> names;
   std::vector<ValueRecord> worst, at_limits;
   for (std::size_t i = 0; i < a.proposals.size(); ++i) {
+    if (same_proposals(a.proposals, i).empty()) continue;
     const Proposal& p = a.proposals[i];
     names.push_back(
         fmt::format("{} {:>2}  {}", i == a.recommended ? "*" : " ", i + 1, words_of(p)));
@@ -37,7 +38,11 @@ std::string effects(const ProposeAnswer& a, UnitSystem units) {
 
 std::string amounts(const ProposeAnswer& a, UnitSystem units) {
   std::string out = "\nAmounts in whole µm, reliefs rounded upwards\n";
-  for (std::size_t i = 1; i < a.proposals.size(); ++i) {
+  for (std::size_t i = 0; i < a.proposals.size(); ++i) {
+    const std::vector<std::size_t> same = same_proposals(a.proposals, i);
+    if (same.size() > 1)
+      out += wrapped(fmt::format("  {:>2} is also {}", i + 1, words_of_same(a.proposals, same)));
+    if (i == 0 || same.empty()) continue;
     int line = 0;
     for (const std::size_t gear : {0, 1}) {
       const std::string text = sentence_in(units, amounts_of(a.proposals[i].gears[gear]));

@@ -26,7 +26,7 @@ std::string effects(const ProposeView& v) {
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < v.proposals.size(); ++i) {
     const LoadedScore& s = v.proposals[i].worst;
-    if (!scored(s)) continue;
+    if (!scored(s) || same_proposals(v.proposals, i).empty()) continue;
     dots.push_back({{s.peak_to_peak.arcsec(), s.max_pressure},
                     i == v.recommended ? "dot-front"
                     : s.edge_carries   ? "dot-middle"
@@ -41,9 +41,9 @@ std::string effects(const ProposeView& v) {
   f.title = "Effects of the proposals";
   f.description = "Transmission error and greatest pressure of each proposal, by its number.";
   f.caption = fmt::format(
-      ", as computed under load. Number 1 is the spec as given, and {} is recommended. At a hollow "
-      "dot an edge carries load, so the pressure is a lower bound.",
-      v.recommended + 1);
+      ", as computed under load. Number 1 is the spec as given{}. At a hollow dot an edge carries "
+      "load, so the pressure is a lower bound.",
+      v.recommended > 0 ? fmt::format(", and {} is recommended", v.recommended + 1) : "");
   for (std::size_t i = 0; i < numbers.size(); ++i) f.marks[i].label = numbers[i];
   return figure_html(f);
 }
@@ -68,9 +68,13 @@ std::string table(const ProposeView& v) {
   if (limits) heads.push_back("Pressure at the limits of the helix slopes");
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < v.proposals.size(); ++i) {
+    const std::vector<std::size_t> same = same_proposals(v.proposals, i);
+    if (same.empty()) continue;
     const Proposal& p = v.proposals[i];
     std::string name = fmt::format("{} {}{}", i + 1, escaped(words_of(p)),
-                                   i == v.recommended ? " (recommended)" : "");
+                                   i == v.recommended && i > 0 ? " (recommended)" : "");
+    if (const std::string also = words_of_same(v.proposals, same); !also.empty())
+      name += fmt::format("<br><small>also {}</small>", escaped(also));
     for (std::size_t g = 0; g < 2; ++g)
       if (const std::string amounts = amounts_of(p.gears[g]); !amounts.empty())
         name += fmt::format("<br><small>gear {}: {}</small>", g + 1, amounts);
@@ -82,17 +86,25 @@ std::string table(const ProposeView& v) {
   return value_table("Proposals", heads, rows);
 }
 
+std::string advice(const ProposeView& v, const std::string& taken) {
+  if (!taken.empty())
+    return fmt::format("<strong>The spec as given is also proposal {}.</strong>", escaped(taken));
+  return fmt::format("<strong>Recommended: {}, {}.</strong> {}", v.recommended + 1,
+                     escaped(words_of(v.proposals[v.recommended])), escaped(v.reason));
+}
+
 }  // namespace
 
-std::string propose_section(const ProposeView& v) {
+std::string propose_section(const ProposeView& view) {
+  ProposeView v = view;
+  // A spec that already has the modifications of a proposal is a decision of the user.
+  const std::string taken = words_of_same(v.proposals, same_proposals(v.proposals, 0));
+  if (!taken.empty()) v.recommended = 0;
   return fmt::format(
       "<section class=\"proposals\">\n<h2>Proposed modifications</h2>\n<p>The amounts follow from "
       "a torque of {} N m, the grades of the gears and the deflection of their shafts. The effect "
-      "of each proposal is computed for the pair under load. <code>propose --take NUMBER</code> "
-      "prints the spec of a proposal.</p>\n<p><strong>Recommended: {}, {}.</strong> {}</p>\n{}{}"
-      "</section>\n",
-      format_number(newton_metres(v.torque)), v.recommended + 1,
-      escaped(words_of(v.proposals[v.recommended])), escaped(v.reason),
+      "of each proposal is computed for the pair under load.</p>\n<p>{}</p>\n{}{}</section>\n",
+      format_number(newton_metres(v.torque)), advice(v, taken),
       side_by_side(compared(v) + effects(v)), table(v));
 }
 
