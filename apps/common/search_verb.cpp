@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/common/output.hpp"
+#include "apps/common/watch.hpp"
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/base/system.hpp"
 #include "gearwright/job/drive_answer.hpp"
@@ -116,7 +117,7 @@ int take_one(const SearchCommand& c, const JobSpec& spec, const Search& search,
   return 0;
 }
 
-// A search for drives takes only seconds. It writes no folder, and its answer is printed in the
+// A search for drives writes no folder, and its answer is printed in the
 // same way as the answers of other verbs.
 int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecText& text) {
   if (c.out || c.shard || c.resume || c.chunk)
@@ -125,7 +126,9 @@ int search_drives_verb(const SearchCommand& c, const JobSpec& spec, const SpecTe
         "prints its answer, or the complete answer with --json");
   const std::size_t top = std::max<std::size_t>(c.top.value_or(kDefaultDrives),
                                                 static_cast<std::size_t>(c.take.value_or(1)));
-  const auto answer = answer_drive_search(spec, top, c.threads);
+  const auto answer = watched("search", [&](Progress* progress) {
+    return answer_drive_search(spec, top, c.threads, progress);
+  });
   if (!answer) return fail(spelled(answer.error(), spec.given), c.json, &text);
   const auto error = print_answer(*answer, c.json, false, c.take);
   return error ? fail(*error, c.json) : 0;

@@ -58,8 +58,15 @@ class Candidates {
   // candidates.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<DriveOutcome>> outcomes(which.size());
+    begin_stage(task_.progress, "computing the next drives",
+                static_cast<std::int64_t>(which.size()));
     parallel_for(
-        which.size(), [&](std::size_t i) { outcomes[i] = designer_((*all_)[which[i]]); }, threads_);
+        which.size(),
+        [&](std::size_t i) {
+          outcomes[i] = designer_((*all_)[which[i]]);
+          count_step(task_.progress);
+        },
+        threads_);
     for (std::size_t i = 0; i < which.size(); ++i) {
       ++designs.computed;
       // Until a drive has been rated, an error is attributed to the spec. Afterwards, it concerns
@@ -130,6 +137,7 @@ class Candidates {
   // The estimate for trains with this module in all stages, from some of the candidates.
   TrainStrength strength_of(const std::vector<std::size_t>& which, double module) {
     std::vector<std::optional<RatedTrain>> trains(kEstimateTrains);
+    begin_stage(task_.progress, "rating trains for an estimate of their strength", kEstimateTrains);
     parallel_for(
         trains.size(),
         [&](std::size_t i) {
@@ -137,6 +145,7 @@ class Candidates {
           train.module = module;
           train.stage_modules.clear();
           trains[i] = designer_.rated(std::move(train));
+          count_step(task_.progress);
         },
         threads_);
     std::vector<RatedTrain> rated;

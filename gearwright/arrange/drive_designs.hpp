@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "gearwright/base/progress.hpp"
 #include "gearwright/design/drive_search.hpp"
 #include "gearwright/design/train_strength.hpp"
 #include "gearwright/drive/drive.hpp"
@@ -45,6 +46,7 @@ struct DriveDesignTask {
   Safeties required{};  ///< of every mesh
   /// Rates the meshes of a drive; empty if the designs are not rated.
   std::function<std::optional<Error>(Drive&)> rate{};
+  Progress* progress = nullptr;
 };
 
 /// The candidates that the result lists: the `top` best by the first objective and, if there are

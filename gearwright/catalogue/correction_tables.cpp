@@ -71,9 +71,15 @@ std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units
   TextTable amounts{"Amounts, reliefs rounded upwards", {}};
   std::vector<std::string> names;
   std::vector<ValueRecord> worst, at_limits;
-  for (const Proposal& p : view.proposals) {
-    const std::size_t number = names.size() + 1;
-    const char* const mark = number == view.recommended + 1 ? "*" : " ";
+  for (std::size_t i = 0; i < view.proposals.size(); ++i) {
+    const std::vector<std::size_t> same = same_proposals(view.proposals, i);
+    const std::size_t number = i + 1;
+    if (same.size() > 1)
+      amounts.notes.push_back(
+          fmt::format("{:>2} is also {}", number, words_of_same(view.proposals, same)));
+    if (same.empty()) continue;
+    const Proposal& p = view.proposals[i];
+    const char* const mark = i == view.recommended ? "*" : " ";
     names.push_back(fmt::format("{} {:>2}  {}", mark, number, words_of(p)));
     worst.push_back(loaded_score_quantities().of(p.worst));
     if (p.at_limits) at_limits.push_back(loaded_score_quantities().of(*p.at_limits));

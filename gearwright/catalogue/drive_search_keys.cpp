@@ -122,7 +122,8 @@ const KeyTable& drive_search_keys() {
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
-       Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding, "no limit",
+       Key::number("sliding_max", "|ζ|", KeyRange::between(0, 1000), &Problem::sliding,
+                   "3 for a rated train without profile_shift, otherwise no limit",
                    "greatest permitted specific sliding at both ends of the path of contact of "
                    "every mesh; a small set without undercut has about 3 to 5"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,

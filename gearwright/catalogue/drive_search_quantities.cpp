@@ -51,7 +51,9 @@ void add_found(Quantities<F>& q) {
           stages_of)
       .list({0, 2})
       .doors(kJson);
-  q.whole("planets", "number of planets", "N", "", [](const F& f) { return f.candidate.planets; });
+  q.whole("planets", "number of planets", "N", "", [](const F& f) {
+     return f.candidate.planets;
+   }).shown([](const F& f) { return f.candidate.stages.empty(); });
   q.number("ratio", "ratio", "i", "n_in/n_out", [](const F& f) {
      return of_drive(f, "ratio");
    }).always();

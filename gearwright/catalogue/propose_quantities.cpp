@@ -117,6 +117,32 @@ std::string words_of(const Proposal& p) {
   return words.empty() ? lead : words + ", " + lead;
 }
 
+std::vector<std::size_t> same_proposals(const std::vector<Proposal>& list, std::size_t i) {
+  // The effects of a spec are computed once, so equal points of the transmission error are equal
+  // in every bit.
+  const auto same = [&](std::size_t k) {
+    return !list[i].transmission_error.empty() &&
+           list[k].transmission_error == list[i].transmission_error &&
+           list[k].worst.max_pressure == list[i].worst.max_pressure;
+  };
+  std::vector<std::size_t> found{i};
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (k == i || !same(k)) continue;
+    if (k < i) return {};
+    found.push_back(k);
+  }
+  return found;
+}
+
+std::string words_of_same(const std::vector<Proposal>& list, const std::vector<std::size_t>& same) {
+  std::string numbers, words;
+  for (std::size_t k = 1; k < same.size(); ++k) {
+    numbers += fmt::format("{}{}", k > 1 ? ", " : "", same[k] + 1);
+    words += (k > 1 ? "; " : ": ") + words_of(list[same[k]]);
+  }
+  return numbers + words;
+}
+
 const Quantities<ProposeView>& propose_quantities() {
   using V = ProposeView;
   return define("propose", [](Quantities<V>& q) {

@@ -62,6 +62,13 @@ const Quantities<Proposal>& proposal_quantities();
 
 /// Example: "short tip relief with f_pb, helix crowning".
 std::string words_of(const Proposal& proposal);
+/// The indices of the proposals with the same spec as proposal `i`, with `i` as the first. Empty if
+/// an earlier proposal has this spec.
+std::vector<std::size_t> same_proposals(const std::vector<Proposal>& proposals, std::size_t i);
+/// Example: "3, 4, 6: long tip relief; helix crowning; long tip relief, helix crowning" for the
+/// indices after the first. Empty if there is only one index.
+std::string words_of_same(const std::vector<Proposal>& proposals,
+                          const std::vector<std::size_t>& same);
 /// Example: "tip relief 12 µm from 79.123 mm, helix crowning 8 µm". Empty if the gear is unchanged.
 std::string amounts_of(const ProposedGear& gear);
 

@@ -12,6 +12,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/drive/drive_forces.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/job/csv_answer.hpp"
@@ -182,11 +183,30 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress) {
   return whole;
 }
 
+namespace {
+
+// Inputs, factors and safeties of each mesh, as in the rating of a pair.
+std::string factor_listing(const Drive& drive, UnitSystem units) {
+  std::string out;
+  for (std::size_t m = 0; m < drive.ratings.size(); ++m) {
+    const auto record = mesh_rating(drive, m);
+    if (!record) continue;
+    out += fmt::format("\nStrength of {}\n", printable(drive.graph.meshes[m].name));
+    out += quantity_listing(
+        units, rating_quantities().table(), {*record}, gear_columns(2), [&](const QuantityInfo& q) {
+          return sentence_in(units, source_text(drive.ratings[m]->rating, q.key));
+        });
+  }
+  return out;
+}
+
+}  // namespace
+
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress) {
   return answer_of(spec, solve_whole_drive(spec, progress, RateMeshes::yes),
                    [](const Drive& drive, UnitSystem units) {
                      return drive_load_listing(drive, units) + body_listing(drive, units) +
-                            mesh_listing(drive, units);
+                            mesh_listing(drive, units) + factor_listing(drive, units);
                    });
 }
 
@@ -194,6 +214,28 @@ namespace {
 
 // The tables of a drive's spec that also apply to each of its meshes.
 constexpr const char* kShared[] = {"errors", "contact", "drawing", "scatter"};
+
+// The series of DIN 3967 whose mean allowance a gear has; empty if there is none.
+std::string series_of(const Json& tables, const CylindricalSpec& gear) {
+  std::vector<const Json*> forms;
+  const auto add = [&](const Json& table, const char* name) {
+    if (table.contains(name) && table[name].is_object()) forms.push_back(&table[name]);
+  };
+  add(tables, "planetary");
+  if (tables.contains("stage"))
+    for (const Json& stage : tables["stage"]) {
+      forms.push_back(&stage);
+      add(stage, "planetary");
+    }
+  const double diameter =
+      gear.normal_module * std::abs(gear.teeth) / std::cos(gear.helix_angle.rad());
+  for (const Json* form : forms) {
+    const std::string series = form->value("thickness_series", "");
+    if (!series.empty() && mean_allowance(series, diameter) == gear.thickness_allowance)
+      return series;
+  }
+  return "";
+}
 
 Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
@@ -212,6 +254,12 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   const auto& given = job.spec.drive->graph.gears[gear].spec;
   if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
     table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
+  // The mean of a series becomes the series again, so that the drawing has its limits.
+  const std::string series = solved ? series_of(job.spec.tree->tables, solved->spec) : "";
+  if (!series.empty()) {
+    table.erase("thickness_allowance_mm");
+    table["tolerance"]["thickness_series"] = series;
+  }
   if (!solved || !solved->involute() || table.contains("basic")) return table;
   table.erase("profile_shift_pair");
   table["profile_shift"] = solved->spec.profile_shift;

@@ -47,7 +47,7 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
 /// Domain    a spec with a search for drives (contract)
 /// Errors    the errors of search_drives(), with the keys of the spec
 Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top = kDefaultDrives,
-                                   int threads = 0);
+                                   int threads = 0, Progress* progress = nullptr);
 
 // A mesh of a drive as a spec of its own, so that every verb for pairs applies to it.
 

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/catalogue/drive_quantities.hpp"
+#include "gearwright/design/search_problem.hpp"
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
@@ -173,12 +174,19 @@ bool searches_drives(const JobSpec& spec) {
   return tree.contains("search") && is_drive_search(tree["search"]);
 }
 
-Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int threads) {
+Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int threads,
+                                   Progress* progress) {
   GW_EXPECTS(searches_drives(spec));
   DriveDesignTask task{read_drive_search(spec.tree->tables["search"]),
                        default_face_step(spec.units())};
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
+  // Rated trains whose shifts the search chooses have the same limit as rated pairs. In small
+  // planetary sets, no shifts satisfy it.
+  const PerMember& shift = problem.base.profile_shift;
+  if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
+      !shift.any())
+    problem.sliding = kDrawnSliding;
   problem.module_per_stage =
       problem.kind == DriveKind::train && problem.modules.size() > 1 && rated;
   auto result = search_drives(problem, threads);
@@ -198,6 +206,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   task.required = {problem.safety_flank.value_or(of_rating.flank),
                    problem.safety_root.value_or(of_rating.root)};
   if (rated) task.rate = drive_rater(spec);
+  task.progress = progress;
   auto designs = drive_designs(task, *result, top, threads);
   if (!designs) return designs.error();
   const auto face_load =

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
@@ -122,7 +123,35 @@ std::string arrow(double from, double to, int decimals) {
 // limits of this deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
-int edge_rank(const Proposal& p) { return p.worst.edge_carries ? 2 : pressed(p).edge_carries; }
+constexpr double kMostPressure = 1.1;  // Pressure that is accepted for freeing the edges at the
+                                       // limits. As p_H ∝ √F, 10 % are 21 % of the torque.
+
+// 2 if an edge carries load, 1 if it does so only at the limits of the helix slopes, 0 if no edge
+// carries load. A pressure above the multiple kMostPressure of `least` counts as an edge at the
+// limits.
+int edge_rank(const Proposal& p, double least) {
+  if (p.worst.edge_carries) return 2;
+  return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
+}
+
+bool rises(const LoadedScore& s, const LoadedScore& given) {
+  return std::isfinite(given.peak_to_peak.rad()) && s.peak_to_peak.rad() > given.peak_to_peak.rad();
+}
+
+// True if a proposal has a result and no more transmission error than the spec as given.
+bool is_possible(const Proposal& p, const Proposal& given) {
+  return std::isfinite(p.worst.peak_to_peak.rad()) && std::isfinite(pressed(p).max_pressure) &&
+         !rises(p.worst, given.worst);
+}
+
+// The least pressure without deviations among the possible proposals without a loaded edge.
+double least_pressure(const std::vector<Proposal>& list) {
+  double least = kInfinity;
+  for (const Proposal& p : list)
+    if (is_possible(p, list.front()) && !p.worst.edge_carries)
+      least = std::min(least, p.worst.max_pressure);
+  return least;
+}
 
 std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& list) {
   std::optional<std::size_t> best;
@@ -134,13 +163,32 @@ std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& li
   return best;
 }
 
+// A sentence about the quietest possible proposal that has no loaded edge at the limits either, but
+// more pressure than kMostPressure permits. Empty if there is none.
+std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best) {
+  std::optional<std::size_t> free;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Proposal& p = list[i];
+    if (!is_possible(p, list.front()) || edge_rank(p, kInfinity) > 0) continue;
+    if (!free || p.worst.peak_to_peak.rad() < list[*free].worst.peak_to_peak.rad()) free = i;
+  }
+  if (!free) return "";
+  const double pressure = list[*free].worst.max_pressure;
+  return fmt::format(
+      " Proposal {} has no loaded edge there, but without deviations its pressure is {:.0f} % "
+      "greater ({} N/mm²).",
+      *free + 1, 100 * (pressure / best.worst.max_pressure - 1),
+      arrow(best.worst.max_pressure, pressure, 0));
+}
+
 std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   const Proposal& given = list.front();
   const Proposal& p = list[best];
   std::string edges;
   if (given.worst.edge_carries && !p.worst.edge_carries)
     edges = "No edge of a tooth carries load in this proposal. ";
-  if (p.at_limits && edge_rank(given) > 0 && edge_rank(p) == 0)
+  if (p.at_limits && (given.worst.edge_carries || given.at_limits->edge_carries) &&
+      !p.worst.edge_carries && !p.at_limits->edge_carries)
     edges =
         "No edge of a tooth carries load in this proposal, not even at the limits of the helix "
         "slopes. ";
@@ -164,14 +212,13 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
   // The transmission error is compared for the nominal teeth, and the pressure at the limits.
-  if (best > 0 && p.at_limits && given.at_limits &&
-      p.at_limits->peak_to_peak.rad() > given.at_limits->peak_to_peak.rad())
+  if (p.at_limits && given.at_limits && rises(*p.at_limits, *given.at_limits))
     text += fmt::format(
         " At the limits of the helix slopes, its transmission error is greater than that of the "
         "spec as given ({}″).",
         arrow(given.at_limits->peak_to_peak.arcsec(), p.at_limits->peak_to_peak.arcsec(), 2));
   if (p.at_limits && p.at_limits->edge_carries && !p.worst.edge_carries)
-    text += " At these limits an edge of a tooth carries load.";
+    text += " At these limits an edge of a tooth carries load." + too_pressed(list, p);
   if (!p.worst.edge_carries) return text;
   if (const auto other = quietest_without_edge(list))
     text += fmt::format(
@@ -198,21 +245,16 @@ std::size_t recommended(const std::vector<Proposal>& list) {
     return relative(p.worst.peak_to_peak.rad(), given.worst.peak_to_peak.rad()) +
            relative(pressed(p).max_pressure, pressed(given).max_pressure);
   };
-  const auto possible = [&](const Proposal& p) {
-    const double te = p.worst.peak_to_peak.rad();
-    const double before = given.worst.peak_to_peak.rad();
-    return std::isfinite(te) && std::isfinite(pressed(p).max_pressure) &&
-           (!std::isfinite(before) || te <= before);
-  };
+  const double least = least_pressure(list);
   std::size_t best = 0;
   double best_merit = merit(given);
-  bool found = possible(given);
+  bool found = is_possible(given, given);
   for (std::size_t i = 1; i < list.size(); ++i) {
-    if (!possible(list[i])) continue;
-    const int rank = edge_rank(list[i]);
-    const int least = edge_rank(list[best]);
+    if (!is_possible(list[i], given)) continue;
+    const int rank = edge_rank(list[i], least);
+    const int best_rank = edge_rank(list[best], least);
     const double m = merit(list[i]);
-    if (found && (rank > least || (rank == least && !(m < kWorth * best_merit)))) continue;
+    if (found && (rank > best_rank || (rank == best_rank && !(m < kWorth * best_merit)))) continue;
     best = i;
     best_merit = m;
     found = true;
@@ -270,6 +312,22 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
   for (Proposal p : wanted.proposals) {
     count_step(progress);
     Json spec = with_proposal(tree, p, given.spec.load.driver == 2);
+    // The order of the keys has no meaning, and nlohmann::json sorts them.
+    const nlohmann::json sorted = spec;
+    const auto same = std::find_if(a.specs.begin(), a.specs.end(),
+                                   [&](const Json& s) { return nlohmann::json(s) == sorted; });
+    if (same != a.specs.end()) {
+      const auto i = static_cast<std::size_t>(same - a.specs.begin());
+      const Proposal& known = a.proposals[i];
+      p.loads = known.loads;
+      p.worst = known.worst;
+      p.at_limits = known.at_limits;
+      p.transmission_error = known.transmission_error;
+      jobs.push_back(jobs[i]);
+      a.proposals.push_back(std::move(p));
+      a.specs.push_back(std::move(spec));
+      continue;
+    }
     auto own = job_of(spec);
     std::optional<Error> error;
     if (own) {

@@ -147,6 +147,43 @@ TEST(Propose, RecommendsByEdgesThenBySum) {
   EXPECT_EQ(recommended({plain, crowned}), 1u);
 }
 
+// A proposal that frees the edges at the limits is recommended for that only if its pressure without
+// deviations is at most 1.1 times the least pressure. [T12.33]
+TEST(Propose, DoesNotPayForFreeEdgesWithMuchPressure) {
+  for (const double pressure : {900.0, 960.0}) {
+    Proposal quiet = with_score(4, 860);
+    quiet.at_limits = with_score(9, 1030, true).worst;
+    Proposal free = with_score(9, pressure);
+    free.at_limits = with_score(8, 1100).worst;
+    Proposal given = with_score(10, 870, true);
+    given.at_limits = with_score(12, 1110, true).worst;
+    EXPECT_EQ(recommended({given, quiet, free}), pressure > 1.1 * 860 ? 1u : 2u) << pressure;
+  }
+}
+
+// A spec that has the modifications of a proposal has the same effects, and the report recommends
+// no other proposal.
+TEST(Propose, ATakenProposalIsFoundAgain) {
+  const ProposeAnswer a = propose_for(kHelical + kDraft + "torque_Nm = 150\n");
+  constexpr std::size_t kTaken = 5;  // long tip relief with helix modifications
+  ASSERT_EQ(same_proposals(a.proposals, kTaken), std::vector<std::size_t>{kTaken});
+  const auto spec = read_spec_tree(a.specs[kTaken]);
+  ASSERT_TRUE(spec);
+  auto solved = solve(*spec, Scope::pair);
+  ASSERT_TRUE(solved);
+  SolvedJob job = std::move(solved).take();
+  const auto again = answer_propose(job);
+  ASSERT_TRUE(again);
+  const auto same = same_proposals(again->proposals, 0);
+  EXPECT_EQ(same, (std::vector<std::size_t>{0, 2, 3, kTaken}));
+  for (const std::size_t i : same) {
+    EXPECT_EQ(nlohmann::json(again->specs[i]), nlohmann::json(again->specs[0])) << i;
+    EXPECT_TRUE(i == 0 || same_proposals(again->proposals, i).empty()) << i;
+  }
+  EXPECT_EQ(words_of_same(again->proposals, same).rfind("3, 4, 6: long tip relief; helix", 0), 0u)
+      << words_of_same(again->proposals, same);
+}
+
 TEST(Propose, AmountsAreZeroAtZeroTorque) {
   const ProposeAnswer a = propose_for(spur_spec() + "torque_Nm = 1e-6\n");
   for (const Proposal& p : a.proposals)

@@ -261,6 +261,29 @@ TEST(TrainSearchAnswerTest, TheSlidingOfAStageIsComputedOnce) {
   for (const Json& design : search["designs"]) EXPECT_LE(design["sliding_max"], 1.4);
 }
 
+// Rated trains have the limit of rated pairs, unless the spec gives a limit or the shifts.
+TEST(TrainSearchAnswerTest, SlidingIsLimitedByDefault) {
+  const auto greatest = [](const std::string& more) {
+    const auto answer =
+        trains_of("[1.25, 1.5, 2]",
+                  "ratio = [13.72, 13.74]\npinion_teeth = [19, 25]\nwheel_teeth = [70, 103]\n"
+                  "face_width_mm = 37\n" +
+                      more,
+                  100);
+    EXPECT_TRUE(answer) << answer.error().message();
+    double most = 0.0;
+    for (const Json& design : answer->record["search"]["designs"])
+      most = std::max(most, design["sliding_max"].get<double>());
+    return most;
+  };
+  const double limited = greatest("");
+  EXPECT_GT(limited, 2.0);
+  EXPECT_LE(limited, 3.0);
+  EXPECT_GT(greatest("sliding_max = 50\n"), 3.0);
+  EXPECT_GT(greatest("profile_shift = 0\n"), 3.0);
+}
+
+// If no train has the safeties, the advice names keys of trains.
 TEST(TrainSearchAnswerTest, AdviceForUnsafeTrainsIsForTrains) {
   const auto answer = trains_of("1.5",
                                 "ratio = [11.8, 12.2]\npinion_teeth = [17, 28]\n"

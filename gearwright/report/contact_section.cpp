@@ -213,9 +213,8 @@ std::string contact_section(const ContactReport& report, UnitSystem units) {
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
   GW_EXPECTS(share(report.driving, nowhere) < 1.0);
   const std::string what = fmt::format(
-      "\n<p>No pair is mounted perfectly. Here the pair is turned through one pitch with the "
-      "errors and "
-      "modifications of the specification, and the first contact of the flanks is computed at each "
+      "\n<p>The pair is turned through one pitch with the errors and modifications of the "
+      "specification, and the first contact of the flanks is computed at each "
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving, report.span[0]), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +

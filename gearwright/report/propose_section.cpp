@@ -28,7 +28,7 @@ std::string effects(const ProposeView& v) {
   std::vector<std::string> numbers;
   for (std::size_t i = 0; i < v.proposals.size(); ++i) {
     const LoadedScore& s = v.proposals[i].worst;
-    if (!scored(s)) continue;
+    if (!scored(s) || same_proposals(v.proposals, i).empty()) continue;
     dots.push_back({{s.peak_to_peak.arcsec(), s.max_pressure},
                     i == v.recommended ? "dot-front"
                     : s.edge_carries   ? "dot-middle"
@@ -43,9 +43,9 @@ std::string effects(const ProposeView& v) {
   f.title = "Effects of the proposals";
   f.description = "Transmission error and greatest pressure of each proposal, by its number.";
   f.caption = fmt::format(
-      ", as computed under load. Number 1 is the spec as given, and {} is recommended. At a hollow "
-      "dot an edge carries load, so the pressure is a lower bound.",
-      v.recommended + 1);
+      ", as computed under load. Number 1 is the spec as given{}. At a hollow dot an edge carries "
+      "load, so the pressure is a lower bound.",
+      v.recommended > 0 ? fmt::format(", and {} is recommended", v.recommended + 1) : "");
   for (std::size_t i = 0; i < numbers.size(); ++i) f.marks[i].label = numbers[i];
   return figure_html(f);
 }
@@ -58,19 +58,27 @@ std::string compared(const ProposeView& v) {
   return html_of(compared_te_figure(curves));
 }
 
+std::string advice(const ProposeView& v, const std::string& taken) {
+  if (!taken.empty())
+    return fmt::format("<strong>The spec as given is also proposal {}.</strong>", escaped(taken));
+  return fmt::format("<strong>Recommended: {}, {}.</strong> {}", v.recommended + 1,
+                     escaped(words_of(v.proposals[v.recommended])), escaped(v.reason));
+}
+
 }  // namespace
 
-std::string propose_section(const ProposeView& v, UnitSystem units) {
+std::string propose_section(const ProposeView& view, UnitSystem units) {
+  ProposeView v = view;
+  // A spec that already has the modifications of a proposal is a decision of the user.
+  const std::string taken = words_of_same(v.proposals, same_proposals(v.proposals, 0));
+  if (!taken.empty()) v.recommended = 0;
   std::string tables;
   for (const TextTable& table : proposal_tables(v, units)) tables += table_html(table);
   return fmt::format(
       "<section class=\"proposals\">\n<h2>Proposed modifications</h2>\n<p>The amounts follow from "
       "a torque of {} N m, the grades of the gears and the deflection of their shafts. The effect "
-      "of each proposal is computed for the pair under load. <code>propose --take NUMBER</code> "
-      "prints the spec of a proposal.</p>\n<p><strong>Recommended: {}, {}.</strong> {}</p>\n{}{}"
-      "</section>\n",
-      format_number(newton_metres(v.torque)), v.recommended + 1,
-      escaped(words_of(v.proposals[v.recommended])), escaped(v.reason),
+      "of each proposal is computed for the pair under load.</p>\n<p>{}</p>\n{}{}</section>\n",
+      format_number(newton_metres(v.torque)), advice(v, taken),
       side_by_side(compared(v) + effects(v)), tables);
 }
 

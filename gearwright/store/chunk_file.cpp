@@ -44,14 +44,6 @@ void append_i64(std::string& out, std::int64_t value) {
   append_u32(out, static_cast<std::uint32_t>(bits >> 32U));
 }
 
-std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i-- > 0;) {
-    value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
-  }
-  return value;
-}
-
 std::int64_t i64_at(std::string_view bytes, std::size_t at) {
   const std::uint64_t high = u32_at(bytes, at + 4);
   return static_cast<std::int64_t>((high << 32U) | u32_at(bytes, at));

@@ -252,6 +252,23 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         stage = '[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\nthickness_series = "cd25"\n'
         expanded = tomllib.loads(Run("drive", stage, "--expand").out)["drive"]["gear"]
         self.assertEqual([g["thickness_allowance_mm"] for g in expanded], [-0.069, -0.09])
+        for drive in (text, stage):
+            meshes = Run("drive", drive, "--json").json["drive"]["meshes"]
+            for number, mesh in enumerate(meshes.values(), 1):
+                taken = Run("drive", drive, "--take", str(number)).out
+                self.assertEqual(taken.count('thickness_series = "cd25"'), 2)
+                self.assertNotIn("thickness_allowance_mm", taken)
+                pair = Run("pair", taken, "--json").json["pair"]
+                self.assertEqual(pair["backlash"]["normal_mm"], mesh["pair"]["backlash"]["normal_mm"])
+                self.assertEqual(len(pair["interval"]["backlash"]["normal_mm"]), 2)
+
+    def test_the_rating_lists_the_factors_of_every_mesh(self):
+        rating = "[rating]\npower_kW = 5\nspeed_rpm = 1000\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"
+        out = Run("rate", SET + rating).out
+        for name in ("sun_planet", "planet_ring"):
+            _, _, factors = out.partition(f"Strength of {name}\n")
+            for symbol in ("Z_H", "K_v", "K_Hβ", "Y_F", "S_H", "S_F"):
+                self.assertRegex(factors, rf" {symbol} +\d")
 
     def test_circular_arcs_have_a_backlash(self):
         """The headline of a drive whose teeth are circular arcs states their backlash along the normal, as that of

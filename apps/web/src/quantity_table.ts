@@ -9,9 +9,10 @@ import { shownUnit, textOf } from "./numbers";
 export interface Row {
   id: string;
   group: string;
+  words: string;
   info: Quantity;
   values: (Json | undefined)[]; // one value, or one for each gear
-  ends: (Json | undefined)[]; // values at the lower and at the upper end of the tolerances, if there are any
+  ends: (Json | undefined)[]; // values at both ends of the tolerances, if there are any
 }
 
 /** Makes the rows of a table. If `printed` is true, a record contains only the members that the program prints. */
@@ -22,6 +23,7 @@ export function rowsOf(
   within = "",
   printed = false,
   intervals: (Json | undefined)[] = records.map((record) => member(record, "interval")),
+  outer: Quantity | null = null,
 ): Row[] {
   const rows: Row[] = [];
   for (const info of table.quantities) {
@@ -32,7 +34,7 @@ export function rowsOf(
     if (info.type === "record" || info.type === "map") {
       const inner = quantities(info.of);
       if (inner && !info.list.length && (info.page || info.listing || !printed))
-        rows.push(...rowsOf(inner, values as Json[], id, info.group || within, printed, ends));
+        rows.push(...rowsOf(inner, values as Json[], id, info.group || within, printed, ends, info));
       continue;
     }
     if (!info.page && !info.listing) continue;
@@ -40,6 +42,7 @@ export function rowsOf(
     rows.push({
       id,
       group: info.group || within,
+      words: wordsWithin(outer, info),
       info,
       values: perGear ? (values[0] as Json[]) : values,
       ends: perGear && Array.isArray(ends[0]) ? ends[0] : perGear ? [] : ends,
@@ -49,20 +52,32 @@ export function rowsOf(
   return rows.sort((a, b) => order.indexOf(a.group) - order.indexOf(b.group));
 }
 
+/** The words of a quantity in a record: "distance from A, point B", "specific sliding, gear 1". */
+function wordsWithin(outer: Quantity | null, info: Quantity): string {
+  if (!outer) return info.words;
+  if (/^[A-E]$/.test(outer.key)) return `${info.words}, point ${outer.key}`;
+  // If the catalogue has no words for a quantity, they are its key.
+  if (info.words !== info.key && !/^gear [12]$/.test(info.words)) return info.words;
+  const plain = (words: string) => words.replace(/_mm(_per_rad)?$/, "").replaceAll("_", " ");
+  return `${plain(outer.words)}, ${plain(info.words)}`;
+}
+
 function member(record: Json | undefined, key: string): Json | undefined {
   return record && typeof record === "object" ? (record as { [key: string]: Json })[key] : undefined;
 }
 
-/** A value as text for users, and a second text with its values at both ends of the tolerances. */
+/** A value as text for users, and a second text with its values at both ends of the tolerances, the smaller
+ *  value first. */
 export function cellText(row: Row, i: number): [value: string, ends: string] {
   const ends = row.ends[i];
   const both = Array.isArray(ends) && ends.length === 2 && ends.every((one) => typeof one === "number");
   const value = textOf(row.info, row.values[i]);
-  return [value, both ? ends.map((one) => textOf(row.info, one)).join(" … ") : ""];
+  const sorted = both ? [...(ends as number[])].sort((a, b) => a - b) : [];
+  return [value, sorted.map((one) => textOf(row.info, one)).join(" … ")];
 }
 export function fillCell(cell: Element, row: Row, i: number): void {
   const [value, ends] = cellText(row, i);
-  const title = "at the lower and at the upper end of the tolerances";
+  const title = "at both ends of the tolerances";
   fill(cell, value, ends && h("small", { class: "ends", title }, ends));
 }
 
@@ -108,10 +123,10 @@ export function quantityTable(
       h(
         "tr",
         {
-          "data-words": `${info.words} ${info.symbol} ${info.key}`.toLowerCase(),
+          "data-words": `${row.words} ${info.symbol} ${info.key}`.toLowerCase(),
           title: info.meaning,
         },
-        h("th", { scope: "row" }, info.words),
+        h("th", { scope: "row" }, row.words),
         h("td", {}, info.symbol ? symbol(info.symbol) : ""),
         h("td", { class: "unit" }, info.percent ? "%" : shownUnit(info)),
         ...cells,

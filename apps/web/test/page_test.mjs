@@ -91,12 +91,28 @@ describe("tolerances", () => {
     const { gears, pair } = native("pair", text);
     const ends = (id, column = 0) =>
       page.textContent(`[data-quantity="${id}"][data-column="${column}"] .ends`);
-    const shown = (both, digits) => both.map((one) => one.toFixed(digits)).join(" … ");
+    const shown = (both, digits) =>
+      [...both].sort((a, b) => a - b).map((one) => one.toFixed(digits)).join(" … ");
     const { normal_mm, circumferential_mm } = pair.interval.backlash;
     assert.equal(await ends("gears.root_diameter_mm"), shown(gears[0].interval.root_diameter_mm, 4));
     assert.equal(await ends("pair.backlash.normal_mm"), shown(normal_mm, 4));
     assert.equal(await ends("pair.backlash.circumferential_mm", 1), shown(circumferential_mm[1], 4));
     assert.equal(await page.locator('[data-quantity="gears.base_diameter_mm"] .ends').count(), 0);
+  });
+
+  it("a series shows its limits of the thickness allowance in the form", async () => {
+    await put(page, example("spur_pair").replace("[gear2]", '[gear1.tolerance]\nthickness_series = "cd25"\n\n[gear2]'));
+    const field = '[data-key="gear1.thickness_allowance_mm"]';
+    assert.match(await page.getAttribute(field, "placeholder"), /^-0\.\d+ … -0\.\d+$/);
+    assert.equal(await page.inputValue(field), "");
+  });
+
+  it("quantities of a point or of a part have its name", async () => {
+    await put(page, example("helical_pair"));
+    const heads = await page.locator('.sheet tbody th[scope="row"]').allTextContents();
+    for (const point of "ABCDE") assert.ok(heads.includes(`distance from A, point ${point}`), heads.join());
+    assert.ok(heads.includes("specific sliding, gear 1"), heads.join());
+    assert.deepEqual(heads.filter((one) => one.includes("_") || /^(total|gear [12])$/.test(one)), []);
   });
 });
 

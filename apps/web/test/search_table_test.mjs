@@ -46,6 +46,14 @@ describe("the table of designs", () => {
     assert.deepEqual(page.complaints, []);
   });
 
+  it("names the least and the greatest backlash", async () => {
+    await put(page, example("gearbox_search").replace("[search]", '[search]\nthickness_series = "cd25"'), "search");
+    await idle(page);
+    const heads = await page.locator(".designs thead button").evaluateAll((all) => all.map((one) => one.title));
+    const backlash = heads.filter((one) => /^backlash/.test(one));
+    assert.deepEqual(backlash.map((one) => one.replace(/^.*, /, "")), ["least", "greatest"], heads.join());
+  });
+
   it("scrolls in its own area on a narrow screen", async () => {
     const page = await open(browser, address, { viewport: { width: 420, height: 860 } });
     await put(page, example("gearbox_search"), "search");

@@ -23,6 +23,7 @@
       if (name && section !== last) heading('h3', name.textContent);
       last = section;
       moved.push([d, d.parentNode.insertBefore(document.createComment(''), d)]);
+      if (section) d.className += ' ' + section.className;
       appendix.appendChild(d);
     });
     if (moved.length) document.querySelector('main').appendChild(appendix);

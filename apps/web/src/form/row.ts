@@ -15,6 +15,15 @@ interface RowField {
   note: Note;
 }
 
+/** Digits of a limit in mm: 0.1 µm. */
+const kLimitDigits = 4;
+/** A value without zeros at its end. */
+function trimmed(value: number, key: InputKey, digits: number): string {
+  return shownText(value, key, digits)
+    .replace(/(\.\d*?)0+$/, "$1")
+    .replace(/\.$/, "");
+}
+
 /** The value that applies if the key is absent: the value in the result, or the default of the catalogue. */
 function implied(key: InputKey, place: string): string {
   const [head, ...rest] = place.split(".");
@@ -29,10 +38,14 @@ function implied(key: InputKey, place: string): string {
           : undefined;
     const value = at(owner, rest[0]!);
     const info = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
-    if (typeof value === "number" && info)
-      return shownText(value, info, info.digits)
-        .replace(/(\.\d*?)0+$/, "$1")
-        .replace(/\.$/, "");
+    if (typeof value === "number" && info) return trimmed(value, key, info.digits);
+    // A series of tolerances gives the two limits of a value.
+    const ends = at(owner, `interval.${rest[0]}`) as Json[] | undefined;
+    if (ends?.length === 2 && ends.every((one) => typeof one === "number"))
+      return [...(ends as number[])]
+        .sort((a, b) => a - b)
+        .map((one) => trimmed(one, key, kLimitDigits))
+        .join(" … ");
   }
   const info = key.fallback.replace(/^"|"$/g, "");
   return /^-?[\d.]+$/.test(info) || key.words.includes(info) || info === "true" || info === "false"

@@ -53,6 +53,8 @@ export class Proposals {
       "numbers",
       [h("th", {}, ""), h("th", {}, "modifications"), ...heads, h("th", {}, "")],
       ...proposals.map((proposal, i) => {
+        const same = sameAs(proposals, i);
+        if (same[0] !== i) return null;
         const worst = proposal["worst"] as Record;
         const take = button("Take", () => void this.take(proposal["spec"]!, i + 1), {
           class: "main",
@@ -62,7 +64,7 @@ export class Proposals {
           "tr",
           { class: i + 1 === best ? "taken" : null, "data-proposal": i + 1 },
           h("th", {}, String(i + 1)),
-          h("td", {}, wordsOf(proposal), i + 1 === best && h("strong", {}, " recommended")),
+          h("td", {}, wordsOf(proposal), alsoOf(proposals, same), i + 1 === best && h("strong", {}, " recommended")),
           ...kScores.map((key) => h("td", { "data-score": key }, textOf(score(key), worst[key]))),
           h("td", {}, i > 0 && take),
         );
@@ -76,6 +78,18 @@ export class Proposals {
   }
 }
 
+/** The indices of the proposals with the same spec as proposal `i`. */
+function sameAs(proposals: Record[], i: number): number[] {
+  const specs = proposals.map((one) => JSON.stringify(one["spec"]));
+  return proposals.map((_, k) => k).filter((k) => specs[k] === specs[i]);
+}
+/** ". Also 3, 4: long tip relief; helix crowning" */
+function alsoOf(proposals: Record[], same: number[]): string {
+  const others = same.slice(1);
+  if (!others.length) return "";
+  const words = others.map((k) => proposals[k]!["words"]).join("; ");
+  return `. Also ${others.map((k) => k + 1).join(", ")}: ${words}`;
+}
 /** "long tip relief, helix crowning. Gear 1: tip relief 12 µm from 79.123 mm. Gear 2: tip relief 11 µm from …" */
 function wordsOf(proposal: Record): string {
   const amounts = (proposal["gears"] as Record[]).map((gear, i) => gear["amounts"] && `Gear ${i + 1}: ${gear["amounts"]}`);

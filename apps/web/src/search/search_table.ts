@@ -18,6 +18,9 @@ export interface Column {
 const kShown = 200;
 /** If there are fewer designs than this, the table shows every column. */
 const kLeastForCommon = 3;
+/** Words for the two ends of a range, and their indices in a symbol. */
+const kEnds = ["least", "greatest"];
+const kEndIndices = ["min", "max"];
 /** Words for the point of a design in the region, as in the search report. */
 const kPlaces: Record<string, string> = { eq11: "balanced", lo_hi: "middle" };
 
@@ -66,10 +69,12 @@ export function columnsOf(designs: Design[]): Column[] {
       (typeof values[0] === "object" && !Array.isArray(values[0]))
     )
       continue;
-    if (Array.isArray(values[0]))
+    if (Array.isArray(values[0])) {
+      const names = info.two === "ends" ? kEnds : ["gear 1", "gear 2"];
       values[0].forEach((_, place) =>
-        columns.push({ info, place, words: `${info.words}, gear ${place + 1}` }),
+        columns.push({ info, place, words: `${info.words}, ${names[place] ?? place + 1}` }),
       );
+    }
     else columns.push({ info, place: -1, words: info.words });
   }
   return columns;
@@ -154,14 +159,10 @@ export class SearchTable {
 
   private head(column: Column, index: number): HTMLElement {
     const { info, place, words } = column;
-    const name = info.symbol
-      ? symbol(
-          info.symbol +
-            (typeof place === "number" && place >= 0
-              ? (info.symbol.includes("_") ? "" : "_") + (place + 1)
-              : ""),
-        )
-      : words;
+    const inList = typeof place === "number" && place >= 0;
+    const end = inList && (info.two === "ends" ? kEndIndices[place] : place + 1);
+    const suffix = inList ? (info.symbol.includes("_") ? "" : "_") + end : "";
+    const name = info.symbol ? symbol(info.symbol + suffix) : words;
     const sortBy = button(
       "",
       () => {
