@@ -249,7 +249,8 @@ TEST(JudgeDrive, TheAllowanceInTheHeadlineGivesItsBacklash) {
     const double promised = number_after("on all gears gives a backlash of ");
     EXPECT_LT(*set.allowance.all, given) << tight;
     EXPECT_GE(promised, number_after("recommends at least "));
-    EXPECT_NEAR(made().geometry.pairs[0]->stated_backlash(), promised, 0.5e-3 + 1e-9) << tight;
+    EXPECT_NEAR(made().geometry.pairs[0]->stated_backlash().normal, promised, 0.5e-3 + 1e-9)
+        << tight;
     EXPECT_NE(headline().find("The least backlash is "), std::string::npos) << headline();
   }
 }
@@ -261,7 +262,7 @@ TEST(JudgeDrive, TheLeastBacklashIsPrintedWithItsDigits) {
   const DriveInput input{*graph_of(set), {}};
   const auto drive = make_drive(input);
   ASSERT_TRUE(drive);
-  const double j = drive->geometry.pairs[0]->stated_backlash();
+  const double j = drive->geometry.pairs[0]->stated_backlash().normal;
   EXPECT_NEAR(j, 0.00022, 1e-6);
   const std::string headline = judge_drive(*drive, input).headline;
   EXPECT_NE(headline.find(fmt::format("The least backlash is {:.4f} mm.", j)), std::string::npos)

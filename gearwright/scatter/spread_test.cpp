@@ -56,7 +56,7 @@ TEST(Spread, IntervalsContainTheExactPercentiles) {
 // from 0 to 10 has intervals that end there. Without limits they contain them.
 TEST(Spread, IntervalsEndAtPossibleValues) {
   ScatterTask task;
-  std::vector<double> values(2 * kSumSamples, 0.0);
+  SampleValues values(2 * kSumSamples, 0.0);
   for (std::size_t n = kSumSamples; n < values.size(); ++n) values[n] = 10.0;
   const auto free = spread_of(task, values, kSumSamples);
   const auto limited = spread_of(task, values, kSumSamples, {0.0, 10.0});

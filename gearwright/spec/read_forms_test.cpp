@@ -18,12 +18,12 @@ const std::string kScatter =
     "[gear1]\nteeth = 20\nnormal_module_mm = 2\n[gear2]\nteeth = 40\n[scatter.errors]\n";
 
 // The message of the rejected spec, or "" if the spec is read.
-std::string refusal(const std::string& text) {
+std::string refused_form(const std::string& text) {
   const auto spec = read_spec(text, SpecFormat::toml);
   return spec ? "" : spec.error().message();
 }
 
-JobSpec read(const std::string& text) {
+JobSpec read_form(const std::string& text) {
   auto spec = read_spec(text, SpecFormat::toml);
   if (!spec) throw std::runtime_error(spec.error().message());
   return std::move(spec).take();
@@ -31,95 +31,98 @@ JobSpec read(const std::string& text) {
 
 TEST(ReadForms, one_number_or_numbers_by_name) {
   const JobSpec spec =
-      read(kSet + "normal_module_mm = 2\nprofile_shift = { sun = 0.2 }\nface_width_mm = 20\n");
+      read_form(kSet + "normal_module_mm = 2\nprofile_shift = { sun = 0.2 }\nface_width_mm = 20\n");
   const auto& gears = spec.drive->graph.gears;
   EXPECT_EQ(gears[0].shift, 0.2);
   EXPECT_EQ(gears[0].spec->face_width, 20.0);
-  EXPECT_EQ(refusal(kSet + "profile_shift = { moon = 0.2 }\n"),
+  EXPECT_EQ(refused_form(kSet + "profile_shift = { moon = 0.2 }\n"),
             "planetary.profile_shift.moon = 0.2: unknown name; the names are sun, sun2, idler, "
             "planet, planet2, ring, ring2");
-  EXPECT_EQ(refusal(kSet + "profile_shift = [0.1, 0.2]\n"),
+  EXPECT_EQ(refused_form(kSet + "profile_shift = [0.1, 0.2]\n"),
             "planetary.profile_shift = [0.1, 0.2]: must be a number, or a table of numbers by "
             "member");
-  EXPECT_EQ(refusal(kSet + "bore_mm = { sun = -1 }\n"),
+  EXPECT_EQ(refused_form(kSet + "bore_mm = { sun = -1 }\n"),
             "planetary.bore_mm.sun = -1: must be greater than 0");
 }
 
 TEST(ReadForms, one_number_or_two_limits) {
-  const JobSpec spec = read(kStage + "backlash_mm = [0.1, 0.2]\n");
+  const JobSpec spec = read_form(kStage + "backlash_mm = [0.1, 0.2]\n");
   EXPECT_EQ(spec.drive->graph.meshes[0].backlash, (0.1 + 0.2) / 2);
-  EXPECT_NE(refusal(kStage + "backlash_mm = [0.2, 0.1]\n").find("rising order"), std::string::npos);
-  EXPECT_EQ(refusal(kStage + "backlash_mm = { sun_planet = 0.1 }\n"),
+  EXPECT_NE(refused_form(kStage + "backlash_mm = [0.2, 0.1]\n").find("rising order"),
+            std::string::npos);
+  EXPECT_EQ(refused_form(kStage + "backlash_mm = { sun_planet = 0.1 }\n"),
             "stage[1].backlash_mm = (a table): must not be a table, because a pair of gears has "
             "one mesh");
 }
 
 TEST(ReadForms, a_number_for_each_input_and_one_torque) {
-  EXPECT_EQ(read(kSet + "input = [\"sun\", \"ring\"]\nfixed = []\nspeed_rpm = [100, 20]\n")
+  EXPECT_EQ(read_form(kSet + "input = [\"sun\", \"ring\"]\nfixed = []\nspeed_rpm = [100, 20]\n")
                 .drive->graph.speeds_rpm,
             (std::vector{100.0, 20.0}));
-  EXPECT_EQ(refusal(kSet + "torque_Nm = [1, 2]\n"),
+  EXPECT_EQ(refused_form(kSet + "torque_Nm = [1, 2]\n"),
             "planetary.torque_Nm = [1, 2]: must be one torque, which determines the torques of "
             "the other bodies");
-  EXPECT_EQ(refusal(kSet + "fixed = 3\n"),
+  EXPECT_EQ(refused_form(kSet + "fixed = 3\n"),
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
 
 TEST(ReadForms, a_range_or_a_table_with_a_distribution) {
-  const JobSpec spec = read(kScatter +
-                            "crossing_deg = [-0.1, 0.2]\naxial_mm = { range = [-1, 1], "
-                            "distribution = \"normal\", cpk = 1.5 }\n");
+  const JobSpec spec = read_form(kScatter +
+                                 "crossing_deg = [-0.1, 0.2]\naxial_mm = { range = [-1, 1], "
+                                 "distribution = \"normal\", cpk = 1.5 }\n");
   EXPECT_EQ(spec.scatter.errors[1]->range, (std::array{-0.1, 0.2}));
   EXPECT_EQ(spec.scatter.errors[3]->cpk, 1.5);
   const std::string key = "scatter.errors.crossing_deg";
-  EXPECT_EQ(refusal(kScatter + "crossing_deg = 0.02\n"),
+  EXPECT_EQ(refused_form(kScatter + "crossing_deg = 0.02\n"),
             key +
                 " = 0.02: must be [least, greatest], or a table with range and distribution; a "
                 "tolerance of ±0.02 is [-0.02, 0.02]");
-  EXPECT_EQ(refusal(kScatter + "crossing_deg = [0.1, -0.1]\n"),
+  EXPECT_EQ(refused_form(kScatter + "crossing_deg = [0.1, -0.1]\n"),
             key +
                 " = [0.1, -0.1]: must contain the least value before the greatest; a tolerance "
                 "of ±0.02 is [-0.02, 0.02]");
-  EXPECT_EQ(refusal(kScatter + "crossing_deg = { range = [-1, 1], cpk = 1 }\n"),
+  EXPECT_EQ(refused_form(kScatter + "crossing_deg = { range = [-1, 1], cpk = 1 }\n"),
             key + ".cpk = 1: is used only with distribution = \"normal\"");
-  EXPECT_NE(refusal(kScatter + "crossing_deg = { range = [-1, 99] }\n").find(key),
+  EXPECT_NE(refused_form(kScatter + "crossing_deg = { range = [-1, 99] }\n").find(key),
             std::string::npos);
 }
 
 TEST(ReadForms, numbers_or_the_name_of_a_series) {
   const auto modules = [](const std::string& value) {
-    return read("[search]\nratio = 2\n" + value).search->modules;
+    return read_form("[search]\nratio = 2\n" + value).search->modules;
   };
   EXPECT_EQ(modules("modules_mm = [3, 1]\n"), (std::vector{1.0, 3.0}));
   EXPECT_EQ(modules("").size(), 18u);
   EXPECT_EQ(modules("modules_mm = \"ISO54-I+II\"\n").size(), 36u);
   EXPECT_EQ(modules("diametral_pitches_per_in = [10, 5]\n"), (std::vector{2.54, 5.08}));
-  EXPECT_EQ(refusal("[search]\nratio = 2\nmodules_mm = [2, 2]\n"),
+  EXPECT_EQ(refused_form("[search]\nratio = 2\nmodules_mm = [2, 2]\n"),
             "search.modules_mm = [2, 2]: contains 2 twice");
-  EXPECT_EQ(refusal("[search]\nratio = 2\nmodules_mm = \"ISO\"\n"),
+  EXPECT_EQ(refused_form("[search]\nratio = 2\nmodules_mm = \"ISO\"\n"),
             "search.modules_mm = \"ISO\": must be \"ISO54-I\", \"ISO54-I+II\", \"ISO54-II\", a "
             "number or a list of numbers in mm");
 }
 
 TEST(ReadForms, a_search_reads_the_numbers_of_a_set) {
   const std::string search = "[search]\nkind = \"planetary\"\nratio = [4, 5]\n";
-  const JobSpec spec = read(search +
-                            "helix_angle_deg = { sun = 10 }\nnormal_module_mm = 2\n"
-                            "face_width_mm = [20, 40]\n");
+  const JobSpec spec = read_form(search +
+                                 "helix_angle_deg = { sun = 10 }\nnormal_module_mm = 2\n"
+                                 "face_width_mm = [20, 40]\n");
   const DriveSearchProblem p = read_drive_search(spec.tree->tables["search"]);
   EXPECT_EQ(p.base.helix_deg.of(SetMember::sun), 10.0);
   EXPECT_EQ(p.face_width, (std::array{20.0, 40.0}));
   EXPECT_FALSE(p.base.face_width.all);
-  EXPECT_EQ(refusal("[search]\nkind = \"train\"\nratio = 8\nhelix_angle_deg = { sun = 10 }\n"),
+  EXPECT_EQ(refused_form("[search]\nkind = \"train\"\nratio = 8\nhelix_angle_deg = { sun = 10 }\n"),
             "search.helix_angle_deg = (a table): must be one number for all stages of a train");
 }
 
 TEST(ReadForms, a_quantity_is_given_by_one_of_several_keys) {
   const std::string gear = "[gear1]\nteeth = 20\n";
-  const auto of = [&](const std::string& keys) { return read(gear + keys).gear(1).cylindrical; };
+  const auto of = [&](const std::string& keys) {
+    return read_form(gear + keys).gear(1).cylindrical;
+  };
   EXPECT_EQ(of("normal_diametral_pitch_per_in = 10\n").normal_module, 2.54);
   EXPECT_NEAR(of("transverse_module_mm = 2\nhelix_angle_deg = 60\n").normal_module, 1.0, 1e-15);
-  EXPECT_EQ(refusal(gear + "normal_module_mm = 2\nnormal_diametral_pitch_per_in = 10\n"),
+  EXPECT_EQ(refused_form(gear + "normal_module_mm = 2\nnormal_diametral_pitch_per_in = 10\n"),
             "gear1.normal_diametral_pitch_per_in = 10: contradicts normal_module_mm, because both "
             "keys give the normal module; leave one of them out");
 }
