@@ -67,7 +67,8 @@ TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem unit
   return table;
 }
 
-std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units) {
+std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
+                                       std::optional<std::size_t> marked) {
   TextTable amounts{"Amounts, reliefs rounded upwards", {}};
   std::vector<std::string> names;
   std::vector<ValueRecord> worst, at_limits;
@@ -76,17 +77,17 @@ std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units
     const std::size_t number = i + 1;
     if (same.size() > 1)
       amounts.notes.push_back(
-          fmt::format("{:>2} is also {}", number, words_of_same(view.proposals, same)));
+          fmt::format("Proposal {} is also {}", number, words_of_same(view.proposals, same)));
     if (same.empty()) continue;
     const Proposal& p = view.proposals[i];
-    const char* const mark = i == view.recommended ? "*" : " ";
+    const char* const mark = marked == i ? "*" : " ";
     names.push_back(fmt::format("{} {:>2}  {}", mark, number, words_of(p)));
     worst.push_back(loaded_score_quantities().of(p.worst));
     if (p.at_limits) at_limits.push_back(loaded_score_quantities().of(*p.at_limits));
     for (std::size_t gear = 0; gear < 2 && number > 1; ++gear)
       if (const std::string text = amounts_of(p.gears[gear]); !text.empty())
         amounts.notes.push_back(
-            fmt::format("{:>2}  gear {}: {}", number, gear + 1, sentence_in(units, text)));
+            fmt::format("Proposal {}, gear {}: {}", number, gear + 1, sentence_in(units, text)));
   }
   const auto effects = [&](std::string title, const std::vector<ValueRecord>& scores) {
     return record_table(

@@ -18,7 +18,8 @@ TextTable correction_table(std::string title, const std::vector<FoundCorrection>
 TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
 
 /// The amounts of each proposal, and its effects under load, also with the helix slope deviations
-/// in the less favourable direction if grades give them.
-std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units);
+/// in the less favourable direction if grades give them. The proposal `marked` has a *.
+std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
+                                       std::optional<std::size_t> marked);
 
 }  // namespace gearwright

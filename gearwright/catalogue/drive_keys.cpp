@@ -269,7 +269,7 @@ const KeyTable& stage_keys() {
        bore_key(),
        Key::number("mesh_efficiency", "η", KeyRange::above(0, 1), &S::efficiency,
                    "computed from `friction_coefficient` and the teeth", "efficiency of the mesh")
-           .with_form(kMeshes),
+           .with_form("a number; in a set, as in [planetary]"),
        friction_key({&S::stage, &StageSpec::friction}),
        speed_key({&S::stage, &StageSpec::speeds_rpm}),
        torque_key({&S::stage, &StageSpec::torque_Nm}),
@@ -374,7 +374,6 @@ const KeyTable& drive_mesh_keys() {
                  "name of the mesh"),
        Key::positive("center_distance_mm", "a", {&M::mesh, &DriveMesh::center_distance},
                      "backlash-free distance", "centre distance"),
-       stage_angle(),
        Key::number("backlash_mm", "j_n", KeyRange::not_negative(), {&M::mesh, &DriveMesh::backlash},
                    "backlash of the thickness allowances",
                    "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both "

@@ -13,15 +13,13 @@ namespace gearwright {
 
 namespace {
 
-constexpr std::string_view kNoEstimate = "–";  // the cell of a value that does not exist
-
-// "the gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)"
+// "The gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)."
 std::string event_words(std::string_view words, const Probability& p) {
   const std::string share =
       p.count == 0 ? fmt::format("less than {:.3g} %", 100 * p.interval.upper)
                    : fmt::format("{:.4g} %, between {:.4g} and {:.4g} %", 100 * p.value,
                                  100 * p.interval.lower, 100 * p.interval.upper);
-  return fmt::format("{} in {} of {} samples ({})", words, p.count, p.of, share);
+  return capitalised(fmt::format("{} in {} of {} samples ({}).", words, p.count, p.of, share));
 }
 
 // The range of every input and the key that gives it. Waves and pitches have no range, because
@@ -114,7 +112,7 @@ TextTable index_table(const ScatterView& view, UnitSystem units, ScatterQuantity
     return table;
   }
   const auto text = [](const std::optional<double>& x) {
-    return x ? fixed_decimals(*x, 4) : std::string(kNoEstimate);
+    return x ? fixed_decimals(*x, 4) : std::string(kAbsent);
   };
   for (std::size_t g = 0; g < view.task->groups.size(); ++g) {
     const Estimate& first = indices->first[g];
@@ -224,7 +222,7 @@ std::vector<TextTable> robust_tables(const RobustView& r, UnitSystem units) {
         const auto& v = j->loaded[k].spread[i];
         row.cells.push_back(
             v ? fixed_decimals(entry.shown(v->spread->percentiles[0].estimate.value), entry.digits)
-              : std::string(kNoEstimate));
+              : std::string(kAbsent));
       }
       table.rows.push_back(std::move(row));
     }

@@ -60,7 +60,8 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 ///
 /// Formula   r cos β times the play is the backlash in the normal section at the reference
 ///           cylinder, j_n cos α_wn/cos α_n. The limit applies to j_n, so the factor
-///           cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from 15° to 30°, the product differs from j_n by 8 % at most
+///           cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from 15° to
+///           30°, the product differs from j_n by 8 % at most
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the

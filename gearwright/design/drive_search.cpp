@@ -397,6 +397,11 @@ PerMember member_face_widths(const DriveCandidate& candidate) {
     auto& rider = widths.each[at(rider_of(candidate.teeth, meshes.members[m]))];
     rider = std::max(rider.value_or(0.0), width);
   }
+  // A planet with one gear that meshes with two suns or with two rings spans both of them.
+  if (candidate.teeth[at(M::planet2)] == 0)
+    for (const auto& [one, two] : {std::pair{M::sun, M::sun2}, std::pair{M::ring, M::ring2}})
+      if (const auto& a = widths.each[at(one)], &b = widths.each[at(two)]; a && b)
+        widths.each[at(M::planet)] = *a + *b + kBetweenFaces * candidate.module;
   return widths;
 }
 

@@ -276,5 +276,19 @@ TEST(DriveSearchTest, NoiseIsTheSpreadOfCountedContacts) {  // (4)
   }
 }
 
+// A planet that meshes with two rings lies beside both, so it is wider than both together.
+TEST(DriveSearchTest, APlanetSpansItsTwoRings) {
+  DriveCandidate candidate;
+  candidate.module = 2.0;
+  candidate.teeth[at(M::planet)] = 21;
+  candidate.teeth[at(M::ring)] = 57;
+  candidate.teeth[at(M::ring2)] = 60;
+  candidate.face_widths = {10.0, 11.0};
+  const PerMember widths = member_face_widths(candidate);
+  EXPECT_EQ(widths.each[at(M::ring)], 10.0);
+  EXPECT_EQ(widths.each[at(M::ring2)], 11.0);
+  EXPECT_EQ(widths.each[at(M::planet)], 10.0 + 11.0 + 2 * 2.0);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -270,6 +270,15 @@ TEST(DriveLayout, ACoaxialTrainClosesByItself) {
   EXPECT_NEAR(places.axes[3].norm(), 0.0, 1e-9);
   EXPECT_LT(worst_mesh(triangle, turned(triangle, laid(triangle), 0.3)), 1e-6);
 
+  // The axes of four equal stages in a line fold back, and their triangle is flat.
+  std::vector<StageSpec> flat(4, layout_stage(19, 40));
+  for (StageSpec& stage : flat) stage.pair.center_distance = 58.7;
+  flat.back().pair.coaxial = true;
+  const auto folds = laid(laid_train(flat)).places;
+  EXPECT_NEAR(folds.axes[2].norm(), 2 * 58.7, 1e-9);
+  EXPECT_NEAR(folds.axes[3].norm(), 58.7, 1e-6);
+  EXPECT_NEAR(folds.axes[4].norm(), 0.0, 1e-6);
+
   for (const auto& [z, words] : {std::pair{61, "81.0000"}, std::pair{300, "320.0000"}}) {
     std::vector<StageSpec> open{layout_stage(20, 60), layout_stage(20, z)};
     if (z == 300) open.insert(open.begin() + 1, layout_stage(20, 60));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "gearwright/base/number_text.hpp"
 #include "gearwright/drive/drive_geometry.hpp"
@@ -231,12 +232,14 @@ std::optional<Error> close_train(DriveInput& train) {
   for (std::size_t k = 0; k < train.stages.size(); ++k) {
     const DriveGraph& own = train.stages[k];
     if (!own.frame(own.meshes.front())) {
-      if (!geometry.distance[mesh])
+      const auto distance = geometry.distance[mesh] ? geometry.distance[mesh]
+                                                    : train.graph.meshes[mesh].center_distance;
+      if (!distance)
         return fails(
             fmt::format("needs the centre distance of stage {}, which is not known; give "
                         "`normal_module` for all stages",
                         k + 1));
-      sides.push_back({k + 1, mesh, *geometry.distance[mesh]});
+      sides.push_back({k + 1, mesh, *distance});
     }
     mesh += own.meshes.size();
   }
@@ -257,15 +260,16 @@ std::optional<Error> close_train(DriveInput& train) {
   const double first = from.norm();
   if (sides.size() > 2 && !meshes[before.mesh].direction && first > kCloses) {
     const double a = before.length, b = last.length;
-    if (a + b < first || std::abs(a - b) > first)
+    if (a + b < first - kCloses || std::abs(a - b) > first + kCloses)
       return fails(
           fmt::format("is impossible, because {:.4f} mm between the input and stage {} and "
                       "the centre distances {:.4f} mm and {:.4f} mm form no triangle; give "
                       "another `center_distance`",
                       first, before.stage, a, b));
     // The interior angle at `from`, by the law of cosines.
-    const double at_from = std::acos((first * first + a * a - b * b) / (2 * first * a));
-    angle = std::atan2(-from.y(), -from.x()) - at_from;
+    const double cosine = (first * first + a * a - b * b) / (2 * first * a);
+    const double at_from = std::acos(std::clamp(cosine, -1.0, 1.0));
+    angle = std::remainder(std::atan2(-from.y(), -from.x()) - at_from, 2 * std::numbers::pi);
     meshes[before.mesh].direction = Angle::radians(angle);
     to = from + a * Vec2(std::cos(angle), std::sin(angle));
   }

@@ -32,8 +32,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the flanks have no conjugate contact"},
     {C::jam, "jam", kProblem,
      "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
-     "the "
-     "same time; the message gives the angle by which gear 2 would have to yield",
+     "the same time; the message gives the angle by which gear 2 would have to yield",
      "the gears jam"},
     {C::negative_backlash, "negative_backlash", kProblem,
      "the teeth are too thick for the centre distance",
@@ -224,8 +223,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a root fillet outside the range of the stress correction factor", "", kGearUnnamed},
     {C::thin_rim, "thin_rim", kCaution,
      "the rim, from the roots to the bore or to the outside of an internal gear, is thinner than "
-     "the "
-     "rim thickness factor Y_B of ISO 6336-3 allows: half the tooth height, or 1.75 m_n for an "
+     "the rim thickness factor Y_B of ISO 6336-3 allows: half the tooth height, or 1.75 m_n for an "
      "internal gear",
      "a thin rim", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,

@@ -84,7 +84,8 @@ std::optional<double> base_thickness_from_balls(const Gear& gear, double ball_di
 
 struct BallSizes {
   double ideal;   ///< mm, with contacts at usual_contact_diameter()
-  double metric;  ///< mm, the nearest size of gear measuring pins (DIN 3977) that can be measured
+  double metric;  ///< mm, the nearest size (DIN 3977) that can be measured; if there is none, the
+                  ///< nearest size
   double inch;    ///< in, a ball size in steps of 1/64, 1/32 or 1/16 in
 };
 /// The ball sizes of a gear; none if no ball can be measured.

@@ -21,8 +21,7 @@ const char* needs(const WorkshopCorrection& c) {
     return "needs the length of the relief, end_relief_length_mm, in the modifications of the "
            "gear; the amount of the relief may be 0";
   return "needs a relief in the modifications of the gear: an amount greater than 0, whose start "
-         "is "
-         "computed, or a start, for example tip_relief_start_mm, with the amount 0";
+         "is computed, or a start, for example tip_relief_start_mm, with the amount 0";
 }
 
 }  // namespace

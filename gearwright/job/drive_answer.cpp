@@ -1,5 +1,7 @@
 #include "gearwright/job/drive_answer.hpp"
 
+#include "gearwright/catalogue/search_keys.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -231,7 +233,8 @@ std::string series_of(const Json& tables, const CylindricalSpec& gear) {
       gear.normal_module * std::abs(gear.teeth) / std::cos(gear.helix_angle.rad());
   for (const Json* form : forms) {
     const std::string series = form->value("thickness_series", "");
-    if (!series.empty() && mean_allowance(series, diameter) == gear.thickness_allowance)
+    if (!series.empty() && series != kNoAllowances &&
+        mean_allowance(series, diameter) == gear.thickness_allowance)
       return series;
   }
   return "";

@@ -85,8 +85,9 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
   if (planes > 1 && (kind == FileKind::dxf || kind == FileKind::svg))
     return Error{"drive", "",
                  fmt::format("has gears in {} planes, but the outlines in a {} lie in one plane; "
-                             "STEP, GLB and 3MF files contain the whole drive",
-                             planes, kind == FileKind::dxf ? "DXF file" : "SVG file")};
+                             "STEP, GLB and 3MF files contain the whole {}",
+                             planes, kind == FileKind::dxf ? "DXF file" : "SVG file",
+                             bodies.size() == 1 ? "part" : "drive")};
   return make_file(kind, kind == FileKind::threemf ? laid_out(bodies) : bodies, path, options);
 }
 

@@ -17,8 +17,11 @@ namespace gearwright {
 
 std::optional<double> torque_of_rating(const JobSpec& spec) {
   if (!spec.load.torques.empty() || !(spec.rating.input.torque > 0.0)) return std::nullopt;
-  constexpr double kSteps = 1e3;  // steps per N m; a torque from power and speed has many digits
-  return std::max(1.0, std::round(spec.rating.input.torque * kSteps)) / kSteps;
+  const double torque = spec.rating.input.torque;
+  // A torque that follows from power and speed has many digits. Small torques keep four of them.
+  double steps = 1e3;  // per N m
+  while (torque * steps < 1e3) steps *= 10;
+  return std::round(torque * steps) / steps;
 }
 
 namespace {

@@ -13,12 +13,12 @@
 
 namespace gearwright {
 
-/// The nominal torque of [rating] in N m with three decimals, for a spec whose [load] has no torque.
-/// None if the spec has neither torque.
+/// The nominal torque of [rating] in N m with three decimals, or four digits if it is below 1 N m,
+/// for a spec whose [load] has no torque. None if the spec has neither torque.
 std::optional<double> torque_of_rating(const JobSpec& spec);
 
-/// Without a torque and probes in [load], the nominal torque of [rating] is used, and the job gets a
-/// note.
+/// Without a torque and probes in [load], the nominal torque of [rating] is used, and the job gets
+/// a note.
 ///
 /// Errors    `load` if there is neither a torque nor a probe; `gear2` if it is missing; the errors
 ///           of loaded()

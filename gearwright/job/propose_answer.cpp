@@ -172,7 +172,7 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
     if (!is_possible(p, list.front()) || edge_rank(p, kInfinity) > 0) continue;
     if (!free || p.worst.peak_to_peak.rad() < list[*free].worst.peak_to_peak.rad()) free = i;
   }
-  if (!free) return "";
+  if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
       " Proposal {} has no loaded edge there, but without deviations its pressure is {:.0f} % "

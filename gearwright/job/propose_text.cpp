@@ -12,7 +12,8 @@ namespace gearwright {
 std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
   const UnitSystem units = job.spec.units();
   std::string out = title_listing(job.spec) + listing_of(units, propose_quantities(), a);
-  for (const TextTable& table : proposal_tables(a, units)) out += table_listing(table);
+  for (const TextTable& table : proposal_tables(a, units, a.recommended))
+    out += table_listing(table);
   return out + "\n" +
          wrapped(fmt::format("* Recommended: {}, {}. {}", a.recommended + 1,
                              words_of(a.proposals[a.recommended]), sentence_in(units, a.reason))) +

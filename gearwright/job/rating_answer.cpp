@@ -45,11 +45,10 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     std::string key = gear_field(which, "tolerance.quality");
     if (!job.spec.given.contains(key)) key = gear_field(which, "quality");
     job.warnings.push_back({WarningCode::rating_quality,
-                            fmt::format("The rating uses rating.quality = {}, but the drawing uses "
-                                        "{} = {}.",
-                                        rated, key, *own),
+                            fmt::format("The rating uses grade {} for gear {}, but the drawing "
+                                        "uses {} = {}.",
+                                        rated, which, key, *own),
                             which});
-    return;
   }
 }
 

@@ -42,7 +42,7 @@ TEST(ScatterCorrelations, SuggestsTheNearestInputAndNoPhase) {
 TEST(ScatterCorrelations, RefusesWhatIsNoCorrelation) {
   const std::string first = "scatter.correlations[1]";
   expect_no_correlation("0.5", "scatter.correlations", "between = ");
-  expect_no_correlation("[0.5]", first, "between = ");
+  expect_no_correlation("[0.5]", first, "must be a table with between, value");
   expect_no_correlation(R"([{"value": 0.5}])", first + ".between", "missing");
   expect_no_correlation(R"([{"between": ["errors.crossing_deg", "errors.intersecting_deg"]}])",
                         first + ".value", "missing");

@@ -100,7 +100,8 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   if (run.answer.counts.feasible > 0) return lines;
   if (run.safest) lines.push_back(safest_line(*run.safest) + ".");
   if (!run.changes.empty())
-    lines.emplace_back("Each of these changes alone would make designs feasible:");
+    lines.emplace_back(
+        "No design is feasible. Each of these changes alone would make designs feasible:");
   for (const std::string& line : change_lines(run, units)) lines.push_back("  " + line);
   if (!run.changes_left_out.empty()) {
     lines.push_back(capitalised(run.changes_left_out) + ".");

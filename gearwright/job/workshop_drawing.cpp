@@ -239,7 +239,10 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSystem units) {
+// The flanks of a double-helical gear are those of the half at z > 0, of which the other half is
+// the mirror image.
+DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
+                        UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
   bool one_sided = false, slope = false;
   for (const ModificationEntry& entry : modification_entries()) {
@@ -262,13 +265,15 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, UnitSys
   // The sheet defines the flanks and the end to which its values refer.
   if (one_sided) group.rows.push_back({"Right flank, seen from +z, tooth upwards", "", "right"});
   if (one_sided || slope) group.rows.push_back({"Face +z of the axial section", "", "right"});
-  if (slope) group.rows.push_back({"A positive helix slope removes more at", "", "face +z"});
+  if (slope)
+    group.rows.push_back({"A positive helix slope removes more at", "",
+                          halves ? "outer end of each half" : "face +z"});
   return group;
 }
 
 // If no flank tolerance class is given, the row of the class is blank, so that the workshop notices
 // the omission.
-DataGroup tolerances(const ToleranceInput& given, const Records& measure) {
+DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{
       fmt::format("Tolerances in {}, ISO 1328-1:{}, class {}", unit_text(measure.units, Unit::um),
@@ -285,7 +290,9 @@ DataGroup tolerances(const ToleranceInput& given, const Records& measure) {
     std::string symbol = m->info->symbol, value = *measure.value(path);
     if (given.edition == FlankTolerances::iso_1995 && symbol.ends_with('T')) symbol.pop_back();
     if (m->info->unit == Unit::mm) value += fmt::format(" {}", unit_text(measure.units, Unit::mm));
-    group.rows.push_back({capitalised(m->info->words), symbol, value});
+    std::string words = capitalised(m->info->words);
+    if (halves && m->info->key == "helix_evaluation_mm") words += ", from the middle of each half";
+    group.rows.push_back({std::move(words), symbol, value});
   }
   return group;
 }
@@ -329,11 +336,12 @@ std::vector<DataGroup> drawing_data(const SolvedJob& job, int which) {
     gear.ends = {std::move(lower), std::move(upper)};
     measure.ends = measure_end_records(job)[i];
   }
+  const bool halves = job.halves[i].has_value();
   std::vector<DataGroup> groups{teeth(job, which, gear), diameters(gear),
                                 thickness(job.gears[i].internal(), input, gear, measure),
                                 bore_group(job.gears[i], job.spec.drawing, units),
-                                modifications(input.modifications, units)};
-  if (job.gears[i].involute()) groups.push_back(tolerances(input.tolerance, measure));
+                                modifications(input.modifications, halves, units)};
+  if (job.gears[i].involute()) groups.push_back(tolerances(input.tolerance, halves, measure));
   groups.push_back(mate(job, which));
   std::erase_if(groups, [](const DataGroup& group) { return group.rows.empty(); });
   return groups;

@@ -137,8 +137,7 @@ Dynamic dynamic_factor(const DynamicInput& in) {
 namespace {
 
 constexpr double kC_M = 0.8;
-constexpr double kSoftBelow =
-    100.0;  // N/mm; an F_t K_A K_γ/b below this value reduces the stiffness
+constexpr double kSoftBelow = 100.0;  // N/mm; a smaller F_t K_A K_γ/b reduces c'
 
 // c'_th = 1/q', q' = C_1 + C_2/z_n1 + C_3/z_n2 + C_4 x_1 + C_5 x_1/z_n1 + C_6 x_2 + C_7 x_2/z_n2
 //                    + C_8 x_1² + C_9 x_2²

@@ -61,7 +61,7 @@ std::string compared(const ProposeView& v) {
 std::string advice(const ProposeView& v, const std::string& taken) {
   if (!taken.empty())
     return fmt::format("<strong>The spec as given is also proposal {}.</strong>", escaped(taken));
-  return fmt::format("<strong>Recommended: {}, {}.</strong> {}", v.recommended + 1,
+  return fmt::format("<strong>* Recommended: {}, {}.</strong> {}", v.recommended + 1,
                      escaped(words_of(v.proposals[v.recommended])), escaped(v.reason));
 }
 
@@ -73,7 +73,9 @@ std::string propose_section(const ProposeView& view, UnitSystem units) {
   const std::string taken = words_of_same(v.proposals, same_proposals(v.proposals, 0));
   if (!taken.empty()) v.recommended = 0;
   std::string tables;
-  for (const TextTable& table : proposal_tables(v, units)) tables += table_html(table);
+  for (const TextTable& table :
+       proposal_tables(v, units, taken.empty() ? std::optional(v.recommended) : std::nullopt))
+    tables += table_html(table);
   return fmt::format(
       "<section class=\"proposals\">\n<h2>Proposed modifications</h2>\n<p>The amounts follow from "
       "a torque of {} N m, the grades of the gears and the deflection of their shafts. The effect "

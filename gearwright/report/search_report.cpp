@@ -73,8 +73,15 @@ std::string rejected_table(const SearchCounts& counts) {
 std::string reason_list(const std::vector<std::string>& reasons) {
   if (reasons.empty()) return {};
   std::string text = "<ul class=\"reasons\">\n";
-  for (const std::string& reason : reasons) text += "<li>" + escaped(reason) + "</li>\n";
-  return text + "</ul>\n";
+  bool inner = false;  // true within the items of the reason before, which begin with a blank
+  for (const std::string& reason : reasons) {
+    if (const bool item = reason.starts_with(' '); item != inner) {
+      text += item ? "<ul>\n" : "</ul>\n";
+      inner = item;
+    }
+    text += "<li>" + escaped(reason) + "</li>\n";
+  }
+  return text + (inner ? "</ul>\n" : "") + "</ul>\n";
 }
 
 std::string tried_section(const SearchReport& report) {

@@ -242,8 +242,9 @@ TEST(Member, ARoundedPlayIsNoJam) {
   const ContactSetup setup = testing::spur_pair(false).setup();
   const Gear& g = setup.gear(2);
   const double per_mm = 2 / (g.reference_diameter * std::cos(g.spec.helix_angle.rad()));
-  EXPECT_FALSE(jams(Angle::radians(-0.49e-4 * per_mm), g));
-  EXPECT_TRUE(jams(Angle::radians(-0.51e-4 * per_mm), g));
+  const double limit = no_backlash(g.spec.normal_module);
+  EXPECT_FALSE(jams(Angle::radians(-0.99 * limit * per_mm), g));
+  EXPECT_TRUE(jams(Angle::radians(-1.01 * limit * per_mm), g));
 }
 
 TEST(Member, LostContactIsNoNumber) {

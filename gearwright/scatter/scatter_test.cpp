@@ -195,6 +195,7 @@ TEST(Scatter, NoSampleIsWorse) {
   task.worst_case = true;
   const Scatter s = done(setup, task);
   for (const ScatterSample& sample : s.samples) {
+    ASSERT_TRUE(sample.member[Q::peak_to_peak] && sample.member[Q::least_play]);
     EXPECT_LE(sample.member[Q::peak_to_peak], s.worst_peak_to_peak->value);
     EXPECT_GE(sample.member[Q::least_play], s.worst_least_play->value);
   }

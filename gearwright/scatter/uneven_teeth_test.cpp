@@ -143,7 +143,8 @@ TEST(Member, PitchesChangeTheLongPeriodAlone) {
     EXPECT_EQ(uneven[q], drawn[q]);
   const FamilyMember even = member_at(
       setup, deviation_at(setup, pitch, std::vector{0.0, 20.0, 0.4, 0.0, 200.0, 0.7}), request);
-  EXPECT_LE(even[Q::long_period], *drawn[Q::peak_to_peak] + 1e-15);
+  ASSERT_TRUE(even[Q::long_period]);
+  EXPECT_LE(*even[Q::long_period], *drawn[Q::peak_to_peak] + 1e-15);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -114,13 +115,20 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+// The extension of a file in lower case, such as ".rexsz".
+std::string lower_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending;
+}
+
 // The only REXS file in an archive. Other files in the archive, such as load spectra, are not read.
 Result<std::string> file_in_archive(std::string_view archive) {
   auto names = zipped_names(archive);
   if (!names) return names.error();
   std::vector<std::string> own;
   for (const std::string& name : *names)
-    if (name.ends_with(".rexs") || name.ends_with(".rexsj")) own.push_back(name);
+    if (is_rexs(name) && !name.starts_with("__MACOSX/")) own.push_back(name);
   if (own.size() == 1) return unzipped(archive, own.front(), kMaxSpec);
   if (own.empty())
     return no_rexs("the archive contains no file whose name ends in .rexs or .rexsj");
@@ -303,13 +311,14 @@ Result<RexsModel> read_rexs(std::string_view file) {
 }
 
 bool is_rexs(const std::filesystem::path& path) {
-  return path.extension() == ".rexs" || path.extension() == ".rexsj" ||
-         path.extension() == ".rexsz";
+  const std::string ending = lower_ending(path);
+  return ending == ".rexs" || ending == ".rexsj" || ending == ".rexsz";
 }
 
 std::string rexs_bytes(const RexsModel& model, const std::filesystem::path& path) {
-  if (path.extension() == ".rexsj") return rexs_json(model);
-  if (path.extension() != ".rexsz") return rexs_text(model);
+  const std::string ending = lower_ending(path);
+  if (ending == ".rexsj") return rexs_json(model);
+  if (ending != ".rexsz") return rexs_text(model);
   ZipWriter archive;
   archive.add(path.stem().string() + ".rexs", rexs_text(model));
   return std::move(archive).finish();

@@ -85,8 +85,8 @@ std::vector<double> TableReader::listed_numbers(const Key& key, const Json& node
   }
   if (node.empty()) fail(name, "is an empty list, but must be " + form);
   if (node.size() < list.least || node.size() > list.most)
-    fail(name,
-         must.empty() ? fmt::format("has {} values, but must be {}", node.size(), form) : must);
+    fail(name, fmt::format("has {} value{}, but {}", node.size(), node.size() == 1 ? "" : "s",
+                           must.empty() ? "must be " + form : must));
   for (const Json& item : node) take(item);
   return values;
 }
@@ -107,6 +107,8 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key) 
   const bool whole = known.kind == KeyKind::whole;
   for (const double v : values) {
     if (whole && v != std::floor(v)) fail(key, "must contain only whole numbers");
+    if (values.size() > 1 && !known.range.contains(v))
+      fail(key, fmt::format("contains {}, but every value {}", v, known.range.sentence(v)));
     check(key, v);
     if (std::abs(v) > kMaxInput) fail(key, fmt::format("must lie between -{0} and {0}", kMaxInput));
   }

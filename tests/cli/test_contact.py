@@ -304,7 +304,7 @@ class Contact(unittest.TestCase):
             self.assertEqual(run.status, 0, run.err)
             page = (Path(folder) / "report.html").read_text()
             self.assertIn(">Corrections</h2>", page)
-            self.assertIn("Helix crowning of gear 1", page)
+            self.assertIn("helix crowning of gear 1", page)
             c = json.loads((Path(folder) / "result.json").read_text())["compensate"]
             self.assertEqual(c["before"], self.ok("compensate", self.spec(HELICAL, "[errors]\ncrossing_deg = 0.02"))["compensate"]["before"])
             self.assertNotIn("compensate", json.loads(Run("run", self.spec(HELICAL), "--json", "--out", folder).out))

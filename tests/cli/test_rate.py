@@ -199,7 +199,7 @@ class Rate(unittest.TestCase):
             return [(f["level"], f["message"]) for f in findings if f["code"] == "rating_quality"]
 
         self.assertEqual(differs(6), [])
-        self.assertEqual(differs(7), [("amber", "The rating uses rating.quality = 6, but the drawing uses gear1.quality = 7.")])
+        self.assertEqual(differs(7), [("amber", "The rating uses grade 6 for gear 1, but the drawing uses gear1.quality = 7.")])
 
     def test_editions_of_rating_and_drawing(self):
         """One note if the drawing has tolerances of another edition than the rating; none if it has no tolerances."""

@@ -78,9 +78,16 @@ export class Proposals {
   }
 }
 
-/** The indices of the proposals with the same spec as proposal `i`. */
+/** The text of a value with the keys of all records in alphabetical order. */
+function sortedText(value: Json): string {
+  if (Array.isArray(value)) return `[${value.map(sortedText).join()}]`;
+  if (value === null || typeof value !== "object") return JSON.stringify(value);
+  const keys = Object.keys(value).sort();
+  return `{${keys.map((key) => `${key}:${sortedText((value as Record)[key]!)}`).join()}}`;
+}
+/** The indices of the proposals with the same spec as proposal `i`; the order of keys is ignored. */
 function sameAs(proposals: Record[], i: number): number[] {
-  const specs = proposals.map((one) => JSON.stringify(one["spec"]));
+  const specs = proposals.map((one) => sortedText(one["spec"]!));
   return proposals.map((_, k) => k).filter((k) => specs[k] === specs[i]);
 }
 /** ". Also 3, 4: long tip relief; helix crowning" */
