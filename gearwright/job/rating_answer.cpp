@@ -42,6 +42,8 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     const auto& own = job.spec.gear(which).tolerance.quality;
     const int rated = grades[static_cast<std::size_t>(which - 1)];
     if (!own || *own == rated) continue;
+    const bool inherited = which == 2 && job.spec.gear(1).tolerance.quality == own;
+    if (inherited && grades[0] == rated) continue;
     std::string key = gear_field(which, "tolerance.quality");
     if (!job.spec.given.contains(key)) key = gear_field(which, "quality");
     job.warnings.push_back({WarningCode::rating_quality,
