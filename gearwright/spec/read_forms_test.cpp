@@ -60,8 +60,8 @@ TEST(ReadForms, a_number_for_each_input_and_one_torque) {
                 .drive->graph.speeds_rpm,
             (std::vector{100.0, 20.0}));
   EXPECT_EQ(refused_form(kSet + "torque_Nm = [1, 2]\n"),
-            "planetary.torque_Nm = [1, 2]: must be one torque, which determines the torques of "
-            "the other bodies");
+            "planetary.torque_Nm = [1, 2]: has 2 values, but must be one torque, which determines "
+            "the torques of the other bodies");
   EXPECT_EQ(refused_form(kSet + "fixed = 3\n"),
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
