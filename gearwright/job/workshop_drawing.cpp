@@ -214,17 +214,12 @@ DataGroup thickness(bool ring, const GearInput& input, const Records& gear,
   if (const auto teeth = measure.value("span.teeth"))
     group.rows.push_back({fmt::format("Span over {} {}", *teeth, ring ? "tooth spaces" : "teeth"),
                           "W_" + *teeth, *measure.value("span.length_mm")});
-  if (input.measure.pin_diameter && !input.measure.ball_diameter) {
-    add_data(group, measure, "over_pins.pin_diameter_mm");
-    if (const auto dimension = measure.value("over_pins.three_mm"))
-      group.rows.push_back(
-          {ring ? "Dimension between two pins" : "Dimension over two pins", "M_dR", *dimension});
-    return group;
-  }
-  add_data(group, measure, "over_balls.ball_diameter_mm");
-  if (const auto dimension = measure.value("over_balls.dimension_mm"))
+  const bool pins = input.measure.pin_diameter && !input.measure.ball_diameter;
+  add_data(group, measure, pins ? "over_pins.pin_diameter_mm" : "over_balls.ball_diameter_mm");
+  if (const auto over = measure.value(pins ? "over_pins.three_mm" : "over_balls.dimension_mm"))
     group.rows.push_back(
-        {ring ? "Dimension between two balls" : "Dimension over two balls", "M_dK", *dimension});
+        {fmt::format("Dimension {} two {}", ring ? "between" : "over", pins ? "pins" : "balls"),
+         pins ? "M_dR" : "M_dK", *over});
   return group;
 }
 
@@ -239,8 +234,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-// The flanks of a double-helical gear are those of the half at z > 0, of which the other half is
-// the mirror image.
+// The half at z < 0 of a double-helical gear is the mirror image of the other half.
 DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
                         UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};
@@ -262,7 +256,6 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   }
   if (flanks[0].topography || flanks[1].topography)
     group.rows.push_back({"Topography", "", "by a separate table"});
-  // The sheet defines the flanks and the end to which its values refer.
   if (one_sided) group.rows.push_back({"Right flank, seen from +z, tooth upwards", "", "right"});
   if (one_sided || slope) group.rows.push_back({"Face +z of the axial section", "", "right"});
   if (slope)
@@ -271,8 +264,7 @@ DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool ha
   return group;
 }
 
-// If no flank tolerance class is given, the row of the class is blank, so that the workshop notices
-// the omission.
+// Without a flank tolerance class, the row of the class is blank, which the workshop notices.
 DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& measure) {
   if (!given.quality) return {"Tolerances, ISO 1328-1", {{"Flank tolerance class", "", ""}}};
   DataGroup group{
