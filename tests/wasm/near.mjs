@@ -13,8 +13,11 @@ export const kSolved = 1e-10;
 const kLengths = 100; // mm: a large length of the examples
 // N/mm²: a root stress is a difference of terms E u/h. With u = 17 µm and elements of h < 1 mm, they exceed 3000.
 const kStresses = 1000;
+// N/mm²: the nominal root stress of ISO 6336-3, by which a root stress is divided, is less than this in the examples.
+const kNominalStress = 200;
 const units = [
   [/root_stress_MPa$/, kStresses],
+  [/root_stress_over_nominal$/, kStresses / kNominalStress],
   [/_arcsec$/, (180 * 3600) / Math.PI],
   [/_deg$/, 180 / Math.PI],
   [/_mm$/, kLengths],
