@@ -83,8 +83,9 @@ const KeyTable& compensate_keys() {
                          "0.01 arcsec or more are excluded",
                          "penalty for a pattern at the end of the face [T8.24], or at the end of "
                          "the profile for circular arcs, whose contact moves along the face. If "
-                         "the key is given, corrections may increase the transmission error. If "
-                         "the total improvement is less than 0.001 arcsec, every correction is 0"),
+                         "the key is given, a better position of the pattern may cost "
+                         "transmission error. If the corrections together improve the sum of "
+                         "error and penalty by less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
                  "ranges [least, greatest] of up to five errors; the corrections are chosen for "

@@ -130,7 +130,7 @@ void add_position(Quantities<ContactPoint>& q) {
                                "compound [T8.16]; null at an edge or a ridge",
                                &ContactPoint::ellipse);
   q.record<ridge_quantities>("ridge",
-                             "growth of the gap on both sides of a ridge; absent for other kinds",
+                             "growth of the gap on both sides of a ridge; absent without a ridge",
                              &ContactPoint::ridge)
       .when([](const ContactPoint& p) { return p.ridge.has_value(); });
   q.number("line_mm", "contact line", "", "both ends of the line; null for other kinds",

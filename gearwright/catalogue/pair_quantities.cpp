@@ -174,7 +174,7 @@ void add_crossed(Quantities<Pair>& all) {
                              "position of the gears with the minimum centre distance for the teeth "
                              "as cut [T4.15]; null if the teeth are too thin",
                              &CrossedPair::min_distance);
-  all.under("Contact ratio of 1 and more, free of backlash");
+  all.under("Positions with a contact ratio of at least 1, free of backlash");
   q.record<places_quantities>("contact_ratio_range",
                               "range of positions with AE ≥ p_bn [T4.23]; null with an internal "
                               "gear, or if there is no such position",

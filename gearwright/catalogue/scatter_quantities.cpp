@@ -51,7 +51,7 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("first_error", "standard error of the first-order index", "", false, true);
     list("total_error", "standard error of the total index", "", true, true);
     q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
-             "share of the variance that is explained by the derivatives at the pair as drawn "
+             "share of the variance that is explained by the derivatives at the nominal values "
              "[T14.28]; null if the quantity has no derivative there",
              &I::linear_share);
   });
@@ -294,7 +294,7 @@ const Quantities<ScatterView>& probabilities_quantities() {
         [](const ScatterView& v) -> const auto& { return v.scatter->jam; });
     q.record<probability_quantities>(
         "contact_lost",
-        "no teeth touch at some position; these samples are not in the distributions",
+        "at one position or more, no teeth touch; the distributions do not contain such samples",
         [](const ScatterView& v) -> const auto& { return v.scatter->contact_lost; });
   });
 }

@@ -124,9 +124,9 @@ TextTable index_table(const ScatterView& view, UnitSystem units, ScatterQuantity
   }
   table.notes.push_back(
       indices->linear_share
-          ? fmt::format("The derivatives at the pair as drawn explain {:.2f} % of the variance.",
+          ? fmt::format("The derivatives at the nominal values explain {:.2f} % of the variance.",
                         100 * *indices->linear_share)
-          : "The quantity has no derivative at the pair as drawn.");
+          : "The quantity has no derivative at the nominal values.");
   return table;
 }
 

@@ -49,7 +49,7 @@ const KeyTable& spec_keys() {
                  "unit of the lengths in the spec and in the results; see Units"),
        table_key("drawing", drawing_keys, &SpecTables::drawing,
                  "the title block of the report and of drawings"),
-       table_key("gear1", gear_keys, {}, "the first gear, the pinion of an internal pair")
+       table_key("gear1", gear_keys, {}, "the first gear; in an internal pair, the pinion")
            .with_also({"gear"}),
        gear_2_key(),
        table_key("pair", pair_keys,

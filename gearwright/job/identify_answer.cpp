@@ -139,10 +139,11 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
       !problem.helix.value)
     facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
   if (g.thickness_allowance != 0.0 && !spec.contains("thickness_allowance_mm")) {
-    facts.push_back(
-        fmt::format("The spec has x = {:.4f}. The backlash or tolerance in the spec determines the "
-                    "thickness allowance, which is {:.4f} mm according to the readings.",
-                    g.profile_shift, g.thickness_allowance));
+    facts.push_back(fmt::format(
+        "The spec has x = {:.4f}. The readings give a thickness allowance of {:.4f} mm. "
+        "The spec does not contain it, because the backlash or tolerance in the spec "
+        "determines the allowance.",
+        g.profile_shift, g.thickness_allowance));
   } else if (g.thickness_allowance != 0.0) {
     const char* const why =
         problem.profile_shift || problem.thickness_allowance ? "as the spec gives"

@@ -66,8 +66,9 @@ std::string rejected_table(const SearchCounts& counts) {
     rows.push_back({std::string(words_of(static_cast<Limit>(i))), counted(n),
                     fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
   }
-  return value_table("Rejected trials, by the first limit that leaves no profile shift",
-                     {"Limit", "Trials", "Share of all"}, rows, "tally");
+  return value_table(
+      "Rejected trials, by the first limit after which no permissible profile shift remains",
+      {"Limit", "Trials", "Share of all"}, rows, "tally");
 }
 
 std::string reason_list(const std::vector<std::string>& reasons) {

@@ -66,18 +66,17 @@ std::optional<Error> check_joint(const ArcRack& rack) {
                                format_number(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
-    return refused(
-        "rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
-        "the arc of the flank ends below this depth; the dedendum must be greater than {}");
+    return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
+                   "the whole arc of the flank lies deeper; the dedendum must be greater than {}");
   }
   if (!is_F(rack) && !(s > 0.0)) {
-    return refused(
-        "rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
-        "the arc of the flank ends below this rounding; the radius must be less than {}");
+    return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
+                   "the whole arc of the flank lies deeper than this rounding; the radius must be "
+                   "less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
     return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
-                   "the arc of the flank ends above this depth; the dedendum must be less than {}");
+                   "the whole arc of the flank lies less deep; the dedendum must be less than {}");
   }
   return std::nullopt;
 }

@@ -64,7 +64,7 @@ class Crossed(unittest.TestCase):
         for across, along, total in zip(sliding["across_teeth"], sliding["along_teeth"], sliding["total"]):
             self.assertAlmostEqual(math.hypot(across, along), total, places=12)
         table = Run("pair", BASIC.format("shaft_angle_deg = 90"))
-        for words in ("crossed axes", "face width for both flanks", "Minimum centre distance", "Contact ratio of 1 and more"):
+        for words in ("crossed axes", "face width for both flanks", "Minimum centre distance", "contact ratio of at least 1"):
             self.assertIn(words, table.out)
 
     def test_run_draws_the_pair_where_it_stands(self):
