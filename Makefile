@@ -114,8 +114,8 @@ package:
 	@tools/install_packages.sh core mpi python package
 	@tools/deb.sh build/package
 
-dist: web npm python
-	@tools/install_packages.sh core mpi python package portable dist
+dist:
+	@tools/install_packages.sh core mpi python wasm web package portable dist
 	@tools/dist.sh
 
 # The packages are made again only if a file of the sources is newer than they are.

@@ -11,9 +11,12 @@
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
 #   *.deb                                     program, library with headers, Python module and search on many ranks
 #                                             as packages for Debian 12
-#   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html     the wheel, the npm package and the page,
-#                                             which `make python`, `make npm` and `make web` have built
+#   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html     the wheel, the npm package and the page
 #   SHA256SUMS
+#
+# The link of a program for WebAssembly, the compression of a package and the largest source files of the libraries
+# each keep only one core busy. The page and the npm package, the libraries and the packages are therefore made in the
+# background, beside the compilation of the programs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
@@ -21,10 +24,6 @@ version=$(sed -n 's/^project(gearwright VERSION \([0-9.]*\).*/\1/p' CMakeLists.t
 dist=$PWD/build/dist
 portable=$PWD/build/portable
 page=$PWD/build/web/gearwright.html
-made=("$page" build/web/gearwright-"$version".tgz build/python/gearwright-"$version"-*.whl)
-for file in "${made[@]}"; do
-  [ -f "$file" ] || { echo "dist: $file is missing; make web, make npm and make python build it" >&2; exit 1; }
-done
 mkdir -p "$dist"
 # Files of older versions would be listed in SHA256SUMS.
 find "$dist" -maxdepth 1 -type f ! -name "*gearwright*[-_]$version[-_.]*" -delete
@@ -56,11 +55,33 @@ pack() {
   fi
 }
 
+# Ends the background jobs if a step fails.
+trap 'jobs -p | xargs -r kill 2>/dev/null || true' EXIT
+page_and_npm() {
+  cmake --preset wasm -DGEARWRIGHT_TESTS=OFF >/dev/null
+  cmake --build --preset wasm --target web_npm
+  make web npm
+}
+page_and_npm &
+page_job=$!
+libraries() {
+  for target in "$@"; do tools/portable_libraries.sh "$target"; done
+}
+libraries "$@" &
+libraries_job=$!
+make python
+wait $libraries_job
+packing=()
 for target in "$@"; do
   tools/portable_program.sh "$target"
-  pack "$target"
+  # Every package contains the page.
+  [ ${#packing[@]} -gt 0 ] || wait $page_job
+  # The packages of linux-x86_64 contain objects of the preset `release`, which no other target changes.
+  pack "$target" &
+  packing+=($!)
 done
-cp "${made[@]:1}" "$dist/"
+for job in "${packing[@]}"; do wait "$job"; done
+cp build/web/gearwright-"$version".tgz build/python/gearwright-"$version"-*.whl "$dist/"
 cp "$page" "$dist/gearwright-$version.html"
 (cd "$dist" && rm -f SHA256SUMS && sha256sum -- * >.sums && mv .sums SHA256SUMS)
 ls -l "$dist"
