@@ -7,28 +7,18 @@
 
 #include "gearwright/base/angle.hpp"
 #include "gearwright/base/contract.hpp"
+#include "gearwright/cad/walls.hpp"
 
 namespace gearwright {
 namespace {
 
-constexpr double kShortestArc = 1e-6;   // mm, 1/100 of the resolution of machine tools
-constexpr double kOnItsRay = 1e-6;      // mm, tolerance for points on a centre line
-constexpr double kCircleRadius = 1e-8;  // mm, permitted variation of the radius of a circular land
-constexpr int kArcLooks = 32;           // number of points per arc that are examined
+constexpr double kShortestArc = 1e-6;  // mm, 1/100 of the resolution of machine tools
+constexpr double kOnItsRay = 1e-6;     // mm, tolerance for points on a centre line
+constexpr int kArcLooks = 32;          // number of points per arc that are examined
 
 // Adding zero turns −0 into 0, so equal points are written as equal text.
 Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
-}
-
-bool is_land(const Arc& arc) {
-  if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
-  const double radius = arc.begin_point.norm();
-  for (int i = 1; i <= kArcLooks; ++i) {
-    const double here = arc.point(static_cast<double>(i) / kArcLooks).norm();
-    if (std::abs(here - radius) > kCircleRadius) return false;
-  }
-  return true;
 }
 
 // An arc of the half outline that becomes pieces of the contour. Its ends are moved if adjacent
@@ -86,9 +76,9 @@ Result<Contour> closed_contour(const Outline& outline) {
   }
 
   const std::vector<Link> links = links_of(outline);
-  const bool root_land = is_land(outline.arcs[links.front().arc]);
+  const bool root_land = round_land(outline.arcs[links.front().arc]);
   const bool tip_land =
-      is_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
+      round_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
   const std::size_t first = root_land ? 1 : 0;
   const std::size_t last =
       links.size() - (tip_land ? 1 : 0);  // end of the links except the tip land

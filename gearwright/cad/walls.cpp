@@ -21,6 +21,7 @@ using std::numbers::pi;
 constexpr double kRound_mm = 1e-8;
 constexpr double kLaw_mm = 1e-6;  // tolerance for the laws of an outline
 constexpr int kWallLooks = 64;    // number of examined points of an arc
+constexpr int kLandLooks = 32;    // number of examined points of a land
 
 Complex as_complex(const Vec2& v) { return {v.x(), v.y()}; }
 
@@ -134,8 +135,10 @@ WallLoop loop_of(const std::vector<Wall>& tooth, int z, const Band& band) {
 bool round_land(const Arc& arc) {
   if (arc.name != ArcName::root_land && arc.name != ArcName::tip_land) return false;
   const double radius = arc.begin_point.norm();
-  for (const double u : {0.25, 0.5, 0.75, 1.0})
-    if (std::abs(arc.point(u).norm() - radius) > kRound_mm) return false;
+  for (int i = 1; i <= kLandLooks; ++i) {
+    const double here = arc.point(static_cast<double>(i) / kLandLooks).norm();
+    if (std::abs(here - radius) > kRound_mm) return false;
+  }
   return true;
 }
 

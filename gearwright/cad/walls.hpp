@@ -84,6 +84,7 @@ struct BodyWalls {
 /// Domain    the laws of the outline hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
 
+/// True if the arc is a land and a circle about the axis within 1e-8 mm.
 bool round_land(const Arc& arc);
 
 /// The error for a face from which every spline deviates by more than kSectionMax_mm.
