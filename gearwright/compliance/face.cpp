@@ -18,7 +18,6 @@ using Eigen::VectorXd;
 constexpr int kDegree = 3;
 constexpr int kMinElements = 4;
 
-// Gauss–Lobatto nodes.
 const std::array<double, 4>& lobatto() {
   static const std::array<double, 4> x{-1.0, -1 / std::sqrt(5.0), 1 / std::sqrt(5.0), 1.0};
   return x;
@@ -45,10 +44,10 @@ double lagrange_slope(int i, double x) {
   return sum;
 }
 
-// A range of columns, begin … begin + count − 1, that includes all columns of a matrix of loads
-// that are not zero. The range consists of whole panels of kPanel columns and has more than one
-// column. Eigen would add up the terms of a narrower panel or of a single column in another order,
-// but the rounding of a column must not depend on zeros in other columns.
+// A range of columns, begin … begin + count − 1. All columns of a matrix of loads outside the range
+// are zero. The range consists of whole panels of kPanel columns and has more than one column. In a
+// narrower range, Eigen would add up the terms of a product in another order, so that the rounding
+// of one column would depend on zeros in other columns.
 struct LoadedColumns {
   Index begin = 0, count = 0;
 
@@ -132,7 +131,8 @@ Face::Face(const ModeMatrices& modes, double width, double element)
     GW_ENSURES(llt.info() == Eigen::Success);
     factor_.push_back(llt.matrixL());
     if (i == n) break;
-    // The factor has the block M = O L⁻ᵀ below L. O is the same block of the system matrix.
+    // O is the block of the system matrix below the diagonal block of this node. The factor has the
+    // block M = O L⁻ᵀ at the same place.
     const MatrixXd transposed =
         factor_.back().triangularView<Eigen::Lower>().solve(element_->ends.topRightCorner(r, r));
     below_.push_back(transposed.transpose());
@@ -179,8 +179,8 @@ void Face::solve(MatrixXd& x) const {
     return x.block(i * r, c.begin, r, c.count);
   };
   // In each element, the loads at the inner nodes are transferred to the ends, and the
-  // displacements of the inner nodes are computed for fixed ends. Each column is a load on one
-  // slice, so it is zero in most elements.
+  // displacements of the inner nodes are computed for fixed ends. A column contains a load on one
+  // slice and is zero in most elements. Each element therefore includes only its loaded columns.
   for (Index e = 0; e < n; ++e) {
     const Index i = e * kDegree;
     LoadedColumns here;

@@ -1,5 +1,4 @@
-// Computes the amplitudes f(z) of the modes along the face by one-dimensional finite elements of
-// third order.
+// Computes the amplitudes f(z) of the modes by one-dimensional finite elements of third order.
 //
 //   K = m00 ⊗ K_aa + m01 ⊗ K_ab + m01ᵀ ⊗ K_abᵀ + m11 ⊗ K_bb                          [T12.8]
 //   m00 = ∫NNᵀ, m01 = ∫N N′ᵀ, m11 = ∫N′N′ᵀ of an element with the shape functions N
@@ -28,11 +27,11 @@ class Face {
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int mode_count() const { return modes_; }
-  /// Weights of the nodal values that give the value at z.
+  /// The weights with which the nodal values add up to the value at z.
   Eigen::VectorXd at(double z) const;
-  /// Weights of the nodal values that give the slope at z.
+  /// The weights with which the nodal values add up to the slope at z.
   Eigen::VectorXd slope_at(double z) const;
-  /// Weights of the nodal values that give the mean over [lo, hi].
+  /// The weights with which the nodal values add up to the mean over [lo, hi].
   Eigen::VectorXd mean(double lo, double hi) const;
   /// Solves in place: each column contains a load and is replaced by the amplitudes under this
   /// load. A column lists all modes at the first node, then all modes at the second, and so on.

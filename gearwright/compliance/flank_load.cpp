@@ -15,7 +15,7 @@ constexpr int kBumpPoints = 24;
 
 using Complex = std::complex<double>;
 
-// Adds the shape functions at t on the outline, times `weight` and the components of `direction`.
+// Adds to `f` the shape functions at t on the outline, times `weight` and `direction`.
 void add_point(const SectionMesh& mesh, double t, const Eigen::Vector3d& direction, double weight,
                Functional& f) {
   const auto last = static_cast<double>(mesh.edges.size());

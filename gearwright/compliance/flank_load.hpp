@@ -38,7 +38,6 @@ struct BumpPlace {
 /// The bump at s, with its force along the inward normal of the flank. If τ ≠ 0, this is the normal
 /// of the screw surface.
 Functional bump(const SectionMesh& mesh, double s, double c, double tau);
-/// The bump at s, with its force along the gear axis.
 Functional axial_bump(const SectionMesh& mesh, double s, double c);
 /// Moves the functional from tooth 0 to tooth k.
 Functional on_tooth(const SectionMesh& mesh, const Functional& f, int k);

@@ -6,8 +6,7 @@
 //                                               theory: docs/theory/12-loaded-contact.md, [T12.10]
 //
 // Forces are distributed over slices of the face, and displacements are means over slices. The
-// integrals use F(x, z) = z asinh(z/|x|) − √(x² + z²), the second integral of 1/R with respect to
-// z.
+// integrals use F(x, z) = z asinh(z/|x|) − √(x² + z²), the second integral of 1/R over z.
 #pragma once
 
 #include <vector>

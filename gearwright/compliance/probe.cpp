@@ -10,10 +10,10 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kElement = 0.5;        // modules: length of an element along the face
-constexpr double kHalfWidth = 0.05;     // modules: default half width of the Hertz strip
-constexpr double kOnFace = 1e-9;        // relative to half the face width: tolerance for rounded
-                                        // positions
+constexpr double kElement = 0.5;     // modules: length of an element along the face
+constexpr double kHalfWidth = 0.05;  // modules: default half width of the Hertz strip
+// Tolerance for rounded positions beyond an end of the face, relative to half the face width.
+constexpr double kOnFace = 1e-9;
 constexpr double kNearestToTip = 0.02;  // modules: least distance of the load from the tip
 
 using detail::FlankMetric;

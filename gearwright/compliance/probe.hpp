@@ -11,15 +11,13 @@
 
 namespace gearwright {
 
-/// The position of the load on the flank at y > 0 of tooth 0. The verb `outline` prints the same
-/// flank.
+/// The load on the flank at y > 0 of tooth 0, which is the flank that the verb `outline` prints.
 struct ComplianceProbe {
-  double diameter = 0.0;                          ///< d_y  mm, diameter at which the load acts
-  std::optional<std::array<double, 2>> loaded{};  ///< z of both ends of the load, mm; if absent,
-                                                  ///< the load is uniform on an infinitely wide
-                                                  ///< gear
-  std::optional<double> half_width{};             ///< a  mm, of the Hertz strip; 0.05 m_n if absent
-  std::vector<double> read{};                     ///< z  mm, positions of the computed deflections
+  double diameter = 0.0;  ///< d_y  mm, diameter at which the load acts
+  /// z of both ends of the load, mm. If absent, the load is uniform on an infinitely wide gear.
+  std::optional<std::array<double, 2>> loaded{};
+  std::optional<double> half_width{};  ///< a  mm, of the Hertz strip; 0.05 m_n if absent
+  std::vector<double> read{};          ///< z  mm, positions of the computed deflections
 };
 
 struct ProbeAnswer {

@@ -1,4 +1,4 @@
-// Stress at the roots of the teeth, computed from the modes and from their slopes along the face.
+// Stress at the roots of teeth, from the amplitudes of the modes and their slopes along the face.
 //
 //   σ = D (A f + B f′)   components xx, yy, zz, xy, yz, zx in coordinates that turn with the helix
 //                                                theory: docs/theory/12-loaded-contact.md, [T12.15]
@@ -14,9 +14,9 @@ namespace gearwright::detail {
 struct RootPoints {
   std::vector<double> t;                    ///< position along the outline (section_mesh.hpp)
   std::vector<std::complex<double>> place;  ///< point on tooth 0, normal modules
-  /// Stresses at the points of teeth −1, 0 and 1: due to each mode (`of_mode`), and due to the
-  /// slope of each mode along the face (`of_slope`). Each point has six rows, one for each
-  /// component.
+  /// For each of the teeth −1, 0 and 1, a matrix with a column per mode and six rows per point, one
+  /// for each component. `of_mode` contains the stresses due to the amplitude of a mode, and
+  /// `of_slope` the stresses due to the slope of the amplitude along the face.
   std::vector<Eigen::MatrixXd> of_mode, of_slope;
 };
 

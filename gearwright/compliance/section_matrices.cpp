@@ -12,8 +12,9 @@ namespace {
 
 using Matrix27 = Eigen::Matrix<double, 27, 27>;
 
-constexpr double kPoint = 1e-4;  // least Jacobian determinant at a node, as a fraction of the value
-                                 // in the middle of the element, for computing slopes at the node
+// Slopes are computed at a node if the Jacobian determinant there is at least this fraction of the
+// determinant in the middle of the element.
+constexpr double kPoint = 1e-4;
 
 Place9 places(const SectionMesh& mesh, const std::array<int, 9>& e) {
   Place9 x;
@@ -88,7 +89,8 @@ std::vector<int> elimination_order(const SectionMesh& mesh) {
   return out;
 }
 
-// The term of [T12.6] that is linear in k, computed from the elements of ab and abᵀ.
+// An entry of the matrix that is multiplied by k in K(k) of [T12.6]. `ab` and `ba` are the
+// corresponding entries of the matrices ab and abᵀ.
 double between(double ab, double ba, double) { return ab + ba; }
 std::complex<double> between(double ab, double ba, std::complex<double>) { return {0.0, ab - ba}; }
 
@@ -128,7 +130,7 @@ StrainPair element_strains(const Node9& value, const Slope9& slope, const Eigen:
     b(4, u + 1) = shear_sign * value[k];
     b(5, u) = shear_sign * value[k];
     if (tau == 0.0) continue;
-    // −τΘ:  Θ U = x ∂U/∂y − y ∂U/∂x − e_z × U
+    // For a helical gear, ∂/∂z is replaced by ∂/∂z − τΘ, where Θ U = x ∂U/∂y − y ∂U/∂x − e_z × U.
     const double turn = at[0] * y - at[1] * x;
     a(2, u + 2) -= tau * turn;
     a(4, u + 1) -= tau * turn;
@@ -201,8 +203,8 @@ Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fie
 template <class Scalar>
 struct StripSolver<Scalar>::Parts {
   std::vector<Eigen::Index> free;  // unconstrained degrees of freedom, in the order of elimination
-  // Upper triangles of the coefficients of 1, k and k² in [T12.6] for these degrees of freedom, all
-  // with the same pattern.
+  // Upper triangles of the matrices that are multiplied by 1, k and k² in K(k) [T12.6], for the
+  // degrees of freedom in `free`. All three have the same sparsity pattern.
   std::array<Eigen::SparseMatrix<Scalar>, 3> k;
 };
 

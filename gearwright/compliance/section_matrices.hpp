@@ -35,14 +35,14 @@ struct SectionMatrices {
   Sparse aa, ab, bb;  ///< ∫AᵀDA, ∫AᵀDB, ∫BᵀDB over the section; ab is not symmetric
 };
 
-/// Computes the matrices of a section. If `wave` is true, B gives the strains of the waves
-/// U = (u cos kz, v cos kz, w sin kz), divided by k [T12.6]. If `wave` is false, B gives the
-/// strains of displacements that are arbitrary functions of z.
+/// Computes the matrices of a section. If `wave` is true, the product k B gives the strains due to
+/// ∂U/∂z of the waves U = (u cos kz, v cos kz, w sin kz) [T12.6]. If `wave` is false, B gives the
+/// strains due to ∂U/∂z of displacements that are arbitrary functions of z.
 SectionMatrices section_matrices(const SectionMesh& mesh, const Matrix6& law, double tau,
                                  bool wave);
 
-/// The trace ε_x + ε_y of each displacement field, averaged over the elements at each node and
-/// stored as the component w of the node. At the bore, it is 0.
+/// Returns the trace ε_x + ε_y of each displacement field. At each node, the trace is averaged over
+/// the elements and stored as the component w of the node. At the bore, it is set to 0.
 Eigen::MatrixXd trace_fields(const SectionMesh& mesh, const Eigen::MatrixXd& fields);
 /// Solves for displacements that vary along the face as waves with the wave number k. Only
 /// unconstrained nodes are included. [T12.6], [T12.18]

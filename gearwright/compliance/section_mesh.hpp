@@ -39,7 +39,7 @@ struct SectionMesh {
   std::vector<int> bore;  ///< nodes that are fixed
   double outward = 1.0;   ///< 1 if the teeth point outwards, −1 for an internal gear
   /// The part of an outline from t = e to t = e + 1, where e is the index of the edge. This part is
-  /// the side y = −1 of an element. `forward` is true if x of the element increases with t.
+  /// the side y = −1 of `element`. `forward` is true if x of the element increases with t.
   struct Edge {
     int element;
     bool forward;

@@ -39,8 +39,9 @@ RowMajor part(const RowMajor& fields, bool in_plane) {
   return out;
 }
 
-// Linear combinations of the displacement fields `snapshots` that are orthonormal in the energy
-// norm E. Combinations with small singular values are dropped. `loaded` is E times the snapshots.
+// Linear combinations of the displacement fields `snapshots` that are orthonormal with respect to
+// their strain energy. `loaded` is the matrix of the energy times the snapshots. Combinations with
+// small singular values are dropped.
 Eigen::MatrixXd principal(const RowMajor& snapshots, const RowMajor& loaded, double tolerance) {
   Eigen::MatrixXd energy(snapshots.cols(), snapshots.cols());
   energy.triangularView<Eigen::Lower>() = snapshots.transpose() * loaded;
@@ -130,9 +131,9 @@ std::vector<Eigen::MatrixXd> fields_along_helix(const SectionMesh& mesh, const S
   return fields;
 }
 
-// The products of a matrix and the modes: the rows of u and v, and the rows of w. The first modes
-// consist of the displacements `across` in the plane of the section, and the others of the
-// displacements `along` the axis.
+// The product of a matrix and the modes, in two parts: the rows of the degrees of freedom u and v,
+// and the rows of w. The columns of `across` are the modes with displacements in the plane of the
+// section, and the columns of `along` are the modes with displacements along the axis.
 std::array<RowMajor, 2> product(const Sparse& matrix, const RowMajor& across,
                                 const RowMajor& along) {
   const Eigen::Index modes = across.cols() + along.cols();

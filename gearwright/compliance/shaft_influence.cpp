@@ -38,12 +38,13 @@ ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, dou
   all.force = both_orders(all.force, all.force);
   all.turn = both_orders(all.turn, all.turn);
   all.moment = both_orders(all.moment, slope);
-  // A torque on a slice twists the gear between this slice and the end at which the torque leaves.
+  // A torque on slice j twists the gear between this slice and the end at which the torque leaves.
   const bool left = shaft.torque_from == ShaftSide::left;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const int steps = left ? std::min(i, j) : n - 1 - std::max(i, j);
-      // A torque decreases linearly over the slice on which it acts.
+      // Within slice j, the torque decreases linearly to 0. Slice j therefore twists like half of a
+      // slice under the whole torque, and up to its middle like 0.375 of a slice.
       all.twist(i, j) = (steps + (i == j ? 0.375 : 0.5)) * h;
     }
   all.twist *= shaft_twist_per_length(shaft, body);

@@ -28,9 +28,9 @@ struct ShaftInfluence {
 ///
 /// Formula   [T12.34]
 /// Domain    shaft.possible() (contract)
-/// Accuracy  a load is uniform over its slice, so equal loads on all slices mean a uniform load on
-///           the face. Each entry (i, j) is the mean of the computed entries (i, j) and (j, i).
-///           Their difference is of the order of the square of the slice width
+/// Accuracy  a load is uniform over its slice, so equal loads on all slices are a uniform load on
+///           the face. Each entry is the mean of the computed entries (i, j) and (j, i), which
+///           differ by the order of the square of the slice width
 ShaftInfluence shaft_influence(const Shaft& shaft, const FaceSlices& slices, double body);
 
 }  // namespace gearwright

@@ -20,8 +20,8 @@ enum class ComplianceAccuracy { full, draft };
 
 /// The properties of the body of a gear on which the compliance depends.
 struct ElasticBody {
-  double bore_diameter = 0.0;  ///< mm, diameter at which the body is fixed; for an internal gear,
-                               ///< the outside diameter of the rim
+  /// Diameter at which the body is fixed, mm. An internal gear is fixed at the outside of its rim.
+  double bore_diameter = 0.0;
   double poisson_ratio = 0.3;
   double youngs_modulus = 206000.0;  ///< MPa
 };
@@ -45,8 +45,7 @@ struct ToothSection {
   FlankMetric metric(double s) const;
 };
 
-/// Mesh options for the section of a gear. `twist` is the rotation of the section along the face,
-/// rad/mm.
+/// Mesh options for the section of a gear. The section turns by `twist` along the face, rad/mm.
 SectionMeshOptions mesh_options(const Gear& gear, double twist, ComplianceAccuracy accuracy);
 double mode_tolerance(ComplianceAccuracy accuracy, bool helical);
 

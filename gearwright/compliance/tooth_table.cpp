@@ -16,8 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kTableElement = 0.5;  // modules: length of an element along the face
-constexpr double kImageReach = 2.0;  // modules; at greater distances, the images of bump and strip
-                                     // cause equal displacements
+// Modules. Farther from the end of the face than this, the mirror images of bump and strip cause
+// equal displacements.
+constexpr double kImageReach = 2.0;
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.
 int mirrored(int j, int n) { return n - 1 - j; }
 
@@ -201,8 +202,9 @@ void ToothTable::make_local(const ToothTableRequest& request) {
       }
       if (s.tau == 0.0)
         for (int d = 1; d < n_; ++d) direct[n_ - 1 - d] = direct[n_ - 1 + d];
-      // For the mirror images beyond an end of the face, the metric has no term of g. An image is
-      // mirrored in z only, so it has the same shift g Δz along s as the load itself.
+      // The mirror image of a load in an end face has another height z but the same s. Its shift
+      // g Δz along s is therefore computed from the height of the load itself, and the metric for
+      // the image has no term with g.
       const FlankMetric across{0.0, metric.zz - metric.sz * metric.sz};
       for (int j = 0; j < n_; ++j) {
         for (int l = 0; l < n_; ++l) {
@@ -292,8 +294,8 @@ MatrixXd ToothTable::other_tooth(int k, const LinePlaces& read, const LinePlaces
 MatrixXd ToothTable::on_grid(const TablePlace& place) const {
   MatrixXd grid = MatrixXd::Zero(n_, places_);
   const Weights along = weights(place.s);
-  // Near an end of the face, the compliance increases steeply. Beyond the middle of the last slice,
-  // the compliance at that middle is used.
+  // Near an end of the face, the compliance increases steeply, so it is not extrapolated. Beyond
+  // the middle of the last slice, the compliance at that middle is used.
   const Weights across = cubic(middles_, std::clamp(place.z, middles_.front(), middles_.back()));
   for (int j = 0; j < 4; ++j)
     for (int a = 0; a < 4; ++a) grid(across.first + j, along.first + a) = across.w[j] * along.w[a];

@@ -1,5 +1,5 @@
-// Tables of influence coefficients between positions on the flank of a tooth. The positions are
-// given by slices of the face and positions along the flank. The same tables are used for all
+// Tables of influence coefficients between positions on the flanks of a gear. A position is given
+// by a slice of the face and an arc length along the flank. The same tables are used for all
 // rotations, torques and errors.
 //
 //   C(s, z; s′, z′) = C_FE[b, b] − H[b, b] + H[a, a]                                       [T12.9]
@@ -66,10 +66,10 @@ class ToothTable {
   Eigen::MatrixXd on_grid(const LinePlaces& line, const Eigen::VectorXd& force) const;
   /// Distributes a unit force at a position over the grid of the table.
   Eigen::MatrixXd on_grid(const TablePlace& place) const;
-  /// Displacement on tooth k under the forces `loaded` on tooth 0, averaged with the weights
-  /// `read`. It does not include the deformation at the contact itself, and is the sum of the first
-  /// two terms of [T12.9]. The mirror images in H[b, b] at the ends of the face are omitted,
-  /// because the result contains no H[a, a] with corresponding images.
+  /// The displacement on tooth k, averaged with the weights `read`, under the forces `loaded` on
+  /// tooth 0. It is the sum of the first two terms of [T12.9], so it does not include the
+  /// deformation at the contact itself. The mirror images of H[b, b] beyond the ends of the face
+  /// are omitted, because the corresponding images of H[a, a] are not part of the result.
   double yield(int k, const Eigen::MatrixXd& read, const Eigen::MatrixXd& loaded) const;
   /// Adds to `stress` the stresses σ·m_n²/F at the root points of tooth k (−1, 0 or 1) under forces
   /// on the grid of tooth 0. `stress` has six rows per point and a column per slice.
@@ -91,15 +91,16 @@ class ToothTable {
   FaceSlices slices_;
   double half_face_ = 0.0;
   int n_ = 0, places_ = 0;
-  std::vector<double> middles_;             // middles of the slices
-  std::vector<double> same_;                // C_FE − H[b, b] of one tooth, in the order
-                                            // [load slice][read slice][load place][read place]
-  std::vector<double> image_;               // ordered like same_: mirror images of H[b, b] at the
-                                            // ends of the face
+  std::vector<double> middles_;  // middles of the slices
+  // C_FE − H[b, b] of one tooth, in the order [load slice][read slice][load place][read place].
+  std::vector<double> same_;
+  // Mirror images of H[b, b] in the ends of the face, in the order of same_.
+  std::vector<double> image_;
   std::vector<std::vector<double>> other_;  // C_FE of teeth −side … side, without tooth 0
   Eigen::MatrixXd hertz_;                   // H[a, a] between slices
   detail::RootPoints root_;
-  // Stresses of teeth −1, 0 and 1: [tooth][load place](6·points·slices × load slices)
+  // Stresses of teeth −1, 0 and 1: [tooth][load place], each a matrix with 6·points·slices rows and
+  // a column per load slice.
   std::vector<std::vector<Eigen::MatrixXd>> stress_;
 };
 

@@ -14,9 +14,9 @@
 
 namespace gearwright::detail {
 
-inline constexpr int kMostCenters = 6;      // greatest number of centers in a search
-inline constexpr double kNextReach = 0.25;  // greatest reach of all searches after the first, as a
-                                            // fraction of the distance between the bounds
+inline constexpr int kMostCenters = 6;  // greatest number of centers in a search
+// Greatest reach of all searches after the first, as a fraction of the distance between the bounds.
+inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
 /// The part of the bounds within a reach around a center.

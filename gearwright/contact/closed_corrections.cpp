@@ -81,7 +81,7 @@ std::optional<LeadAnswer> lead_without_slope(const ArcPair& arcs, const ContactS
     const auto lo = slope(-kReach);
     const auto hi = slope(kReach);
     if (!lo || !hi || *lo * *hi > 0.0) continue;
-    // If contact is lost within the bracket, no root is found.
+    // Where contact is lost, the slope is NaN, and find_root() then finds no root.
     const auto or_lost = [&](double d) { return slope(d).value_or(kNoNumber); };
     const Root root = find_root(or_lost, -kReach, kReach);
     if (root.found()) answer.exact[static_cast<std::size_t>(gear - 1)] = Angle::radians(root.x);

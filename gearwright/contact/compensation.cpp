@@ -15,17 +15,19 @@ namespace gearwright {
 
 namespace {
 
-// A search ends when f changes by less than this relative amount, or by less than kSameError/100.
+// A search ends when f changes by less than the fraction kLastGain of its value, or by less than
+// kLastGain_rad, which is a hundredth of kSameError.
 constexpr double kLastGain = 1e-5;  // relative
 constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// If there is an aim, these numbers times CompensationAim::same replace kLastGain_rad and kLost.
+// If a task has an aim, kLastGain_rad and kLost are replaced by these numbers multiplied by
+// CompensationAim::same.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// Cost per radian of the peak to peak above its limit. Above the limit, the cost of the pattern
-// without corrections is also added, so that corrections which exceed the limit are never better
-// than no correction. f still decreases if the peak to peak approaches the limit from above.
+// The cost per radian by which the peak to peak exceeds its limit. Above the limit, the cost of the
+// pattern without corrections is added as well. Corrections that exceed the limit are therefore
+// never better than no corrections, and f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -65,8 +67,8 @@ class Judge {
     }
     return [this, center, all = std::move(all)](std::vector<double> v) {
       count_step(task_.progress);
-      // The estimate is finite even if teeth with these corrections do not exist. Their existence
-      // does not depend on the scenario.
+      // The estimate is finite even if teeth with these corrections do not exist. Whether they
+      // exist does not depend on the scenario, so scenario 0 decides.
       if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
       double worst = 0.0;
@@ -81,7 +83,7 @@ class Judge {
   }
   bool uses_model() const { return static_cast<bool>(model_); }
 
-  // Descents from several starts meet the same corrections again, so each value is kept.
+  // Descents from several starts evaluate some corrections repeatedly, so each value is stored.
   double value(const std::vector<double>& v) {
     const auto [known, is_new] = known_.try_emplace(v, 0.0);
     if (is_new) known->second = computed(v);
@@ -219,8 +221,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // Most of the time is spent on TE curves, so the total number of curves is limited, whatever the
-  // number of scenarios.
+  // TE curves take most of the time, so their total number is limited for any number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);

@@ -54,15 +54,14 @@ struct CompensationAim {
 struct CompensationTask {
   std::vector<Correction> corrections;
   int scenarios = 1;
-  int positions = 24;                ///< per pitch, during the search
-  int fine_positions = 64;           ///< per pitch, for the reported scores
-  int curves = 6000;                 ///< approximate limit of the TE curves computed in each search
-  std::optional<Angle> centering{};  ///< w, cost of a pattern at the end of the face. If absent,
-                                     ///< default_centering() is used, and corrections must not
-                                     ///< increase the transmission error
-  bool along_face =
-      true;  ///< false if q is ignored, because the contact point moves along the whole face
-             ///< in any case
+  int positions = 24;       ///< per pitch, during the search
+  int fine_positions = 64;  ///< per pitch, for the reported scores
+  int curves = 6000;        ///< approximate limit of the TE curves computed in each search
+  /// w, the cost of a pattern at the end of the face. If it is absent, default_centering() is used,
+  /// and corrections must not increase the transmission error.
+  std::optional<Angle> centering{};
+  /// False if q is ignored, because the contact point moves along the whole face in any case.
+  bool along_face = true;
   ProfileTarget profile{};
   std::vector<std::vector<double>> starts{};  ///< additional starting values of the search
   Progress* progress = nullptr;
@@ -77,9 +76,9 @@ struct SettingAnswer {
   std::optional<Angle> angle_nominal;    ///< θ, normal angle at the contact, without ΔC
   std::optional<Angle> angle_displaced;  ///< θ with ΔC
   std::optional<Angle> angle_exact, angle_first_order;  ///< θ with ΔC and the respective setting
-  double thickness_change;  ///< change of the normal thickness of the tooth that F cuts, at the
-                            ///< height of the contact
-  double backlash_change;   ///< change of the normal backlash, for the exact setting only
+  /// Change of the normal thickness of the tooth that F cuts, at the height of the contact.
+  double thickness_change;
+  double backlash_change;  ///< change of the normal backlash, for the exact setting only
 };
 /// The tool setting that compensates the error of the centre distance in `setup`. None if no
 /// gear is cut by a rack F, or if the teeth have no contact without this error.

@@ -60,8 +60,8 @@ bool jams(Angle least_play, const Gear& moved) {
 
 std::vector<PairTouch> one_pitch(Transmission& transmission, double first, int n,
                                  std::optional<detail::LaneTrack>* track) {
-  // If gear 2 drives, a rotation in N has the opposite sign of the rotation in the housing, so the
-  // positions in N are in reverse order.
+  // If gear 2 drives, a rotation in the frame N has the opposite sign of the rotation in the
+  // housing. The first position in N is therefore the last position in the housing.
   const ContactPair& pair = transmission.pair();
   const double from = pair.gear2_drives() ? -first - (n - 1) * (pair.pitch() / n) : first;
   if (track) *track = detail::LaneTrack::of(transmission, from, n);
@@ -79,7 +79,7 @@ std::vector<Angle> harmonics(const std::vector<double>& te, int most) {
     roots.emplace_back(std::cos(turn), -std::sin(turn));
   }
   std::vector<Angle> amplitude;
-  const double mean = te[0];  // subtracting any constant reduces rounding errors
+  const double mean = te[0];  // any value near the mean reduces rounding errors
   for (int h = 1; h <= std::min(most, (n - 1) / 2); ++h) {
     Complex sum = 0.0;
     for (int i = 0; i < n; ++i) {
@@ -171,7 +171,7 @@ std::vector<double> transmission_error(const ContactPair& pair, int positions) {
 
 double peak_to_peak(const std::vector<double>& te) {
   double least = kInfinity, greatest = -kInfinity;
-  for (const double v : te) {  // NaN as the second argument changes neither
+  for (const double v : te) {  // std::min and std::max return their first argument if v is NaN
     least = std::min(least, v);
     greatest = std::max(greatest, v);
   }

@@ -28,9 +28,9 @@ struct ContactRequest {
 struct ContactResult {
   ContactResult() = default;  ///< empty; analyse_contact() fills it
   std::vector<ContactPoint> positions;
-  std::vector<std::vector<Sensitivity>> sensitivities;  ///< [influence][position]; 0 if contact is
-                                                        ///< lost
-  Angle peak_to_peak;                                   ///< over the positions with contact
+  /// The sensitivities [influence][position]; 0 if contact is lost.
+  std::vector<std::vector<Sensitivity>> sensitivities;
+  Angle peak_to_peak;            ///< of TE, over the positions with contact
   double mean_slope = 0.0;       ///< least squares slope of TE over rotation1, rad/rad
   std::vector<Angle> harmonics;  ///< harmonics of TE; empty if the request has rotations
   bool contact_lost = false;     ///< true if there is a position at which no tooth pair touches
@@ -53,15 +53,15 @@ std::optional<Angle> play_between(const ContactPoint& working, const ContactPoin
 /// The least play_between() over all positions. Both results must have the same positions.
 std::optional<Angle> least_play(const ContactResult& working, const ContactResult& non_working,
                                 bool gear2_drives);
-/// True if the gears jam at this least play. This is the case if least_play · r cos β is at
-/// most −no_backlash(m_n), where r and β are the reference radius and the helix angle of `moved`.
-/// A smaller overlap may result from rounding of the centre distance or of the profile shifts.
+/// True if the gears jam at this least play. This is the case if least_play · r cos β is at most
+/// −no_backlash(m_n), where r and β are the reference radius and the helix angle of `moved`. A
+/// smaller overlap may result from rounding of the centre distance or of the profile shifts.
 /// `moved` is gear 2, or the pinion if gear 2 is a rack.
 ///
-/// Formula   r cos β times the play is the backlash in the normal section at the reference
-///           cylinder, j_n cos α_wn/cos α_n. The limit applies to j_n, so the factor
-///           cos α_n, which would give j_bn, is not needed. For α_n = 20° and α_wn from 15° to
-///           30°, the product differs from j_n by 8 % at most
+/// Formula   the product of play and r cos β is the backlash in the normal section at the reference
+///           cylinder, j_n cos α_wn/cos α_n. It is compared with the limit as if it were j_n: for
+///           α_n = 20° and α_wn from 15° to 30°, it differs from j_n by 8 % at most. The limit does
+///           not apply to j_bn, for which the product would have to be multiplied by cos α_n
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the

@@ -30,8 +30,8 @@ End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   return End::seam;
 }
 
-// The two parts of the twist of a gear's teeth in N. The first is the twist of the lead, including
-// the error of the cutter's lead angle. The second is the additional twist κ of a lead error.
+// The two parts of the twist of a gear's teeth in the frame N: the twist of the lead, including the
+// error of the cutter's lead angle, and the additional twist κ of a lead error.
 std::array<double, 2> twist_in_n(const Gear& g, const ContactErrors& e, int i, double mirror) {
   const double lead = with_cutter_lead(g.twist(), g.reference_diameter / 2, e.cutter_lead[i].rad());
   return {mirror * lead, mirror * e.helix_twist[i]};
@@ -196,7 +196,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       const double z_b = turned * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
-      // In N, z may have the opposite sign of z in the field.
+      // In the frame N, z may have the opposite sign of z in the RemovalField.
       if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
       if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
       patches_[which].push_back(c);

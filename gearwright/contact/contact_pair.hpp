@@ -48,8 +48,8 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  Angle axis_angle{};            ///< σ Σ, σ = −1 if internal, else 1; axis 2 has the
-                                 ///< direction (0, sin σΣ, cos σΣ)
+  /// σ Σ, where σ = −1 if gear 2 is internal, else 1. Axis 2 has the direction (0, sin σΣ, cos σΣ).
+  Angle axis_angle{};
   bool gear2_drives = false;
   ContactErrors errors;
   /// z of the middle of each face, mm; 0 except for a half of a double-helical gear. Errors tilt
@@ -57,8 +57,9 @@ struct ContactMount {
   std::array<double, 2> middle{};
   /// True if root fillets and rounded tips are included. The analysis then also finds tips that
   /// touch a fillet before the flanks touch. Rounded tips of modified flanks are not included,
-  /// because the removal of material is defined on the flank only. Domain: recut_outline() can
-  /// compute the root of every gear whose cutter has a changed lead angle.
+  /// because the removal of material is defined on the flank only.
+  ///
+  /// Domain  recut_outline() returns an outline for each gear whose cutter has a changed lead angle
   bool fillets = false;
 };
 
@@ -81,36 +82,36 @@ class ContactPair {
   }
   double ratio() const { return ratio_; }                  ///< |z1/z2|; 1 for a rack
   double pitch() const { return pitch_; }                  ///< 2π/|z1|  rad
-  double rotation_sign() const { return rotation_sign_; }  ///< gear 1 in N; −1 is clockwise
+  double rotation_sign() const { return rotation_sign_; }  ///< gear 1 in frame N; −1 is clockwise
   double mesh_azimuth() const { return internal_ ? std::numbers::pi : 0.0; }
   double reach() const { return reach_; }
   bool is_rack() const { return rack_radius_ > 0.0; }
   /// The reference radius of the pinion of a rack, mm; 0 for two gears.
   double rack_radius() const { return rack_radius_; }
-  /// The diameter of a gear at u, mm; for a rack, the height above the datum line.
+  /// The diameter at u = ln ρ of a gear, mm; for a rack, the height above the datum line.
   double diameter(int gear, double u) const;
   double u_at(int gear, double diameter) const;  ///< the inverse of diameter()
   bool gear2_drives() const { return place_.gear2_drives; }
   const ContactMount& place() const { return place_; }
   double normal_pressure_angle() const { return alpha_n_; }  ///< α_n of the rack of gear 1, rad
 
-  /// Converts a rotation of gear 1 from the housing to N, or from N to the housing.
+  /// Converts a rotation of gear 1 between the housing and the frame N, in both directions.
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
   /// Converts a point (w1, z) of gear 1, before mounting, to the housing frame.
   Vec3 in_housing(const Complex& w1, double z) const;
-  /// Converts a direction from N to the housing frame.
+  /// Converts a direction from the frame N to the housing frame.
   Vec3 direction_in_housing(const Vec3& v) const;
-  /// Rotates directions from the frame of gear 1, before mounting, to N.
+  /// Rotates directions from the frame of gear 1, before mounting, to the frame N.
   const Mat3& tilt() const { return tilt_; }
-  /// −1 for an internal pair, for which N is mirrored (−y), and else 1. Equal to σ of ContactMount.
+  /// −1 for an internal pair, whose frame N is mirrored (−y), and else 1: σ of ContactMount.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
-  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }  ///< −1 if z in N is −z of f
-  /// z of the middle of a face, mm, in N.
+  /// −1 if z in the frame N is −z in the housing, and else 1.
+  double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }
+  /// z of the middle of a face in the frame N, mm.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
-  /// Radius at which the root fillet ends, mm; none if ContactMount::fillets is false or if the
-  /// gear has no fillet.
+  /// Radius of the end of the root fillet, mm; none without a fillet or ContactMount::fillets.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
-  /// κ in N for f_Hβ = 1 mm, measured on the reference cylinder over the face width.
+  /// κ in the frame N, rad/mm, for f_Hβ = 1 mm on the reference cylinder over the face width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }
 
  private:
@@ -126,8 +127,8 @@ class ContactPair {
   std::array<std::vector<FlankPatch>, 2> patches_;
   RelativeMount relative_;
   Mat3 tilt_ = Mat3::Identity();
-  Vec3 lift_ = Vec3::Zero();            // position of the middle of face 1, in N
-  std::array<double, 2> slope_unit_{};  // κ in N per mm of f_Hβ
+  Vec3 lift_ = Vec3::Zero();            // position of the middle of face 1 in the frame N
+  std::array<double, 2> slope_unit_{};  // κ in the frame N, rad/mm, per mm of f_Hβ
   std::array<std::optional<double>, 2> root_end_;
 };
 

@@ -114,9 +114,9 @@ class LineWalk {
     return (touch_.touch.te - j.t.v) * GapField::arm(j) < kLineGap;
   }
 
-  // The last multiple of kStep, at most kMost, at which the line lies inside D.
+  // The greatest multiple of kStep, at most kMost, up to which the line lies inside D.
   double last_inside(int sense) const {
-    constexpr double kMost = 4.0;  // in halves of the patch; longer than the diagonal of the patch
+    constexpr double kMost = 4.0;  // in half lengths of the patch; longer than its diagonal
     constexpr double kStep = 0x1p-48;
     // Each bound is nearly linear along the line, so secants find the first bound that is crossed.
     double before = 0.0, t = 1.0;
@@ -135,7 +135,7 @@ class LineWalk {
       const auto c = bounds(at(sense * x));
       return x == 0.0 || (x < kMost && *std::min_element(c.begin(), c.end()) >= 0.0);
     };
-    // The bracket around t grows from a step until it contains the border, and is then bisected.
+    // A bracket of one step around t grows until it contains the border of D, and is then bisected.
     double lo = kStep * std::floor(t / kStep), hi = lo + kStep;
     for (double step = kStep; !inside(lo); step *= 2) lo = std::max(0.0, (hi = lo) - step);
     for (double step = kStep; inside(hi); step *= 2) hi = (lo = hi) + step;

@@ -44,8 +44,9 @@ inline constexpr double kLineGap = 1e-6;
 struct ContactEllipse {
   std::optional<double> semi_major;  ///< √(2δ/k1)  mm; none if the gap is flat in that direction
   double semi_minor;                 ///< √(2δ/k2)  mm
-  Angle angle;  ///< of the major axis about the normal, 0 along the projection of axis 1 onto the
-                ///< tangent plane; in (−π/2, π/2]
+  /// Angle of the major axis about the normal, in (−π/2, π/2]. It is 0 along the projection of axis
+  /// 1 onto the tangent plane.
+  Angle angle;
 };
 
 /// A touch on a ridge of a flank. The gap opens with a slope towards both sides of the ridge.
@@ -80,8 +81,8 @@ struct ContactPoint {
   std::array<double, 2> diameter{}, height{};
   RackTravel rack{};
   std::optional<Angle> rack_angle;  ///< normal angle of the rack that cut gear 1, at the touch
-  std::optional<std::array<double, 2>>
-      gap_curvature;  ///< k1, k2  1/mm, for the kinds interior and line
+  /// k1, k2  1/mm, for the kinds interior and line.
+  std::optional<std::array<double, 2>> gap_curvature;
   std::optional<ContactEllipse> ellipse;
   std::optional<ContactRidge> ridge;
   std::optional<std::array<Vec3, 2>> line;  ///< ends of a contact line, housing
@@ -90,8 +91,7 @@ struct ContactPoint {
 /// True if a touch lies at a seam and T rises beyond it. Such a touch is not a point of contact.
 bool at_seam(Transmission& transmission, const PairTouch& touch);
 
-/// True if an edge of a tooth touches. The result is is_edge() of the kind that describe() returns,
-/// computed with less work.
+/// True if an edge of a tooth touches. This is faster than is_edge() of the kind from describe().
 bool on_edge(Transmission& transmission, const PairTouch& touch);
 
 /// Describes a touch.

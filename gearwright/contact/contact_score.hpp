@@ -45,7 +45,6 @@ struct ProfileTarget {
   Angle width{};  ///< deviation from `angle` for which p is 1; 0 without a target
 };
 
-/// TE and score of a pair over one pitch.
 struct ContactCurve {
   std::vector<double> te;  ///< rad; NaN where contact is lost
   ContactScore score;
@@ -54,16 +53,15 @@ struct ContactCurve {
 /// TE and score of a pair over one pitch.
 ///
 /// Domain    positions ≥ 2 (contract)
-/// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0, and so are h and
-///           p below 1e-9; `span` as continuous_extremes(). q is exact to 1 % for flanks whose gap
-///           is a parabola along the contact line
+/// Accuracy  a peak to peak below 1e-9 arcsec is a rounding error and is set to 0. Values of h and
+///           p below 1e-9 are also set to 0. `span` is as accurate as continuous_extremes(). q is
+///           exact to 1 % if the gap is a parabola along the contact line
 ContactCurve contact_curve(const ContactPair& pair, int positions, const ProfileTarget& target);
 
-/// TE and score, computed from the touches of one pitch. TE has the sign that it has in N.
+/// TE and score, computed from the touches of one pitch. TE has its sign in the frame N.
 ContactCurve curve_of(Transmission& transmission, const std::vector<PairTouch>& touches,
                       const ProfileTarget& target);
 
-/// The score of one pair over a pitch.
 inline ContactScore score_of(const ContactPair& pair, int positions,
                              const ProfileTarget& target = {}) {
   return contact_curve(pair, positions, target).score;

@@ -57,7 +57,7 @@ class ContactSetup {
   const Gear& gear(int which) const { return *gears_[which - 1]; }
   std::array<const Gear*, 2> gears() const { return {gears_[0].get(), gears_[1].get()}; }
   const RemovalField* removal(int gear, bool left) const;
-  /// The setup after this change; an error if teeth with this change do not exist.
+  /// The setup after this change; an error if no teeth with this change exist.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
   /// The setup with these modifications instead of its own.
@@ -83,7 +83,8 @@ class ContactSetup {
   ContactMount place_;
 };
 
-/// True if a flank has material removed, or a relief with a reach, even if its amount is 0.
+/// True if material is removed from a flank, or if a flank has a relief whose reach is given. The
+/// amount of this relief may be 0.
 bool any_modification(const std::array<FlankModifications, 2>& flanks);
 
 /// Checks that the lead angle of the cutter can change by this amount. Returns nothing if it can.
@@ -102,9 +103,9 @@ Error of_flank(int which, int side, Error error);
 /// Domain  a gear with a root form radius (contract)
 FlankExtent flank_extent(const Gear& gear);
 
-/// The error for a pair whose teeth touch at no position. The text of the error gives the
-/// reason, for example tips that do not reach each other. The second function makes the error
-/// for a corner of [compensate.range], and `name` is the name of this corner.
+/// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
+/// for example tips that do not reach each other. The second function makes the error for a pair
+/// under `errors`, which are within [compensate.range] and have the name `name`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

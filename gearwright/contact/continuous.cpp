@@ -17,24 +17,26 @@ constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are eq
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-constexpr double kNear = 0.08;   // part of the patch; touches farther apart are on different crests
+// As a fraction of the patch; touches farther apart are on different crests.
+constexpr double kNear = 0.08;
 // The curve of TE between the positions, computed from the branches that lead at the positions.
 class Branches {
  public:
   Branches(Transmission& transmission, const std::vector<PairTouch>& touches)
       : transmission_(transmission),
         touches_(touches),
-        // If gear 2 drives, a rotation has opposite signs in N and in the housing.
+        // If gear 2 drives, a rotation has opposite signs in the frame N and in the housing.
         step_(transmission.pair().turned() * transmission.pair().pitch() /
               static_cast<double>(touches.size())) {}
 
-  // The touch at position i. Outside the pitch, the touches repeat with the same pair numbers.
+  // The touch at position i. If i lies outside the pitch, the touch of the same position within the
+  // pitch is returned, with its pair number.
   const PairTouch& at(long i) const {
     const auto n = static_cast<long>(touches_.size());
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The rotation of gear 1 at a touch, up to whole pitches.
+  // The rotation of gear 1 at a touch. For a position outside the pitch, whole pitches are missing.
   double rotation(const PairTouch& touch) const {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
@@ -42,8 +44,7 @@ class Branches {
   // Returns the touch on the branch of `touch` at the rotation that is `steps` later. If this
   // branch has no contact there, found() of the result is false.
   PairTouch moved(const PairTouch& touch, double steps) const { return moved(touch, steps, touch); }
-  // The same, but the search begins at `start`, another touch on this branch, which may be nearer
-  // to the result.
+  // The same, but the search begins at `start`, which may be nearer to the result on this branch.
   PairTouch moved(const PairTouch& touch, double steps, const PairTouch& start) const {
     if (!touch.found() || steps == 0.0) return touch;
     return transmission_.follow_pair(start.found() ? start : touch, touch.phi + steps * step_);
@@ -63,7 +64,7 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The fraction of the distance `way`, in steps, over which the branch of `touch` continues.
+  // The fraction of the rotation `way`, in steps, over which the branch of `touch` continues.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -80,12 +81,13 @@ class Branches {
 
   struct Handover {
     double t;                       // steps from the touch a
-    std::array<PairTouch, 2> both;  // the second touch is not found if TE jumps
+    std::array<PairTouch, 2> both;  // at the handover; the second is not found if TE jumps
   };
   // The handover between branch a and branch b, which lead at two rotations `width` steps apart;
   // none if there is no handover.
   std::optional<Handover> handover(const PairTouch& a, const PairTouch& b, double width) const {
-    // Branch b begins at lo, or before a if lo = 0. Branch a ends at hi, or beyond b if hi = width.
+    // Branch b begins at lo, or before the touch a if lo = 0. Branch a ends at hi, or beyond the
+    // touch b if hi = width.
     double lo = width * (1.0 - reach(b, -width));
     double hi = width * reach(a, width);
     if (lo >= hi) return std::nullopt;
@@ -178,7 +180,7 @@ class Branches {
     const double way = (at_lo > 0.0) == up ? width : -width;
     double hi = way * reach(here, way);
     const PairTouch end = moved(here, hi);
-    // reach() found the end of the branch in small steps. The single step to this end may lose the
+    // reach() followed the branch to its end in small steps. A single step to this end may lose the
     // branch.
     if (!end.found()) return std::nullopt;
     double at_hi = slope(end);

@@ -24,12 +24,12 @@
 
 namespace gearwright {
 
-/// The extremes of TE over a pitch, rad, in N.
+/// The extremes of TE over a pitch in the frame N, rad.
 struct CurveExtremes {
   double least, greatest;
-  PairTouch top;                    ///< the touch with the greatest value
-  std::array<PairTouch, 2> bottom;  ///< the touch with the least value; at a handover, one touch of
-                                    ///< each branch
+  PairTouch top;  ///< the touch with the greatest value
+  /// The touch with the least value; at a handover, one touch of each branch.
+  std::array<PairTouch, 2> bottom;
   double span() const { return greatest - least; }
 };
 

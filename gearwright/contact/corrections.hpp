@@ -14,14 +14,13 @@
 
 namespace gearwright {
 
-/// A correction that changes the setting of a cutter.
 enum class CutterSetting {
   tool_setting,  ///< Δb_F  mm, of the rack F that cuts convex circular arcs
   cutter_lead,   ///< Δλ  degrees, of the gear's cutter
 };
 
-/// A correction. A modification is in µm. Slopes apply to the working flanks and all others to both
-/// flanks. A relief is possible only if the drawing gives its reach.
+/// A correction of a pair. Modifications are in µm. Slopes apply to the working flanks, and other
+/// modifications to both flanks. A relief is possible only if the drawing gives its reach.
 struct WorkshopCorrection {
   std::variant<CutterSetting, Modification> what;
   int gear;  ///< 1, 2; 0 for the tool setting, which applies to the gear that the rack F cuts
@@ -46,11 +45,11 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence with which the sensitivities to a correction are computed. A tool setting and
-/// a cutter lead have no influence, because they do not remove material from the flanks.
+/// The influence with which the derivatives with respect to a correction are computed. None for a
+/// tool setting or a cutter lead, because these corrections do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
-/// The influences of all corrections; none if a correction has no influence.
+/// The influences of all corrections; none if influence_of() returns none for one of them.
 std::optional<std::vector<Influence>> influences_of(
     const std::vector<WorkshopCorrection>& corrections);
 

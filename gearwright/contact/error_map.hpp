@@ -1,7 +1,6 @@
 // Peak to peak of the transmission error over a grid of two errors, computed on all cores.
 //
-// The curve of every grid point is computed independently, so the result does not depend on the
-// number of threads.
+// Every grid point is computed independently, so the number of threads does not change the result.
 #pragma once
 
 #include <functional>

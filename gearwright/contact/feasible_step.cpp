@@ -7,12 +7,11 @@ namespace gearwright::detail {
 
 namespace {
 
-// Limits of rounding errors. A point counts as within a bound even if it lies beyond it by up
-// to kOnBound, a scaled length. A multiplier counts as ≥ 0 if it is at least kNoMultiplier.
+// Limits of rounding errors. A point that is beyond a bound by at most kOnBound, a scaled length,
+// counts as inside. A multiplier of at least kNoMultiplier counts as ≥ 0.
 constexpr double kOnBound = 1e-12;
 constexpr double kNoMultiplier = -1e-15;
-// Two bounds count as parallel and have no corner if the sine of the angle between them is
-// smaller than this value.
+// Two bounds are parallel and have no corner if the sine of the angle between them is below this.
 constexpr double kParallel = 1e-14;
 
 class Candidates {

@@ -22,16 +22,16 @@ struct FilletContact {
 };
 
 struct FilletContacts {
-  std::vector<std::size_t> asked;         ///< examined positions, as indices of `flanks`
-  std::vector<ContactPoint> whole;        ///< contact of the whole outlines at these positions
-  std::optional<FilletContact> earliest;  ///< the contact with the greatest `early`; none if the
-                                          ///< flanks touch first at all examined positions
+  std::vector<std::size_t> asked;   ///< examined positions, as indices of `flanks`
+  std::vector<ContactPoint> whole;  ///< contact of the whole outlines at these positions
+  /// The contact with the greatest `early`. None if flanks touch first at all examined positions.
+  std::optional<FilletContact> earliest;
 };
 
 /// Contact of the whole outlines at the rotations at which the flanks touch. `flanks` are the
 /// positions of analyse_contact() for the flanks alone.
 ///
-/// `outlines`  the pair to which `flanks` belongs, with ContactMount::fillets
+/// `outlines`  the pair to which `flanks` belongs, but with ContactMount::fillets = true
 /// Accuracy    rounding at each examined rotation. At most 64 evenly chosen rotations are examined,
 ///             so an earlier contact between these rotations may be missed
 FilletContacts fillet_contacts(const ContactPair& outlines, std::span<const ContactPoint> flanks,

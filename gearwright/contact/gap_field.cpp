@@ -13,8 +13,8 @@ Complex turned(const Complex& factor, double phase) {
   return times(factor, {std::cos(phase), std::sin(phase)});
 }
 
-// The rotation m = −c k C of a flank from which material C is removed, with its derivatives with
-// respect to u and z. [T8.7]
+// The rotation m = −c k C of a flank due to the material C removed from it, with the derivatives of
+// m with respect to u and z. [T8.7]
 Jet2 turn_of_removal(const FlankPatch& f, double s, double u, double z) {
   const Removal c = f.removal->at(u, f.removal_z * z, f.piece);
   const TurnPerRemoval k = f.profile.turn_per_removal(s);

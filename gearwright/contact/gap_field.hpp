@@ -2,13 +2,15 @@
 // with first and second derivatives.
 //
 //   World N: z along axis 1, x along the centre line, gear 2 driven counter-clockwise; the
-//   clockwise side of its tooth touches. Other cases are transformed to N
+//   clockwise side of its tooth touches. Other cases are transformed to the frame N
 //   (contact/contact_pair.hpp).
 //   φ1   rotation of gear 1          E = φ1 |z1/z2|, the expected rotation of gear 2
-//   T    φ2* − E, rad                u = ln ρ and Z: position of the point on gear 2
-//                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
+//   φ2*  rotation of gear 2 at which its flank contains the point (ρ, ψ, Z) of flank 1
+//   ρ, ψ, Z      cylindrical coordinates of the point in the frame of gear 2;  u = ln ρ
+//   θ2, m2, τ2   polar angle of flank 2, its rotation due to removed material, and its twist
 //
-//   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2
+//   φ2*(ρ, ψ, Z) = ψ − θ2(ρ) − m2(ρ, Z) − Z τ2,   T = φ2* − E, rad
+//                                    theory: docs/theory/08-contact.md, [T8.1]…[T8.3], [T8.8]
 //
 //   If gear 2 is a rack, travel along the rack replaces the azimuth, and height above the datum
 //   line replaces ln ρ, both divided by the reference radius r of the pinion:  u + iψ = −w/r
@@ -88,7 +90,6 @@ class GapField {
   Complex point_at_rest(double s, double z) const;
   /// The point `at_rest` after the rotation φ1.
   Complex rotated(const Complex& at_rest) const { return times(at_rest, rotation_factor_); }
-  /// Coordinates of a point in the frame of gear 2.
   struct Place2 {
     Complex w;  ///< mm, in the transverse plane
     double Z;   ///< mm, along the axis

@@ -43,8 +43,9 @@ std::vector<Angle> harmonics_of(const ContactResult& result, int per_pitch) {
   return harmonics(te);
 }
 
-// Converts the analysis of the mirror image at rotations_of_second() to the result for half B.
-// `per_pitch` is the number of positions in one pitch; 0 if the caller gave the rotations.
+// Converts `image`, the contact of the mirror image of half B, to the contact of half B itself.
+// `image` was computed at the rotations that rotations_of_second() returns. `per_pitch` is the
+// number of positions in one pitch, or 0 if the caller gave the rotations.
 ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
                           const std::vector<Influence>& influences, int per_pitch) {
   ContactResult result = image;
@@ -58,7 +59,6 @@ ContactResult second_half(const HalvesMesh& mesh, const ContactResult& image,
   return result;
 }
 
-// Adds the contact of the whole gears to the contact of both halves.
 void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   const auto& [a, b] = found.half;
   ContactResult& whole = found.whole;

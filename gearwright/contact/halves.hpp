@@ -29,7 +29,7 @@ namespace gearwright {
 /// Domain    a gear with a gap, which may be 0 (contract)
 double middle_of_half(const Gear& half);
 
-/// The rotation of half B minus the rotation of gear 1.
+/// The rotation of half B minus the rotation of gear 1. The difference is due to the stagger.
 Angle behind(double stagger, const Gear& gear_1);
 /// The rotations at which half B is analysed if the whole gear 1 is analysed at `rotations`. If
 /// `rotations` is empty, there are `positions` equal steps per pitch. Without a stagger, both
@@ -80,7 +80,8 @@ class HalvesSetup {
 /// The contact of both halves and of the whole gears at the same rotations of the gears.
 struct HalvesContact {
   std::array<ContactResult, 2> half{};  ///< A and B
-  ContactResult image{};                ///< the mirror image of half B, at rotations_of_second()
+  /// The contact of the mirror image of half B, at the rotations of rotations_of_second().
+  ContactResult image{};
   /// The rotations and the TE of the whole gears at every position. The point of contact is
   /// NaN, because each half touches at a point of its own. `kind` is taken from half B if only
   /// half B touches at an edge, and otherwise from half A.

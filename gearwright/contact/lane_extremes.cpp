@@ -12,14 +12,16 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kFlatLane = 1e-12;  // rad; a search ends if T at the extreme differs by less
-constexpr double kLastStep = 1e-6;   // last way to a handover, in steps; its change of T is added
-constexpr double kClose = 1e-7;      // rad, margin for tooth pairs that may lead at a handover
-constexpr int kMostRounds = 30;      // two are usual
-constexpr int kNewton = 5;           // rounds with Newton steps
+// rad: the search for an extreme ends when T differs by less than this angle from the extreme.
+constexpr double kFlatLane = 1e-12;
+// Steps: the search for a handover ends at this distance from it. T is then extrapolated.
+constexpr double kLastStep = 1e-6;
+// rad: a third tooth pair may lead at a handover if its T is lower by less than this angle.
+constexpr double kClose = 1e-7;
+constexpr int kMostRounds = 30;  // two are usual
+constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()
 
-// T between two positions, from the values and slopes at both. t is counted in steps from the first
-// position.
+// T between two positions, from its values and slopes. t is in steps from the first position.
 struct Cubic {
   double v, s, a, b;
   double at(double t) const { return v + t * (s + t * (a + t * b)); }
@@ -59,12 +61,11 @@ struct LaneTrack::Candidate {
     double t, value;
     std::array<PairTouch, 2> touch;
   } lo, hi;
-  std::optional<End> before{};  // the last touch
+  std::optional<End> before{};  // the previous touch of the search
   int stays = 0;
   bool done = false;
 
-  // If the same end of the interval stays in two successive steps, its value is halved
-  // (Illinois method).
+  // If the same end stays in two successive steps, its value is halved (Illinois method).
   void narrow(bool low, const End& here) {
     (low ? lo : hi) = here;
     const int stayed = low ? 1 : -1;
@@ -120,10 +121,10 @@ std::optional<CurveExtremes> LaneTrack::extremes() const {
                    {0.0, a.at(0) - b.at(0), {*at(m), *at(other)}},
                    {1.0, a.at(1) - b.at(1), {*at(m + 1), *at(other + 1)}}});
   }
-  // TE is the greatest T of all branches, so the maximum of a branch never exceeds the maximum
-  // of TE, and every maximum can be examined. A minimum is examined only if the branch leads at
-  // both positions. An extreme is skipped if the crossing of the tangents at both positions
-  // shows that it does not exceed the extremes found so far.
+  // TE is the greatest T of all branches, so no maximum of a branch exceeds the maximum of TE.
+  // Every maximum of a branch can therefore be examined. A minimum is examined only if the branch
+  // leads at both positions. An extreme is skipped if the tangents at both positions cross at a T
+  // that does not exceed the extremes found so far.
   for (int m = lo_; m + 1 < lo_ + static_cast<int>(track_.size()); ++m) {
     if (!at(m) || !at(m + 1)) continue;
     const Cubic c = cubic(m);

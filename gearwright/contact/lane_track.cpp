@@ -10,15 +10,15 @@ namespace gearwright::detail {
 
 namespace {
 
-constexpr double kRough = 1e-7;  // rad, margin of T between the first positions
+constexpr double kRough = 1e-7;  // rad, margin for the comparison of T of two tooth pairs
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes. It includes only the error of the centre
-// distance. At every z, the parameter s of the line changes by the angle by which gear 1 turns.
+// The line of contact of involutes on parallel axes, with no other error than that of the centre
+// distance. At a fixed z, its parameter s changes by the angle by which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
-  double s_lo, s_hi, z_lo, z_hi;    // common to both flanks
+  double s_lo, s_hi, z_lo, z_hi;    // part of flank 1 that faces flank 2
   double phi_lo, phi_hi;
   bool open = false;
 
@@ -150,7 +150,7 @@ void LaneTrack::offer(int m, const PairTouch& t) {
   b.pair = (i - m) / n_;
 }
 
-// The touch from which a search between two touches starts.
+// The start of a search between a and b, at the fraction `part` of the distance from a to b.
 PairTouch LaneTrack::start_between(const PairTouch& a, const PairTouch& b, double part,
                                    double phi) const {
   PairTouch t = part < 0.5 ? a : b;
@@ -257,9 +257,9 @@ std::optional<std::array<int, 2>> LaneTrack::window_of(const Rough& rough) const
   return window;
 }
 
-// The touch from which the search at position m starts. If four rough touches around m have the
-// same active bounds, its s and z come from the cubic through them, and otherwise from the two
-// nearest rough touches. Not found if there is no rough touch near m.
+// The touch from which the search at position m starts. Its s and z come from the cubic through
+// four rough touches around m if these touches have the same active bounds, and otherwise from the
+// two nearest rough touches. Not found if there is no rough touch near m.
 PairTouch LaneTrack::start_at(int m, const Rough& rough) const {
   const int last = static_cast<int>(rough.touches.size()) - 1;
   const int k = std::clamp((m - rough.from) / rough.stride, 0, last);

@@ -1,13 +1,14 @@
-// The transmission error over a pitch, with the positions searched in lanes (touch_lanes.hpp).
+// The transmission error over a pitch. The touches at many positions are searched at once, one in
+// each SIMD lane (touch_lanes.hpp).
 //
 //   m    position of tooth pair 0, at the rotation first + m·pitch/n. Its touch there is
 //        the touch of pair (i − m)/n at position i = m mod n of the pitch
 //                                    theory: docs/theory/14-scatter.md, section 14.4
 //
-// The touches at positions an eighth of a pitch apart are searched first, from the middle of
-// the line of contact. The touches at all other positions are then searched from a polynomial
-// through those already found. Because the slope of T is exact at every touch, two or three
-// steps find each extreme between the positions.
+// The touches at positions an eighth of a pitch apart are computed first. Each of these searches
+// starts in the middle of the line of contact. The searches at the positions between them start
+// from a polynomial through the touches already found. Because the slope of T is exact at every
+// touch, two or three steps find each extreme between the positions.
 #pragma once
 
 #include <optional>

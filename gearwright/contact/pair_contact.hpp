@@ -23,7 +23,6 @@ struct GearModifications {
   FlankModifications right{}, left{};
 };
 
-/// A gear with these modifications on its right and left flanks.
 GearModifications on_both_flanks(const FlankModifications& modifications);
 
 struct ContactOptions {

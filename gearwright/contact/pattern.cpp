@@ -46,7 +46,7 @@ int patch_at(const std::vector<FlankPatch>& patches, double u, double z) {
   return -1;
 }
 
-// A node of the raster on flank 1, in N.
+// A node of the raster on flank 1, in the frame N.
 struct Node {
   int patch;
   double s, u, z;
@@ -66,7 +66,7 @@ struct Seen {
 
 // Two or three Newton steps are usual, and one more if the point lies on the next patch.
 constexpr int kMaxPlaceSteps = 8;
-constexpr double kNearPatch = 1e-4;  // of the patch; the series is accurate for shorter steps
+constexpr double kNearPatch = 1e-4;  // relative to the patch; the series holds for shorter steps
 
 class Rasterer {
  public:
@@ -84,8 +84,8 @@ class Rasterer {
     }
   }
 
-  // Adds the gaps of tooth pair 0 at the rotation φ in N, with the transmission error `te`.
-  // Rotations must increase from call to call.
+  // Adds the gaps of tooth pair 0 at the rotation φ in the frame N, with the transmission error
+  // `te`. Rotations must increase from call to call.
   void add(double phi, double te) {
     te_ = te;
     for (GapField& f : fields_) f.set_rotation(phi);
@@ -201,8 +201,8 @@ class Rasterer {
     const Vec2 b = p[2] - p[0];
     const double det = a.x() * b.y() - a.y() * b.x();
     if (det == 0.0) return;
-    constexpr double kSlack =
-        1e-6;  // relative to a cell, so that no node between two cells is missed
+    // Relative to a cell: margin so that no node between two cells is missed.
+    constexpr double kSlack = 1e-6;
     const auto first = [](double lo) {
       return std::max(0, static_cast<int>(std::ceil(lo - kSlack)));
     };

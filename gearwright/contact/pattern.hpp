@@ -18,8 +18,8 @@ namespace gearwright {
 struct FlankRaster {
   std::vector<double> diameter;  ///< mm, diameters of the rows, ascending
   std::vector<double> height;    ///< mm, z of the columns in the gear's own frame, ascending
-  std::vector<double>
-      gap;  ///< mm, [row · columns + column]; infinite where the mating flank is never opposite
+  /// mm, in the order [row · columns + column]; infinite where the mating flank is never opposite.
+  std::vector<double> gap;
 
   double at(std::size_t row, std::size_t column) const { return gap[row * height.size() + column]; }
 };

@@ -48,7 +48,7 @@ Profile::Profile(const Arc& arc, double side, double twist)
     s_lo_ = u_lo_;
     s_hi_ = u_hi_;
     grows_ = true;
-    arm_per_cos_ = twist;  // the arm varies, and its formula needs the twist
+    arm_per_cos_ = twist;  // not constant; turn_per_removal() computes it from the twist
   }
 }
 

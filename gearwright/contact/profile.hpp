@@ -64,10 +64,10 @@ class Profile {
   /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
   /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.
   RadialJet at_radius(double u, double& s) const;
-  /// The rotation per removal at the parameter s, which must not lie far beyond the ends. [T8.7]
+  /// The rotation per mm of removed material at s, which must not lie far beyond the ends. [T8.7]
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
-  double s_of(double u, double start) const;              ///< as above, but iterates from `start`
+  double s_of(double u, double start) const;              ///< the same; iterates from `start`
   const Involute* involute() const { return involute_; }  ///< null for another curve
   /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
@@ -85,7 +85,7 @@ class Profile {
   bool grows_;
   double xi_sign_ = 1.0;
   double t_lo_ = 0.0, t_hi_ = 0.0;
-  double arm_per_cos_ = 0.0;         // r cos β or r_b cos β_b, mm; τ for other curves
+  double arm_per_cos_ = 0.0;  // rack circle: r cos β, involute: r_b cos β_b, mm; others: τ
   double half_ = 0.0, slope_ = 0.0;  // for the flank of a rack
 };
 

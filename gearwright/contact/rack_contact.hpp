@@ -27,8 +27,7 @@ struct RackContact : ContactResult {
   std::shared_ptr<const ContactPair> pair;  ///< also keeps the pinion and its modifications alive
 };
 
-/// The error `errors.helix_twist[1]` or `errors.cutter_lead[1]` if it is not 0. The teeth of a rack
-/// are exact.
+/// An Error if `errors.helix_twist[1]` or `errors.cutter_lead[1]` is not 0. A rack is exact.
 std::optional<Error> check_rack_errors(const ContactErrors& errors);
 
 /// A pinion and a rack for contact analyses. The result owns the pinion.

@@ -116,7 +116,8 @@ ContactRidge ridge_at(Transmission& transmission, const PairTouch& touch) {
   const double z = touch.touch.z;
   const GapJet j = transmission.jet_at(touch, s, z);
   ContactRidge ridge{gear, 0.0, {side_of(transmission.jet_at(beyond, s, z)), side_of(j)}, !of_u};
-  // If gear 2 drives, the side of smaller height in the gear's frame has the greater height in N.
+  // If gear 2 drives, z in the frame N has the opposite sign of z in the gear's frame, so the two
+  // sides of a ridge at constant z are exchanged.
   if (!below != (!of_u && pair.turned() < 0.0)) std::swap(ridge.side[0], ridge.side[1]);
   if (gear == 1) {
     ridge.along = curvature_along(j, of_u ? Vec2d(1, 0) : Vec2d(0, 1), Mat2d::Zero());

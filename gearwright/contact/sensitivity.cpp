@@ -13,7 +13,7 @@ struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
   double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;  // ∂Z/∂e
-  Vec3 dr = Vec3::Zero();                   // motion of the point in N, per unit of e
+  Vec3 dr = Vec3::Zero();                   // motion of the point in the frame N, per unit of e
 };
 
 // Adds the effect of a motion d of the point in the frame of gear 2. d varies with s and z.
@@ -177,7 +177,7 @@ Holding holding(const Change& c, const PairTouch& touch, const GapJet& j) {
   return h;
 }
 
-// ∂TE/∂e, rad per unit, with rotations as in the housing.
+// ∂TE/∂e, rad per unit of e. TE has the sign of a rotation in the housing.
 double te_of(const Change& c, const Holding& h, const ContactPair& pair) {
   double te = c.p;
   for (int k = 0; k < h.count; ++k) te += h.mu[k] * h.bound[k].d;
@@ -238,9 +238,9 @@ namespace {
 // ∂T*/∂e, from the derivatives `c` at a fixed point. A row is a line of constant z on flank 1.
 // T* is the greatest T of the row and lies at (s, z).
 double of_row(const GapField& field, const GapJet& j, const Change& c) {
-  // If T* lies inside the row, ∂T/∂s = 0. At an end of flank 1, s does not change. At an end of
-  // flank 2, s changes with e.
-  constexpr double kAtEnd = 1e-9;  // relative to the patch; the point is accurate to 1e-15 of it
+  // If T* lies inside the row, ∂T/∂s = 0, so a change of s has no effect on T*. At an end of flank
+  // 1, s does not change. At an end of flank 2, s changes with e.
+  constexpr double kAtEnd = 1e-9;  // relative to the patch, in which (s, z) is accurate to 1e-15
   const FlankPatch& two = field.two();
   const double near = kAtEnd * (two.u_hi - two.u_lo);
   const bool at_end = j.u.v > two.u_hi - near || j.u.v < two.u_lo + near;
@@ -286,7 +286,7 @@ double rotation_slope(Transmission& transmission, const PairTouch& touch) {
   const GapJet j = transmission.jet_at(touch, touch.touch.s, touch.touch.z);
   Change c;
   add_turn_of_1(c, pair, j, pair.rotation_sign(), 0.0, 0.0);
-  // If gear 2 drives, both rotations change sign in N, so their quotient does not change.
+  // If gear 2 drives, both rotations change sign in the frame N, so their quotient does not.
   return pair.turned() * te_of(c, holding(c, touch, j), pair) - pair.ratio();
 }
 

@@ -16,8 +16,7 @@
 
 namespace gearwright {
 
-/// An error of mounting or of the lead. A derivative with respect to an error is per the unit
-/// that is given here.
+/// An error of mounting or of the lead, with the unit to which a derivative refers.
 enum class ErrorKind {
   center_distance,  ///< per mm
   crossing,         ///< per rad
@@ -38,8 +37,8 @@ struct Influence {
 };
 
 struct Sensitivity {
-  double te;   ///< ∂TE/∂e   rad per unit, with rotations as in the housing
-  Vec3 point;  ///< ∂r/∂e    mm per unit, in the housing
+  double te;   ///< ∂TE/∂e   rad per unit of e; TE has the sign of a rotation in the housing
+  Vec3 point;  ///< ∂r/∂e    mm per unit of e, in the housing
 };
 
 /// The derivatives at a touch.
@@ -51,24 +50,24 @@ struct Sensitivity {
 Sensitivity sensitivity(Transmission& transmission, const PairTouch& touch,
                         const Influence& influence);
 
-/// ∂T*/∂e, rad in N per unit. T* is the greatest T over the profile at a fixed height z of flank 1,
-/// and it lies at s. If the point (s, z) lies opposite an end of the patch of flank 2, s changes
-/// with e so that the point stays opposite this end.
+/// ∂T*/∂e in the frame N, rad per unit of e. T* is the greatest T over the profile at a fixed
+/// height z of flank 1, and lies at the parameter s. If the point (s, z) lies opposite an end of
+/// the patch of flank 2, s changes with e so that the point stays opposite this end.
 ///
 /// Domain    as sensitivity(), for patches of this pair (contract)
 /// Accuracy  rounding
 double row_slope(const ContactPair& pair, const GapField& field, double s, double z,
                  const Influence& influence);
 
-/// The effect of material removed from a flank on T, in N. [T8.7]
+/// The effect on T, in the frame N, of material that is removed from a flank. [T8.7]
 struct RemovalTurn {
-  double te;                    ///< ∂T*  rad in N, per mm removed
+  double te;                    ///< change of T*, rad per mm removed
   double u, z;                  ///< the point, as arguments of the gear's RemovalField
   RemovalField::Piece piece{};  ///< piece of the patch; empty without a field
 };
 
-/// The effect of material removed from `gear` on T*, the greatest T over the profile at a fixed
-/// height z of flank 1. T* lies at the parameter s.
+/// The effect on T* of material that is removed from `gear`. T* is the greatest T over the profile
+/// at a fixed height z of flank 1, and lies at the parameter s.
 ///
 /// Units     rad, mm
 /// Domain    gear 1 or 2; patches of this pair (contract)

@@ -19,8 +19,10 @@ constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it viola
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
-constexpr double kSameTe = 1e-12;      // rad; two results count as one maximum if T differs by less
-constexpr double kSamePlace = 1e-5;    // scaled; and if they are also closer together than this
+// Two touches count as one maximum if T differs by less than kSameTe, rad, and if their scaled
+// distance is less than kSamePlace.
+constexpr double kSameTe = 1e-12;
+constexpr double kSamePlace = 1e-5;
 // Makes H negative definite by changing the sign of positive eigenvalues. If T is constant in one
 // direction within rounding, the function sets the slope in that direction to 0 and returns true.
 bool make_concave(detail::StepProblem& p) {

@@ -33,8 +33,8 @@ struct FlankAngle {
   double at_0, by_xi, by_xi2, by_z, by_z2;
 };
 
-// The modifications of an involute for which LaneSearch applies are polynomials of second degree in
-// L = r_b |ξ| and in z, without mixed terms. The derivatives at one point give their coefficients.
+// LaneSearch applies to an involute if its modifications are polynomials of second degree in
+// L = r_b |ξ| and in z, without mixed terms. Their derivatives at one point give all coefficients.
 std::optional<FlankAngle> angle_of(const FlankPatch& f, double xi_mid) {
   const Involute* curve = f.profile.involute();
   if (!curve) return std::nullopt;
@@ -202,7 +202,8 @@ void LaneSearch::solve(std::vector<PairTouch>& touches) const {
         t.z = in(I::z, i);
         const std::array<double, 2>& of_flank2 = widths_[static_cast<std::size_t>(at.fields)];
         t.s2 = of_flank2[0];
-        // The multiplier of a bound of N is converted to the multiplier of the same bound of u.
+        // LaneSearch bounds N = |W|², and TouchSearch bounds u = ln |W|. The multiplier of a bound
+        // of N is therefore converted to the multiplier of the corresponding bound of u.
         const auto price = [&](I kind, I mu) {
           const double k = in(kind, i);
           return k > 1.5 && k < 2.5 ? in(mu, i) * out(O::by_n, i) * of_flank2[1] : in(mu, i);

@@ -50,7 +50,7 @@ void touch_step_scalar(LaneBlock& block);
 
 class LaneSearch {
  public:
-  /// None if a flank is not an involute with modifications that are polynomials.
+  /// None if a flank is not an involute, or if its modifications are not polynomials.
   static std::optional<LaneSearch> of(const Transmission& transmission);
 
   /// Searches touches of tooth pair 0. Each search starts at `touch.s` and `touch.z` with the
@@ -60,7 +60,7 @@ class LaneSearch {
  private:
   std::vector<std::array<double, kLaneIn>> fields_;  // of each pair of patches, at rotation 0
   std::vector<std::array<double, 2>> widths_;        // s_mid of flank 2 and its width in u
-  double turn1_ = 0.0, turn2_ = 0.0;                 // B1 and B2 per rotation of gear 1
+  double turn1_ = 0.0, turn2_ = 0.0;                 // change of B1 and B2 per rad of φ1
 };
 
 }  // namespace gearwright::detail

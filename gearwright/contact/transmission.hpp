@@ -27,12 +27,12 @@ class LaneTrack;   // contact/lane_track.hpp
 class WaveCrests;  // contact/wave_crests.hpp
 }  // namespace detail
 
-/// A touch of tooth pair k, and the rotation at which pair 0 has this touch.
+/// A touch of tooth pair k. Pair 0 has the same touch, k pitches of gear 1 earlier.
 struct PairTouch {
   Touch touch;
   int fields = -1;   ///< index of the pair of patches; −1 without contact
-  double phi = 0.0;  ///< rotation of gear 1 in N at which pair 0 has this touch, rad
-  int pair = 0;      ///< k in N
+  double phi = 0.0;  ///< rotation of gear 1 at which pair 0 has this touch, rad, in the frame N
+  int pair = 0;      ///< k, number of the tooth pair in the frame N
 
   bool found() const { return fields >= 0; }
   double te() const { return touch.te; }
@@ -53,9 +53,9 @@ class Transmission {
   /// The pair must outlive this object. `progress` counts every position.
   explicit Transmission(const ContactPair& pair, Progress* progress = nullptr);
 
-  /// The touches at n positions over one pitch, in steps of pitch/n from `first` (rad, in N).
+  /// The touches at n positions over one pitch, in steps of pitch/n from `first` in frame N, rad.
   std::vector<PairTouch> over_a_pitch(double first, int n);
-  /// The touch at any rotation, computed from scratch.
+  /// The touch at any rotation. The search uses no other touch.
   PairTouch at(double phi);
   /// The touch of tooth pair 0 alone, even if another pair has a greater T. If wavy(), no touch is
   /// found far beyond the path of contact.
@@ -63,8 +63,8 @@ class Transmission {
   /// The touch of the tooth pair of `from`, on the patches of `from`, at the rotation φ of pair 0.
   /// The search starts at `from`. Not found if these patches do not touch at that rotation.
   PairTouch follow(const PairTouch& from, double phi);
-  /// Like follow(), but on convex flanks with several patches, the touch moves to those patches on
-  /// which T of this tooth pair is greatest.
+  /// Like follow(), but on convex flanks with several patches, the touch moves to the pair of
+  /// patches on which T of this tooth pair is greatest.
   PairTouch follow_pair(const PairTouch& from, double phi);
   /// True if follow_pair() crosses the borders of patches.
   bool crosses_patches() const { return convex_ && fields_.size() > 1; }
@@ -75,8 +75,8 @@ class Transmission {
   const ContactPair& pair() const { return pair_; }
   const TouchSearch& search(int fields) const { return *searches_[fields]; }
   const GapField& field(int fields) const { return *fields_[fields]; }
-  /// Sets the field to the rotation of the touch and returns the exact jet of the field at (s, z),
-  /// with θ2 fully converged.
+  /// Sets the field to the rotation of the touch, and returns the field and its derivatives at
+  /// (s, z). The parameter on flank 2 is exact to rounding.
   GapJet jet_at(const PairTouch& t, double s, double z);
   /// True if form waves give T many maxima, which are found in closed form at every position.
   bool wavy() const { return !crests_.empty(); }

@@ -53,7 +53,7 @@ class PlaceAhead {
 // sides have the same T, and the pair of patches with the lower index is used.
 PairTouch Transmission::climb(const PairTouch& from, double phi) {
   const int count = static_cast<int>(fields_.size());
-  const int most_crossings = 2 * count;  // a limit that rounding errors cannot exceed
+  const int most_crossings = 2 * count;  // so that rounding errors cannot cause an endless loop
   const auto on = [&](PairTouch start, int fields) {
     start.fields = fields;
     start.touch.active = {};
@@ -139,7 +139,7 @@ class Transmission::Track {
   std::vector<PairTouch>& best_;
 };
 
-// The numbers of the pairs of patches, the pair with the largest part of the flanks first.
+// The indices of the pairs of patches. The pair with the largest patches is the first.
 std::vector<int> Transmission::largest_first() const {
   std::vector<std::pair<double, int>> order;
   for (int f = 0; f < static_cast<int>(fields_.size()); ++f) {
@@ -197,7 +197,7 @@ void Transmission::follow_all(int fields, double first, int n, std::vector<PairT
   std::vector<std::vector<Touch>> passed(static_cast<std::size_t>(2 * (most + 1) + 1));
   const FlankPatch& a = fields_[static_cast<std::size_t>(fields)]->one();
   const auto known = [&](int m, const Touch& t) {
-    constexpr double kSamePlace = 1e-5;  // part of the patch; nearer touches count as the same
+    constexpr double kSamePlace = 1e-5;  // as a fraction of the patch; nearer touches are the same
     auto& here = passed[static_cast<std::size_t>(m + most + 1)];
     for (const Touch& p : here) {
       if (std::abs(p.s - t.s) <= kSamePlace * (a.s_hi - a.s_lo) &&

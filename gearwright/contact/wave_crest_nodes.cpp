@@ -41,8 +41,8 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double roll2 = roll2_.along_x(y).at(x);
   const double roll2_s = roll2_s_.along_x(y).at(x);
   const double roll2_ss = roll2_ss_.along_x(y).at(x);
-  // The points of flank 1 that lie opposite the ends of flank 2. If the parabola does not reach an
-  // end, its vertex is used.
+  // The points of flank 1 that lie opposite the ends of flank 2. L of flank 2 as a function of s is
+  // approximated by a parabola. If the parabola does not reach an end, its vertex is used.
   const auto opposite = [&](double end) {
     const double rest = end - roll2;
     const double root = roll2_s * roll2_s + 2 * roll2_ss * rest;
@@ -151,7 +151,6 @@ std::vector<WaveCrests::Crest> WaveCrests::at(double phi, double least) const {
     if (here.outside || here.te < below || here.te <= above) continue;
     Crest crest{here.te, here.s, here.z};
     if (below > kNone && above > kNone) {
-      // The parabola through three nodes.
       const double before = nodes[i - 1].z - here.z;
       const double after = nodes[i + 1].z - here.z;
       const double chord_below = (below - here.te) / before;

@@ -11,14 +11,18 @@ namespace {
 
 // Limit of the search for an exact ridge. Two or three steps are usual.
 constexpr int kMaxCrestSteps = 12;
-constexpr double kRidge = 1e-9;  // step of φ, rad, that changes T by less than 1e-17
-constexpr double kMiss = 0.01;   // greatest error of the quadratic functions, per amplitude
-constexpr double kMargin = 0.1;  // greatest error of T between two nodes, per amplitude
-constexpr double kSteep = 0.5;   // ratio of the curvature of T by waves to its curvature on smooth
-                                 // flanks, above which T may have several maxima over the profile
-constexpr int kPerWave = 6;      // nodes over the height z, per wave
-constexpr int kLeastNodes = 7;   // least number of nodes over the height z
-constexpr double kBeyondPath = 0.2;  // range searched beyond each end, in lengths of the path
+constexpr double kRidge = 1e-9;  // rad; the last step of φ, which changes T by less than 1e-17
+// Greatest error of the quadratic functions, relative to the amplitude of the waves.
+constexpr double kMiss = 0.01;
+// Greatest error of T between two nodes, relative to the amplitude of the waves.
+constexpr double kMargin = 0.1;
+// If the curvature of T due to the waves exceeds this fraction of its curvature on smooth flanks, T
+// may have several maxima over the profile.
+constexpr double kSteep = 0.5;
+constexpr int kPerWave = 6;     // nodes over the height z, per wave
+constexpr int kLeastNodes = 7;  // least number of nodes over the height z
+// Examined range beyond each end of the path of contact, relative to the length of the path.
+constexpr double kBeyondPath = 0.2;
 
 double base_radius(const FlankPatch& f) {
   if (f.removal) return f.removal->base_radius();

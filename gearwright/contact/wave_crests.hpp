@@ -43,8 +43,8 @@ class WaveCrests {
   ///
   /// Accuracy  T is accurate to margin()
   std::vector<Crest> at(double phi, double least) const;
-  /// Margin of the estimated T, rad. A crest cannot be the highest if the estimated T of
-  /// another crest exceeds its own by more than this margin.
+  /// The accuracy of the estimated T, rad. A crest cannot be the highest if its estimated T is
+  /// lower than the estimated T of another crest by more than this margin.
   double margin() const { return margin_; }
   /// True if the patches never lie opposite each other.
   bool apart() const { return z_lo_ >= z_hi_; }
@@ -65,21 +65,20 @@ class WaveCrests {
   };
   struct Node {
     double te = 0.0, s = 0.0, z = 0.0;
-    double aside = 0.0;   // distance from the smooth ridge in s
-    double inside = 0.0;  // distance of the smooth ridge from the nearest end of D in s, > 0 inside
+    double aside = 0.0;   // distance in s from the smooth ridge
+    double inside = 0.0;  // distance in s from the smooth ridge to the nearest end of D; > 0 in D
     bool outside = true;  // true if D is empty here, or if T cannot reach `least`
   };
   using Ridges = std::array<std::array<Ridge, 3>, 3>;  // [y + 1][x + 1]
-  // The range of s on flank 1 that meets flank 2, and φ of its ridges as a linear function of s
-  // and z.
+  // The path of contact: its range of s on flank 1, and φ as a linear function of s and z.
   struct Path {
     double from = 0.0, to = 0.0;      // range of s
     double phi = 0.0;                 // in the middle of the range, at z_mid_
     double phi_s = 0.0, phi_z = 0.0;  // derivatives of φ
   };
   bool make(const ContactPair& pair);
-  // The path with an error of the centre distance only. If the patches never touch, there is no
-  // path, and apart() becomes true.
+  // The path of contact for an error of the centre distance only. If the patches never touch, there
+  // is no path, and apart() becomes true.
   std::optional<Path> nominal_path(const ContactPair& pair);
   void set_middle(const Path& path);
   // Moves the ends of the path to the exact ridges opposite the ends of flank 2. False if a ridge

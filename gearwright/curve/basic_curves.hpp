@@ -17,7 +17,7 @@ namespace gearwright {
 // A point of a plane curve in polar coordinates about the gear axis, with derivatives.
 //
 //   W(t)   point ρ e^{iθ}, mm          ℓ = log W = u + iθ,  u = ln ρ
-//   ℓ′, ℓ″ derivatives by the parameter t of the curve
+//   ℓ′, ℓ″ derivatives with respect to the parameter t of the curve
 //                                                         theory: docs/theory/08-contact.md, [T8.4]
 
 using Complex = std::complex<double>;
@@ -32,7 +32,7 @@ inline Complex times(const Complex& a, const Complex& b) {
 struct PolarJet {
   Complex factor;  ///< mm
   double phase;    ///< rad
-  Complex d1, d2;  ///< ℓ′, ℓ″ by t
+  Complex d1, d2;  ///< ℓ′ and ℓ″, the derivatives with respect to t
 
   /// The jet of the curve itself if side = 1, or of its mirror image about the x axis if side = −1.
   PolarJet on_side(double side) const {

@@ -35,10 +35,9 @@ struct ContactProblem {
 
 struct ContactSolution {
   enum class Stop {
-    /// No place was added to the loaded places or removed from them, and the last step was
-    /// small. A step is small if it is below 1e-11 of the greatest load, or below the rounding
-    /// error that is caused by cancelling terms. A rounding error of up to a thousandth of the
-    /// greatest load is accepted.
+    /// The set of loaded places did not change, and the last step was small. A step is small if it
+    /// is below 1e-11 of the greatest load, or below the rounding error that is caused by
+    /// cancelling terms. A rounding error of up to a thousandth of the greatest load is accepted.
     converged,
     indefinite,  ///< A is indefinite, because the slices are too fine for the contact width
     too_long     ///< the limit of steps was reached

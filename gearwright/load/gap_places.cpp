@@ -12,12 +12,12 @@ namespace {
 
 using End = FlankPatch::End;
 
-constexpr double kBorderRounding =
-    1e-15;  // rounding error of a place, relative to the length of the flank
-constexpr double kSameGap =
-    1e-13;  // rad: two patches with a smaller difference of T have the same gap
-constexpr double kFarFromMesh =
-    0.6;  // rad: points of flank 1 at a greater angle from the line of centres face no flank
+// Rounding error of a place, relative to the length of the flank.
+constexpr double kBorderRounding = 1e-15;
+// rad: two patches with a smaller difference of T have the same gap.
+constexpr double kSameGap = 1e-13;
+// rad: points of flank 1 at a greater angle from the line of centres face no flank.
+constexpr double kFarFromMesh = 0.6;
 
 double row_of(const FlankPatch& a, int i) {
   return a.s_lo + (a.s_hi - a.s_lo) * i / (GapSearch::kRows - 1);
@@ -42,9 +42,9 @@ double curvature(const GapJet& j) {
   return mean + std::sqrt(std::max(0.0, mean * mean - product));
 }
 
-// True if the gap at `a` is less than the gap at `b`. At the start of a relief, the two patches
-// that meet there have the same gap up to rounding. The edge between them is sharper than each
-// patch, so the place with the greater curvature is used.
+// True if the gap at `a` is less than the gap at `b`. At the start of a relief, two patches meet
+// and have the same gap up to rounding. The edge between the patches is sharper than each of them,
+// so the place with the greater curvature is used.
 bool nearer(const GapPlace& a, const GapPlace& b) {
   if (std::abs(a.te - b.te) > kSameGap) return a.te > b.te;
   return a.curvature > b.curvature;

@@ -15,31 +15,31 @@
 namespace gearwright {
 
 struct GapPlace {
-  double te = 0.0;                   ///< T  rad
-  double arm = 0.0;                  ///< mm
-  std::array<double, 2> radius{};    ///< mm, distance of the place from the axis of each gear
-  double curvature = 0.0;            ///< 1/R of the gap across the contact line, 1/mm
-  TouchKind kind = TouchKind::line;  ///< the edge on which the maximum of T in the slice lies;
-                                     ///< `line` if it lies on no edge
-  double s = 0.0;                    ///< parameter on the patch of flank 1
-  std::size_t patches = 0;           ///< index of the pair of patches
+  double te = 0.0;                 ///< T  rad
+  double arm = 0.0;                ///< mm
+  std::array<double, 2> radius{};  ///< mm, distance of the place from the axis of each gear
+  double curvature = 0.0;          ///< 1/R, 1/mm, curvature of the gap across the contact line
+  /// The edge on which the maximum of T in the slice lies; `line` if it lies on no edge.
+  TouchKind kind = TouchKind::line;
+  double s = 0.0;           ///< parameter on the patch of flank 1
+  std::size_t patches = 0;  ///< index of the pair of patches
 };
 
 struct PairPlaces {
-  int pair = 0;       ///< k in N
+  int pair = 0;       ///< k, number of the tooth pair in the frame N
   double turn = 0.0;  ///< φ1 − k·pitch  rad, rotation of this tooth pair; increases during the mesh
-  std::vector<std::optional<GapPlace>>
-      at;  ///< by slice; absent for a slice in which the flanks do not face each other
+  /// The place in each slice; absent for a slice in which the flanks do not face each other.
+  std::vector<std::optional<GapPlace>> at;
 };
 
-/// Finds the place of least gap for each tooth pair and slice.
 class GapSearch {
  public:
   static constexpr int kRows = 17;  ///< number of points on a profile at which the search starts
   /// `heights`, in mm, are the z coordinates of the slices on gear 1 in the frame N.
   GapSearch(const ContactPair& pair, std::vector<double> heights);
   const std::vector<double>& heights() const { return heights_; }
-  /// All tooth pairs whose flanks face each other in at least one slice, at a rotation in N.
+  /// All tooth pairs whose flanks face each other in at least one slice. `rotation` is a rotation
+  /// of gear 1 in the frame N.
   ///
   /// Accuracy  te is within 1e-13 rad of the greatest T over the profile. The part of flank 1 that
   ///           faces flank 2 is overlooked if it lies between two neighbouring rows
@@ -59,9 +59,8 @@ class GapSearch {
   struct Patches {
     GapField field;
     double least_square, most_square;  // mm², range of the squared radius on gear 2
-    std::array<double, kRows>
-        least_forward;  // mm, for each row: least coordinate along the line of centres at which
-                        // a point can face flank 2
+    // mm, for each row: least coordinate along the line of centres of a point that faces flank 2.
+    std::array<double, kRows> least_forward;
     std::vector<Rows> rows;
   };
 

@@ -54,7 +54,6 @@ struct LoadedScore {
 /// does not converge, or if the slices are too fine for the contact.
 std::vector<LoadedScore> loaded_scores(const LoadedContact& contact);
 
-/// The score if there is no result.
 LoadedScore no_score();
 /// The score in which each member is the worse of the two values in `a` and `b`. NaN is worse than
 /// any number.

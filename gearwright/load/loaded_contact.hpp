@@ -38,13 +38,14 @@ struct LoadedPoint {
 
 /// One tooth pair in contact at one position; for point contact, one contact point of the pair.
 struct LoadedPair {
-  int pair = 0;               ///< k in N
-  double share = 0.0;         ///< fraction of the total load
-  LoadedPoint point{};        ///< for point contact; the members below are for line contact
-  Eigen::VectorXd line_load;  ///< N/mm, force per length of the contact line, by slice from −z on
-  Eigen::VectorXd pressure;   ///< MPa, Hertz [T12.13]; 0 without contact
+  int pair = 0;         ///< k, number of the tooth pair in the frame N
+  double share = 0.0;   ///< fraction of the total load
+  LoadedPoint point{};  ///< for point contact; the members below are for line contact
+  /// N/mm, force per length of the contact line, for each slice in the order of ascending z.
+  Eigen::VectorXd line_load;
+  Eigen::VectorXd pressure;                   ///< MPa, Hertz [T12.13]; 0 without contact
   Eigen::VectorXd half_width;                 ///< mm
-  std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, by slice
+  std::vector<std::array<double, 2>> radius;  ///< mm, on both gears, for each slice
 };
 /// Values are NaN if no teeth touch or the forces do not converge.
 struct LoadedPosition {
@@ -56,17 +57,17 @@ struct LoadedPosition {
   double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, with M2/ΣF as r_b2
   /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
   double stiffness = kNoNumber;
-  std::vector<LoadedPair>
-      pairs{};  ///< loaded pairs or points, from the start to the end of contact
+  /// Loaded tooth pairs or contact points, from the start to the end of contact.
+  std::vector<LoadedPair> pairs{};
   double max_pressure = kNoNumber;  ///< MPa
-  double max_width_ratio =
-      kNoNumber;  ///< greatest half width of the contact divided by the radius R of the gap
-  TouchKind kind =
-      TouchKind::none;      ///< kind of contact at the greatest pressure; none without a result
+  /// Greatest half width of the contact, relative to the radius R of the gap.
+  double max_width_ratio = kNoNumber;
+  /// Kind of contact at the greatest pressure; none without a result.
+  TouchKind kind = TouchKind::none;
   bool unfinished = false;  ///< true if teeth touch but the forces do not converge
   bool edge_carries = false;
-  std::array<double, 2> root_stress{
-      kNoNumber, kNoNumber};  ///< MPa, greatest principal stress at the root of each gear
+  /// MPa, greatest principal stress at the root of each gear.
+  std::array<double, 2> root_stress{kNoNumber, kNoNumber};
   int iterations = 0;
 
   bool solved() const { return kind != TouchKind::none; }
@@ -88,20 +89,21 @@ struct LoadedTorque {
   Stiffness stiffness, without_twist, tangent;
   double max_pressure = kNoNumber;
   double max_share = 0.0;  ///< greatest load share of one tooth pair
-  /// K_Hα: `max_share` divided by the greatest share of the pair without errors [T12.19]
+  /// K_Hα: `max_share` divided by `max_share` of the same gears without errors [T12.19]
   double transverse_load_factor = 1.0;
   std::array<double, 2> max_root_stress{kNoNumber, kNoNumber};
   double face_load_factor = 1.0;  ///< K_Hβ: greatest value of `face_load` divided by its mean
   double max_width_ratio = 0.0;
   bool edge_carries = false;
   bool beyond_flank = false;  ///< true if an ellipse extends beyond an end of the flank
-  Eigen::VectorXd face_load;  ///< N/mm, mean over the positions, by slice from −z on
+  /// N/mm, mean line load over the positions, for each slice in the order of ascending z.
+  Eigen::VectorXd face_load;
   /// The deflection of the shafts under `face_load`, for line contact; none without shafts.
   std::optional<FaceDeflection> shafts{};
-  /// The greatest principal stress of each gear over the positions, MPa: a row per root point, a
-  /// column per slice from −z on; 0 without tension.
+  /// For each gear, the greatest principal stress over the positions, MPa; 0 without tension. There
+  /// is a row for each root point and a column for each slice, in the order of ascending z.
   std::array<Eigen::MatrixXd, 2> root_stress;
-  /// The least principal stress at the same points, MPa, 0 without compression. A fillet is
+  /// The least principal stress at the same points, MPa; 0 without compression. A fillet is
   /// compressed while neighbouring teeth carry load.
   std::array<Eigen::MatrixXd, 2> least_root_stress;
   /// The value of `least_root_stress` at the point with the greatest `root_stress`, MPa.
@@ -112,7 +114,7 @@ struct LoadedContact {
   LoadedContact() = default;  ///< an empty result; loaded_contact() computes the values
   std::vector<LoadedTorque> torques;
   LoadRegime regime = LoadRegime::line;
-  std::array<FaceSlices, 2> slices;    ///< mm, on each gear, from the middle of its face
+  std::array<FaceSlices, 2> slices;    ///< mm from the middle of the face of each gear
   std::array<double, 2> body_twist{};  ///< twist of each body, mm per N/mm at the base radius
   /// Points of each gear along the fillet in tension, starting at the root: mm in the section, with
   /// the centre line of the tooth as x axis and the loaded flank at y > 0.
@@ -156,8 +158,8 @@ class LoadedTurn {
   void solve_with(std::size_t from, std::size_t to);
 
   std::vector<Angle> rotations_;
-  std::vector<std::vector<double>>
-      perfect_share_;  // greatest share of a tooth pair, [torque][position]
+  // Greatest share of a tooth pair, [torque][position].
+  std::vector<std::vector<double>> perfect_share_;
   LoadedContact found_;
   std::atomic<bool> too_fine_{false};
   std::mutex root_;  // guards the greatest root stress

@@ -26,7 +26,7 @@ inline double plane_softness(const ElasticBody& b) {
 
 // A possible contact position, which is a row of the contact problem.
 struct Row {
-  int pair;  // index into pairs
+  int pair;  // index in Position::pairs
   int slice;
 };
 
@@ -34,7 +34,7 @@ struct Position {
   std::vector<PairPlaces> pairs;  // the pairs that may touch, from the start to the end of contact
   std::vector<Row> rows;
   ContactProblem problem;
-  double te = 0.0;  // TE at which the teeth first touch, with the deflections
+  double te = 0.0;  // TE at which the teeth first touch, including the deflections
   std::array<std::vector<LinePlaces>, 2> lines;  // [gear][pair]
 };
 // Stresses of each gear at the root points and slices, in frame N.
@@ -45,9 +45,8 @@ class PositionSolver {
   PositionSolver(const ContactPair& pair, const Gear& one, const Gear& two, const PairCompliance& c,
                  const LoadRequest& request);
 
-  /// Gaps and compliance at a rotation in N. Slices::all includes all slices of the tooth
-  /// pairs. This is necessary if the flanks are changed afterwards, because a change can close
-  /// the gap of any slice.
+  /// Gaps and compliance at a rotation in the frame N. Slices::all includes all slices of the tooth
+  /// pairs. This is necessary if the flanks change afterwards, because a change can close any gap.
   enum class Slices { that_may_touch, all };
   Position prepare(double rotation, Slices slices = Slices::that_may_touch);
   /// ∂te/∂e at the place of a slice, rad per unit of the influence.
@@ -62,7 +61,7 @@ class PositionSolver {
   double greatest_share(Position& at, double torque) const;
 
  private:
-  // The approach of the flanks at the height z in N due to the additional deflection, mm.
+  // The approach of the flanks by the additional deflection at the height z in the frame N, mm.
   double deflection(double z) const {
     const FaceSlices& s = compliance_.slices[0];
     const double x = pair_.turned() * (z - s.middle()) / (s.hi - s.lo);

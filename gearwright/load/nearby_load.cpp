@@ -59,7 +59,7 @@ std::optional<NearbyLoad::Loaded> NearbyLoad::loaded(std::size_t position, std::
   q.gap.array() -= (at.turn * e).array() * q.arm.array();
   const ContactSolution x = solve_contact(q, at.start[torque]);
   if (!x.found()) return std::nullopt;
-  // p_Hertz² by [T12.12] and [T12.13]
+  // The square of the greatest Hertz pressure, by [T12.12] and [T12.13].
   const double square =
       (x.line_load.array() / q.radius.array()).maxCoeff() * q.reduced_modulus / std::numbers::pi;
   Loaded found{at.te - x.approach, std::sqrt(square), {}};

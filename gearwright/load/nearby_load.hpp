@@ -66,7 +66,7 @@ class NearbyLoad {
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
-  // None without a solution.
+  // The result at one position under one torque; none if the forces have no solution.
   std::optional<Loaded> loaded(std::size_t position, std::size_t torque,
                                std::span<const double> change, bool slopes) const;
 

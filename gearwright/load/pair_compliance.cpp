@@ -19,10 +19,11 @@ constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints =
 // Least width of a slice in half widths of the contact, if kMostPairs tooth pairs share the load.
 constexpr double kHopelessWidths = 2.0;
 constexpr int kMostPairs = 3;
-constexpr double kFairWidth = 0.15;  // modules: least default width of a slice for internal pairs,
-                                     // if R is one module
+// The least default width of a slice for internal pairs is this number times √(R m), where R is the
+// relative radius of curvature of the flanks.
+constexpr double kFairWidth = 0.15;
 constexpr int kSlices = 32;
-constexpr int kTableSteps = 80;  // approximate count of waves, section parts and positions
+constexpr int kTableSteps = 80;  // approximate number of steps of progress for a table
 // True if tooth and face of both gears are equal to the last bit, so that one table serves both.
 bool same_tooth(const Gear& a, const Gear& b) {
   constexpr int kPoints = 9;
@@ -46,10 +47,10 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
   return std::min(gears[0]->spec.face_width, gears[1]->spec.face_width);
 }
 
-// The slices of the part of the face that may be loaded, in N, mm from the middle of the gear's
-// face. For line contact, this part is the narrower of the two faces, because it lies within
-// the wider face. For point contact, it is the part that the reach allows, or the nearest part of
-// the same width on the face.
+// The slices of the part of the face that may be loaded, in the frame N, in mm from the middle of
+// the gear's face. For line contact, this part is the narrower of the two faces, because it lies
+// within the wider face. For point contact, it is the part that the reach allows, or the nearest
+// part of the same width on the face.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime, request.reach);
@@ -97,10 +98,10 @@ Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, c
       slices_of({&gear_1, &gear_2}, static_cast<std::size_t>(which - 1), request);
   const double sin_b =
       std::sin(gear_1.spec.helix_angle.rad()) * std::cos(gear_1.spec.normal_pressure_angle.rad());
-  // The loaded flank of the section lies at y > 0. For an external pair, the right flanks touch in
-  // N, so the section is mirrored. For an internal pair, N itself is a mirror image. In N, the
-  // pinion of an internal pair touches with the left flank, as in the section. The internal gear
-  // touches with the right flank, so its section is mirrored back.
+  // In the section, the loaded flank is the left flank, at y > 0. In the frame N, the right flanks
+  // of an external pair touch, so the section is mirrored. For an internal pair, the frame N itself
+  // is a mirror image, in which the pinion touches with its left flank, as in the section. The
+  // internal gear touches with its right flank, so its section is mirrored.
   const double twist = -gear.side() * gear.twist();
   const auto section = make_tooth_section(gear, twist, request.bodies[which - 1], request.accuracy,
                                           std::nullopt, request.progress);

@@ -28,7 +28,7 @@ struct LoadRequest {
   std::vector<Angle> rotations{};  ///< rotations of gear 1, used instead of `positions`
   /// Numbers of slices of the loaded part of each face; equal for line contact; see fair_slices().
   std::array<int, 2> slices{32, 32};
-  /// Greatest |z| in N at which the teeth are loaded, mm, for point contact only; see
+  /// Greatest |z| in the frame N at which the teeth are loaded, mm, for point contact only; see
   /// crossed_reach().
   double reach = kInfinity;
   LoadRegime regime = LoadRegime::line;
@@ -66,14 +66,15 @@ struct LoadRequest {
 /// N/mm per mm of module. With slices of this width, all six tested pairs, with tooth numbers
 /// from 14:30 to 40:52, had a solution up to 400 MPa at the roots.
 ///
-/// For point contact, the root stress depends on the width of the slices. Crossed gears with 17 and
-/// 31 teeth at 90° have 2 % less at 0.6 modules than at 0.2, and 10 % less at 1.25 modules.
+/// For point contact, the root stress depends on the width of the slices. For crossed gears with 17
+/// and 31 teeth at 90°, it is 2 % lower with slices of 0.6 modules than with slices of 0.2 modules,
+/// and 10 % lower with slices of 1.25 modules.
 std::array<int, 2> fair_slices(const Gear& gear_1, const Gear& gear_2, LoadRegime regime,
                                double reach = kInfinity);
 
-/// The value of LoadRequest::reach for crossed axes: the length of the path of contact beyond the
-/// pitch point, which is at most h_a/sin α_n, and 2 modules for the ellipses and errors; at least
-/// half of the width of 32 slices.
+/// The value of LoadRequest::reach for crossed axes. It is the sum of the length of the path of
+/// contact beyond the pitch point, which is at most h_a/sin α_n, and of 2 modules for the ellipses
+/// and errors. It is at least half of the width of 32 slices.
 double crossed_reach(const Gear& gear_1, const Gear& gear_2);
 
 inline constexpr int kLeastSlices = 4;  ///< least number of slices of a face
@@ -93,10 +94,9 @@ NarrowestSlices narrowest_slices(const Gear& gear_1, const Gear& gear_2,
 /// accuracy. None had a solution at a width of 0.16 modules (spur teeth) or 0.2 modules (helical
 /// teeth). For point contact, the compliance of a place would be negative.
 ///
-/// For line contact, slices narrower than twice the half width of the contact, computed as if three
-/// tooth pairs shared the greatest torque, are also too narrow. Spur pairs of steel with 20:40 and
-/// 60:90 teeth had no solution at less than 2.2 times the greatest half width. The check needs no
-/// tooth table.
+/// For line contact, there is a second limit: twice the half width of the contact if three tooth
+/// pairs share the greatest torque. Spur pairs of steel with 20:40 and 60:90 teeth had no solution
+/// at less than 2.2 times the greatest half width. The check needs no tooth table.
 bool surely_too_fine(const Gear& gear_1, const Gear& gear_2, const LoadRequest& request);
 
 /// The compliance of both gears. The tables depend only on the outlines, faces and materials.

@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kThinnest =
-    1e-9;  // least b/a; it corresponds to k1/k2 = 1e-17, practically a line contact
+// Least b/a. It corresponds to k1/k2 = 1e-17, which is practically a line contact.
+constexpr double kThinnest = 1e-9;
 // K and D = (K − E)/e² for κ = b/a by Carlson's integrals, accurate for thin and round ellipses.
 double elliptic_k(double axes) { return boost::math::ellint_rf(0.0, axes * axes, 1.0); }
 double elliptic_d(double axes) { return boost::math::ellint_rd(0.0, axes * axes, 1.0) / 3.0; }

@@ -21,15 +21,15 @@ using Eigen::VectorXd;
 constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
 constexpr double kStill = 1e-11;  // greatest last relative change of forces and approach
 constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
-constexpr double kLeastPart = 0.1,
-                 kMostPart = 5.0;  // limits of the step length afterwards; 1 is a full step
-constexpr int kHalvings = 40;      // halvings of the interval in which the end of the flank lies
-constexpr double kNoLength =
-    1e-3;  // relative to the semi-major axis: a footprint with a smaller half length has one node
-constexpr double kIdle =
-    1e-6;  // least force for which a footprint is computed, relative to the whole force
-constexpr double kStraightest =
-    0.25;  // least curvature of the gap of the bent bodies, relative to k1
+// Limits of the step length after kWhole iterations, relative to a full step.
+constexpr double kLeastPart = 0.1, kMostPart = 5.0;
+constexpr int kHalvings = 40;  // halvings of the interval in which the end of the flank lies
+// A footprint has one node if its half length is smaller, relative to the semi-major axis.
+constexpr double kNoLength = 1e-3;
+// Least force for which a footprint is computed, relative to the whole force.
+constexpr double kIdle = 1e-6;
+// Least curvature of the gap of the bent bodies, relative to k1.
+constexpr double kStraightest = 0.25;
 
 using Nodes = boost::math::quadrature::gauss<double, 9>;
 

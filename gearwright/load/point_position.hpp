@@ -18,15 +18,15 @@ namespace gearwright::detail {
 
 // A place at which the gap of a tooth pair has a local minimum, with the curvatures of the gap.
 struct PointPlace {
-  int pair;    // k in N
+  int pair;    // k, number of the tooth pair in the frame N
   double te;   // T  rad
   double arm;  // normal gap per gap angle, mm/rad
   TouchKind kind;
   std::array<double, 2> curvature;  // k1 ≤ k2  1/mm
   PairTouch touch;
   Eigen::Vector2d along;  // (ds, dz) on flank 1 per mm along the major axis
-  // For each gear and each axis of the ellipse (major, minor): the step along the face and the step
-  // in radius per mm along this axis.
+  // For each gear and each axis of the ellipse (major, minor): the steps along the face and in
+  // radius, both per mm along this axis.
   std::array<std::array<Eigen::Vector2d, 2>, 2> axis;
 };
 
@@ -34,7 +34,7 @@ struct PointPlace {
 // conform more closely than without load, and the point of least gap moves slightly. [T12.25]
 struct Ellipse {
   double middle = 0.0;     // mm, place of the middle on the major axis
-  double curvature = 0.0;  // 1/mm, k1 + c2
+  double curvature = 0.0;  // 1/mm, k1 + c2; c2 is due to the bending
   double relief = 0.0;     // mm, change of the gap g_i due to the bending
 };
 // A place on the major axis of an ellipse, on both gears.
@@ -46,10 +46,10 @@ struct AxisPlace {
 struct Laid {
   LoadedPoint point;
   double softness = 0.0;         // c of [T12.24]  mm/N^(2/3)
-  std::vector<double> x, share;  // per node: mm from the touch; load share, sum 1
-  std::array<std::vector<Eigen::MatrixXd>, 2>
-      node;                             // per gear and node: a unit force at the node, on the grid
-  std::array<Eigen::MatrixXd, 2> grid;  // per gear: sum of `node`, weighted by `share`
+  std::vector<double> x, share;  // for each node: mm from the touch; load share, with the sum 1
+  // For each gear and node, a unit force at the node, distributed over the grid of the table.
+  std::array<std::vector<Eigen::MatrixXd>, 2> node;
+  std::array<Eigen::MatrixXd, 2> grid;  // for each gear, the sum of `node`, weighted by `share`
 };
 struct PointPosition {
   std::vector<PointPlace> places;  // places that may touch, from the start to the end of contact

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostRounds = 100;
 constexpr int kHalvings = 40;  // greatest number of halvings of a step
-// Greatest last residual, relative to the scale of the gaps and to the moment.
+// The iteration ends at this residual, relative to the scale of the gaps and to the moment.
 constexpr double kStillPoints = 1e-13;
 // The unknowns are δ of every point and, as the last element, Θ.
 class Sharing {

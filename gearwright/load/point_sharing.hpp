@@ -16,10 +16,10 @@ namespace gearwright {
 
 /// Lengths in mm, forces in N.
 struct PointProblem {
-  Eigen::MatrixXd
-      yield;            ///< G  mm/N, symmetric, compliance of the bodies without the Hertz contact
-  Eigen::VectorXd gap;  ///< g  mm
-  Eigen::VectorXd arm;  ///< mm
+  /// G  mm/N, symmetric: compliance of the bodies without the Hertz contact.
+  Eigen::MatrixXd yield;
+  Eigen::VectorXd gap;       ///< g  mm
+  Eigen::VectorXd arm;       ///< mm
   Eigen::VectorXd softness;  ///< c  mm/N^(2/3)
   double moment = 0.0;       ///< M2  N mm
 };

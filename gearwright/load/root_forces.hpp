@@ -12,13 +12,13 @@ namespace gearwright::detail {
 
 /// The forces on one tooth of a gear, on the grid of its table, N.
 struct ToothForces {
-  int pair;  ///< k in N
+  int pair;  ///< k, number of the tooth pair in the frame N
   Eigen::MatrixXd force;
 };
 
-/// The index of the tooth of pair `a` in the section, counted from the tooth of pair `b`. The
-/// section is the mirror image of N. In the section, a tooth of gear 1 therefore lies clockwise of
-/// the teeth that come into contact before it.
+/// The index of the tooth of pair `a` in the section, counted counter-clockwise from the tooth of
+/// pair `b`. The section is the mirror image of the frame N. A tooth of gear 1 therefore lies
+/// clockwise of the teeth that come into contact before it in the section, and has a lower index.
 inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
 
 /// Extreme stresses along the fillets over several positions, MPa: a row per root point, a column

@@ -35,8 +35,8 @@ ShaftYield::ShaftYield(const ContactPair& pair, const Gear& one, const Gear& two
   const double cos_w = (two.base_radius() + two.side() * one.base_radius()) /
                        (place.center_distance + place.errors.center_distance);
   const double tan_w = std::sqrt(std::max(0.0, 1 / (cos_w * cos_w) - 1));
-  // Gear 1 turns clockwise seen from +z, so it pushes gear 2 towards −y if it drives. The teeth of
-  // gear 2 have the opposite hand at the mesh.
+  // `sign` is s_i of gear 1. Gear 1 turns clockwise seen from +z, so it pushes gear 2 towards −y if
+  // it drives. The teeth of gear 2 have the opposite hand at the mesh, so its s_i is −sign.
   const double sign = (pair.gear2_drives() ? 1.0 : -1.0) * (signed_sin < 0.0 ? -1.0 : 1.0);
   std::array<std::vector<double>, 2> rho;
   for (std::size_t g = 0; g < 2; ++g) {

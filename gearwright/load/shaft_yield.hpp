@@ -43,7 +43,8 @@ class ShaftYield {
              const PairCompliance& compliance, const LoadRequest& request);
 
   struct Place {
-    int slice;                     ///< index in the order of the frame N
+    /// Index of the slice, in the order of ascending z in the frame N.
+    int slice;
     std::array<double, 2> radius;  ///< mm, on each gear
   };
   bool any() const { return shafts_[0].influence || shafts_[1].influence; }
@@ -51,13 +52,14 @@ class ShaftYield {
   ///
   /// Formula   [T12.35]
   Eigen::MatrixXd between(const std::vector<Place>& places) const;
-  /// S for a contact at the pitch point in every slice. The slices are in the order of z in the
-  /// housing frame, from −z on.
+  /// S for a contact at the pitch point in every slice. The slices are in the order of ascending z
+  /// in the housing frame.
   const Eigen::MatrixXd& at_pitch_point() const { return at_pitch_point_; }
   /// The mean of S at the pitch point, mm/N, which is the displacement of the axes. It is excluded
   /// from the approach, the transmission error and the stiffness of the mesh.
   double of_axes() const { return any() ? at_pitch_point_.mean() : 0.0; }
-  /// Slope and bow of the approach of the flanks under a line load, N/mm for each slice from −z on.
+  /// Slope and bow of the approach of the flanks. `line_load`, N/mm, has a value for each slice, in
+  /// the order of ascending z in the housing.
   FaceDeflection under(const Eigen::VectorXd& line_load) const;
 
  private:
@@ -70,7 +72,7 @@ class ShaftYield {
 
   std::array<OfGear, 2> shafts_;
   double sin_b_ = 0.0, cos_b_ = 1.0;
-  bool reversed_;  // true if the slices of N are in the order from +z on
+  bool reversed_;  // true if ascending z in the frame N is descending z in the housing
   FaceSlices slices_;
   Eigen::MatrixXd at_pitch_point_;
 };

@@ -20,18 +20,18 @@ using detail::PositionSolver;
 constexpr int kHeights = 8;      // points along the face at which a tip is examined
 constexpr int kMostTurns = 30;   // limit of iterations, each of which at least halves the error
 constexpr double kClose = 5e-6;  // mm: tolerance of a relief; reliefs are made in whole µm
-constexpr double kGreatest =
-    1.0 / 40;  // modules: greatest relief tried; less than kFarGap, because places with a wider
-               // gap are not included in the contact problem
+// Modules: greatest relief tried. It is less than kFarGap, because places with a wider gap are not
+// included in the contact problem.
+constexpr double kGreatest = 1.0 / 40;
 
-// The law ρ_1 = a + r_b1 φ + c z for a contact of pair 0 at the height z and the rotation φ in N.
+// The equation ρ_1 = a + r_b1 φ + c z of a contact of pair 0. z and φ are in the frame N.
 struct PathPlace {
   double a = 0.0, c = 0.0, base_radius = 0.0;
 
   double rotation(double rho1, double z) const { return (rho1 - a - c * z) / base_radius; }
 };
 
-// Fits a and c to the places of least gap by least squares. The law is exact for involutes.
+// Fits a and c to the places of least gap by least squares. The equation is exact for involutes.
 PathPlace path_place(const Position& at, const FaceSlices& slices, double base_radius) {
   double n = 0.0;
   double z1 = 0.0;
@@ -161,8 +161,8 @@ Result<UnloadedTips> unloaded_tips(const ContactSetup& setup, const TipPath& pat
       distance[i] = distance_at(solver, tips[i], moment);
     });
     std::array<std::optional<double>, 2> least{kInfinity, kInfinity};
-    // If a place has no solution, the least distance of its gear is unknown. No distance is less
-    // than an unknown distance.
+    // If the forces at a place do not converge, the least distance of its gear stays unknown,
+    // because an empty std::optional is less than every number.
     for (std::size_t i = 0; i < tips.size(); ++i) {
       auto& known = least[tips[i].gear];
       if (distance[i] < known) known = distance[i];

@@ -64,7 +64,6 @@ Root find_root(const std::function<double(double)>& f, double lo, double hi) {
   auto [a, b] = boost::math::tools::toms748_solve(look, lo, hi, f_lo, f_hi, nearly_closed, budget);
   double f_a = known(a);
   double f_b = known(b);
-  // The remaining bracket is bisected.
   while (!closed(a, b) && f_a != 0.0 && f_b != 0.0) {
     const double middle = a + (b - a) / 2;
     if (middle == a || middle == b) break;

@@ -1,9 +1,8 @@
 // Computes a root of a function of one variable within a bracket, by TOMS 748 (Alefeld, Potra, Shi
-// 1995) of Boost.Math or by Newton's iteration. Also computes all real roots of a polynomial on an
-// interval, and the limit of what is possible.
+// 1995) of Boost.Math or by Newton's iteration. Because of the bracket, these solvers cannot
+// diverge. They return x, the residual, the number of evaluations and the reason for stopping.
 //
-// A solver with a bracket returns the final x, the residual, the number of evaluations and the
-// reason for stopping. Because of the bracket, the solver cannot diverge.
+// The file also contains a search for the limit of a condition, and the roots of a polynomial.
 #pragma once
 
 #include <cmath>
@@ -34,21 +33,17 @@ struct Root {
 /// Root of f in [lo, hi].   Domain: lo ≤ hi (contract)
 Root find_root(const std::function<double(double)>& f, double lo, double hi);
 
-/// The value between `known` and `wanted` that is nearest to `wanted` and for which `possible`
-/// returns true, found by halving. `possible` is true at `known`, false at `wanted`, and changes
-/// only once in between.
+/// Finds, by halving, the value nearest to `wanted` for which `possible` returns true. `possible`
+/// is true at `known` and false at `wanted`, and changes only once between them.
 template <class Possible>
 double nearest_possible(double known, double wanted, const Possible& possible) {
-  constexpr int kHalvings = 50;  // reduce any range to rounding
+  constexpr int kHalvings = 50;  // reduce any range to the rounding error
   for (int step = 0; step < kHalvings; ++step) {
     const double middle = (known + wanted) / 2;
     (possible(middle) ? known : wanted) = middle;
   }
   return known;
 }
-
-// All real roots of a polynomial on an interval. They are separated by the roots of the derivative
-// of the polynomial.
 
 /// Σ c_i x^i.
 double evaluate_polynomial(std::span<const double> c, double x);

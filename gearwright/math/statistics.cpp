@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-// Boost's sums for SSE2 have another order than its sums for other processors.
+// With SSE2, Boost adds up terms in another order than without. Results must not depend on the
+// processor, so Boost is compiled as if SSE2 were missing.
 #pragma push_macro("__SSE2__")
 #undef __SSE2__
 #include <boost/math/special_functions/beta.hpp>

@@ -58,10 +58,9 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
   return moved;
 }
 
-// The range of correlation c in which R is positive definite if all other correlations stay the
-// same; none if there is no such range. The rows of the two inputs are moved to the end of R. The
-// correlation c then affects only the last row of L, and the last pivot is positive within the
-// range.
+// The range of c in which R is positive definite if all other correlations stay the same; none if
+// there is no such range. The rows of the two inputs are moved to the end of R, so that c affects
+// only the last row of L. The last pivot is positive within the range.
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();

@@ -4,8 +4,8 @@
 //   R    correlations of the scores, R = L Lᵀ, L lower triangular
 //   u = Φ(L Φ⁻¹(u′))                theory: docs/theory/14-scatter.md, [T14.30], [T14.32]
 //
-// The two scores of a bore are the coordinates of a point with the normal distribution of the
-// plane, so the position of the bore stays uniform in its circle.
+// The two scores of a bore are the coordinates of a point with the two-dimensional normal
+// distribution, so the position of the bore stays uniform in its circle.
 //
 // The copula does not change the distribution of any input. For an input without a correlation, u
 // and u′ are equal bit for bit.
@@ -23,8 +23,8 @@ namespace gearwright {
 /// The correlation of the scores of two coordinates of x.
 struct ToleranceCorrelation {
   std::size_t first, second;  ///< indices of the coordinates
-  double value;               ///< −1 to 1, excluded; the Pearson correlation of the scores
-  std::size_t entry;          ///< N, number of the entry of the user, for errors
+  double value;               ///< Pearson correlation of the scores, between −1 and 1
+  std::size_t entry;          ///< N in the names of errors, for example `correlations[N].value`
 };
 
 /// Checks that inputs with these correlations exist.
@@ -64,7 +64,7 @@ class Copula {
   double score(std::span<const double> u, std::size_t coordinate) const;
 
   std::vector<Row> rows_;
-  // For each coordinate of a bore, the first coordinate of this bore.
+  // For each coordinate of a bore, the first coordinate of this bore; none for other coordinates.
   std::vector<std::optional<std::size_t>> disc_;
 };
 

@@ -76,7 +76,7 @@ bool changed(const RemovalField& member, const RemovalField& drawn) {
 
 // The differences of a member from the nominal pair.
 struct LinearFamily::Member {
-  std::array<double, 6> error;                   // minus nominal error, in the order of kErrorKinds
+  std::array<double, 6> error;                   // member minus nominal; order of kErrorKinds
   std::array<const RemovalField*, 2> removal{};  // field of each gear; null if it is nominal
 };
 

@@ -37,7 +37,7 @@ class LinearFamily {
 
  private:
   struct Place {
-    double te;                           // T_i of the nominal pair, rad in N
+    double te;                           // T_i of the nominal pair in the frame N, rad
     std::array<double, 6> by_error;      // ∂T_i/∂e, in the order of kErrorKinds
     std::array<RemovalTurn, 2> removal;  // ∂T_i/∂C of each gear
     std::array<double, 2> drawn;         // mm removed from each gear of the nominal pair

@@ -30,8 +30,8 @@ struct Probe {
   FamilyMember member{};
 };
 
-// The members for one coordinate give its derivatives. For a tolerance without derivatives, they
-// show whether the tolerance changes a quantity.
+// The members at which one coordinate differs from 0. They give the derivatives with respect to
+// this coordinate. For a tolerance without derivatives, they show whether it changes a quantity.
 struct Probes {
   std::size_t coordinate;
   double half_width = 0.0;  // w_i; 0 for a tolerance without derivatives

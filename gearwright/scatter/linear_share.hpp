@@ -16,11 +16,10 @@
 
 namespace gearwright {
 
-/// The gradient g of each quantity, in the unit of the quantity per user's unit of x. A
-/// quantity that has no value or no derivative at the nominal pair has no gradient. The members
-/// are not continuous in the coordinates of waves and pitches at x = 0. A quantity that varies
-/// with these coordinates therefore has no gradient. For all other quantities, the derivatives
-/// by these coordinates are 0.
+/// The gradient g of each quantity, in the unit of the quantity per user's unit of x. A quantity
+/// without a value or a derivative at the nominal pair has no gradient. At x = 0, the members are
+/// not continuous in the coordinates of waves and pitches, so a quantity that varies with these has
+/// no gradient. For all other quantities, the derivatives with respect to these coordinates are 0.
 ///
 /// `deviation` contains the standard deviation of each quantity. A kink of a quantity at x = 0
 /// is ignored if it explains at most 0.5 % of the variance.

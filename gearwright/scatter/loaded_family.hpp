@@ -16,13 +16,12 @@
 
 namespace gearwright {
 
-/// A pair of flanks under load, with its request.
 struct LoadedSide {
   std::shared_ptr<const ContactPair> pair;
   LoadRequest request;
 };
 /// The pair of a member with these errors. For a double-helical pair, the half at z > 0 and the
-/// mirror image of the other half, which is omitted if both are equal.
+/// mirror image of the other half are returned. If both are equal, the mirror image is omitted.
 std::vector<LoadedSide> loaded_sides(const ContactSetup& setup, const ContactErrors& errors,
                                      const MemberRequest& member, const LoadedFamily& load);
 
@@ -35,8 +34,7 @@ std::vector<std::vector<LoadedScore>> scores_under_load(const ContactSetup& setu
                                                         const LoadedFamily& load,
                                                         const std::vector<std::vector<double>>& x);
 
-/// The peak-to-peak TE of each member under the worst of the torques, rad; none for a member
-/// without scores.
+/// The peak-to-peak TE of each member under the worst torque, rad; none without scores.
 SampleValues loaded_peaks(const std::vector<std::vector<LoadedScore>>& scores);
 
 /// Statistics of `scores`, which are stored replicate by replicate. Percentile::sample is an index

@@ -13,8 +13,8 @@ namespace gearwright {
 /// its coordinates x are multiplied by s in the samples of the first replicate.
 ///
 /// Accuracy  Change::factor is at most 1 % below the smallest s for which P(s) exceeds the limit.
-///           This s is searched on a grid and refined by halving. With other samples, it would
-///           change by the sampling error of the percentile
+///           This s is searched on a grid and refined by halving. Because P(s) is computed from
+///           samples, s has a sampling error
 Loosening loosening_of(const ContactSetup& setup, const ScatterTask& task);
 
 }  // namespace gearwright

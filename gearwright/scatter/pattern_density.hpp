@@ -34,7 +34,7 @@ struct FlankDensity {
   std::vector<double> diameter;     ///< mm, diameters of the rows, ascending
   std::vector<double> height;       ///< mm, z of the columns in the gear's own frame, ascending
   std::vector<std::int64_t> count;  ///< samples that cover the place, [row · columns + column]
-  double side = 1.0;                ///< σ of the gear
+  double side = 1.0;                ///< σ, 1 for an external and −1 for an internal gear
 
   double share(std::size_t at, std::int64_t of) const {
     return static_cast<double>(count[at]) / static_cast<double>(of);
@@ -50,7 +50,7 @@ struct PatternDensity {
 /// The density over the first samples of each replicate of a family. Pitch deviations and
 /// thicknesses have no effect on the density.
 ///
-/// Accuracy  each sample as contact_pattern(); a share has the sampling error of a fraction
+/// Accuracy  each sample as contact_pattern(); a share has a sampling error
 /// Laws      (1) without deviations, the share of a place is 1 if the pattern of the pair covers
 ///           the place, and otherwise 0   (2) a greater δ does not lower any share
 ///           (3) the result does not depend on the number of threads

@@ -60,9 +60,8 @@ bool is_covered(const Deviation& d) {
   });
 }
 
-// Returns an upper bound of 2 · ½Λ|x|², rad, for all members of the family. This is the
-// second-order term of both flanks together. Returns none if the flanks can touch near a base
-// circle.
+// Returns an upper bound of 2 · ½Λ|x|², rad, the second-order term of both flanks together, for all
+// members of the family. Returns none if the flanks can touch near a base circle.
 std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const std::array<const Gear*, 2> gears = setup.gears();
   std::array<double, 2> r_b{};
@@ -90,8 +89,8 @@ std::optional<double> second_order(const ContactSetup& setup, const Extent& e) {
   const double lever = r_b[1] * std::cos(gears[1]->reference().base_helix_angle);
   double sum = across * across / (2 * rho * r_b[1]) + turn * turn * R / (2 * lever) +
                (e.twist[0].half() * r_b[0] / r_b[1] + e.twist[1].half()) * along;
-  // The slope of a field of amount 1 is at most 4/L, and its second derivative is at most 8/L²,
-  // where L is the length over which the field extends.
+  // A field of removed material with the amount 1 has a slope of at most 4/L and a second
+  // derivative of at most 8/L², where L is the length over which the field extends.
   for (std::size_t g = 0; g < 2; ++g) {
     const FlankExtent flank = flank_extent(*gears[g]);
     const double L =

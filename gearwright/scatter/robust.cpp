@@ -67,7 +67,7 @@ class RigidFamily final : public CorrectedFamily {
   const RobustTask& robust_;
   std::vector<std::vector<double>> places_;
   std::vector<std::size_t> exact_;     // corrections with exact slopes, in ascending order
-  std::vector<Influence> influences_;  // of these corrections
+  std::vector<Influence> influences_;  // influences of the corrections in exact_
 };
 
 std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTask& task,

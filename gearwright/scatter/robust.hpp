@@ -30,8 +30,8 @@ struct RobustTask {
 struct JudgedFamily {
   std::vector<std::vector<double>> x;  ///< points x of the samples, in the users' units
   Spread peak_to_peak;                 ///< of f; the only percentile is the minimised percentile
-  Probability edge;                    ///< probability that an edge touches or, under load, carries
-                                       ///< load
+  /// Probability that an edge touches or, under load, carries load.
+  Probability edge;
   Probability lost;                    ///< probability that a sample has no f
   std::vector<LoadedSpread> loaded{};  ///< one for each torque; empty for rigid teeth
 

@@ -101,7 +101,7 @@ class LoadedTrials final : public CorrectedFamily {
   const LoadedFamily& load_;
   std::vector<std::vector<double>> places_;
   std::vector<double> center_;
-  std::vector<std::vector<NearbyLoad>> near_;  // one for each sample; two for its two halves
+  std::vector<std::vector<NearbyLoad>> near_;  // one per sample, or one per half of each sample
 };
 
 class LoadSearch {

@@ -1,6 +1,5 @@
-// Finds the corrections with the lowest percentile of a quantity over a family. The steps are a
-// search of the box, descents of the mean of the worst samples, and a final local search for the
-// percentile.
+// Finds the corrections with the lowest percentile of a quantity over a family, by a search of the
+// box, descents of the mean of the worst samples, and a local search for the percentile.
 //
 //   v     corrections                       f_k   the quantity of sample k, with the corrections v
 //   p     the percentile, as a fraction     CVaR  mean of the worst 1 − p of all f_k

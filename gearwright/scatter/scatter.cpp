@@ -79,8 +79,7 @@ Probability share_of(const std::vector<ScatterSample>& samples, double confidenc
                         static_cast<std::int64_t>(samples.size()), confidence);
 }
 
-// One quantity of `count` samples, the first of which is `from`; none for samples that lose
-// contact.
+// One quantity of the `count` samples from `from` on; none for samples that lose contact.
 SampleValues kept(const std::vector<ScatterSample>& samples, std::size_t quantity, std::size_t from,
                   std::size_t count) {
   SampleValues values(count);

@@ -1,7 +1,7 @@
 // Computes the effect of tolerances on a pair: the distribution of each quantity of the contact,
 // probabilities, the influence of each tolerance, and the worst member within the tolerances.
 //
-//   n, R   samples of a replicate, replicates        d   coordinates of x
+//   n, R   samples of a replicate, replicates        d   number of coordinates of x
 //                                    theory: docs/theory/14-scatter.md
 //
 // Every member of the family is computed independently of the others, and statistics are computed
@@ -34,13 +34,13 @@ struct ToleranceGroup {
 /// Contact under torque, computed for the first samples of each replicate.
 struct LoadedFamily {
   PairCompliance compliance;
-  LoadRequest request;  ///< the root stresses are not used; without rotations
+  LoadRequest request;  ///< without rotations; the root stresses are not used
   int samples = 32;     ///< per replicate, a power of two, at most ScatterTask::samples
   /// For a double-helical pair, `request` is the request of the half at z > 0, with half of the
-  /// torques, and this is the request of the mirror image of the other half.
+  /// torques, and `second_half` is the request of the mirror image of the other half.
   std::optional<LoadRequest> second_half{};
 
-  /// N mm, on gear 1
+  /// The torque on gear 1 of the whole pair, N mm.
   double torque(std::size_t k) const { return (second_half ? 2 : 1) * request.torques[k]; }
 };
 
@@ -67,7 +67,6 @@ struct ScatterTask {
   Progress* progress = nullptr;
 };
 
-/// A point x with its member.
 struct ScatterSample {
   std::vector<double> x;  ///< coordinates in the users' units of the tolerances
   FamilyMember member;
@@ -100,7 +99,8 @@ struct LoadedSpread {
       max_pressure,                    ///< MPa
       face_load_factor;                ///< K_Hβ; none for point contact
   Probability edge_carries{};
-  Probability unsolved{};  ///< no teeth touch, or forces do not converge, at a position
+  /// Probability that, at some position, no teeth touch or the forces do not converge.
+  Probability unsolved{};
 };
 
 /// The first-order and total Sobol indices of each group.
@@ -116,8 +116,7 @@ struct WorstMember {
   double value;           ///< peak to peak or least play of this member, rad
   std::vector<double> x;  ///< coordinates of this member, in the users' units
   bool corner;            ///< true if every coordinate is at an end of its range
-  /// The result of least_play_bound(), rad: no member has a smaller least play. None for the peak
-  /// to peak.
+  /// The result of least_play_bound(), rad: no member has less play. None for the peak to peak.
   std::optional<double> bound;
 };
 

@@ -118,10 +118,10 @@ struct Deviation {
 Deviation deviation_at(const ContactSetup& setup, std::span<const ScatterTolerance> tolerances,
                        std::span<const double> x);
 
-/// The number of coordinates of all tolerances.
 int coordinates_of(std::span<const ScatterTolerance> tolerances);
 /// The names of the coordinates for the user. A single coordinate has the name of its tolerance,
-/// and others have an ending: "errors.crossing_deg", "bearings.bore_a.x_mm".
+/// for example "errors.crossing_deg". Several coordinates have endings, for example
+/// "bearings.bore_a.x_mm".
 std::vector<std::string> coordinate_names(std::span<const ScatterTolerance> tolerances);
 
 /// Checks that the teeth and their modifications exist at both ends of each tolerance.

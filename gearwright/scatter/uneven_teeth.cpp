@@ -183,7 +183,7 @@ double long_period_span(Transmission& transmission, const std::vector<PairTouch>
   const int hi = curve.greatest();
   const int from = static_cast<int>(std::floor(static_cast<double>(lo) / n));
   const int to = static_cast<int>(std::floor(static_cast<double>(hi) / n));
-  // The offset of the tooth pair k pitches before pitch p is element p − k + to.
+  // Element p − k + to is the offset of T of the tooth pair k pitches before pitch p.
   std::vector<double> offset;
   for (long p = -to; p < period - from; ++p)
     offset.push_back(ahead((p % period + period) % period));

@@ -61,7 +61,7 @@ class Box {
     count_step(task_.progress);
     return found ? value(*found) : -std::numeric_limits<double>::infinity();
   }
-  // The quantity of a badness, and the badness of a quantity.
+  // Converts a badness to the quantity, or the quantity to its badness.
   double value(double badness) const {
     return quantity_ == ScatterQuantity::peak_to_peak ? badness : -badness;
   }
@@ -217,7 +217,7 @@ Place climb(const Box& box, Place place, double first, double last) {
   return place;
 }
 
-// Keeps the worst places. Searches that have ended at the same place are one place.
+// Keeps the `count` worst places. Searches that have ended at the same place are counted once.
 void keep_worst(std::vector<Place>& places, std::size_t count) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.badness > b.badness; });
@@ -265,7 +265,7 @@ std::optional<WorstMember> worst_member(const ContactSetup& setup, const Scatter
   if (starts.empty() || !std::isfinite(starts[0].badness)) return std::nullopt;
   const std::vector<double> x = box.with_whole_waves(std::move(starts[0].x));
   WorstMember worst{box.value(starts[0].badness), x, box.is_corner(x), {}};
-  // The polygon around the circle of a bore contains all positions of the bore.
+  // Corners beyond the circle of a bore are used, because their polygon contains the circle.
   if (quantity == ScatterQuantity::least_play)
     worst.bound = least_play_bound(setup, task,
                                    box.all_corners(1 / std::cos(std::numbers::pi / kDirections)));
