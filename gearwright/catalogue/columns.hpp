@@ -21,16 +21,16 @@ struct RecordColumn {
   const QuantityInfo& info() const { return *path.back(); }
   /// True if the column is a record, whose quantities are the columns after this one.
   bool opened() const { return info().of && info().list.empty(); }
-  /// The keys of the path, separated by `between`: "ellipse.semi_minor_mm".
+  /// The keys of the path, separated by `between`, for example "ellipse.semi_minor_mm".
   std::string name(std::string_view between) const;
   bool has(Doors door) const;
-  /// The number of values in each row, including the values of nested lists. It is 0 if the number
-  /// varies.
+  /// The number of values that this column has in each row, including the values of nested lists.
+  /// The result is 0 if this number varies from row to row.
   std::size_t width() const;
   /// The value of this column in a record of the row's table, or null if the record lacks it.
   const Value* in(const ValueRecord& row) const;
-  /// The plain values of this column in a row. Their number is width(), and missing values are
-  /// null.
+  /// The plain values of this column in a row. The result has width() elements. An element is null
+  /// if its value is missing.
   ///
   /// Domain    width() > 0 (contract)
   std::vector<const Value*> values(const ValueRecord& row) const;

@@ -14,14 +14,13 @@
 
 namespace gearwright {
 
-/// A correction and its name in specs and results.
 struct CorrectionEntry {
   std::string key;  ///< key in the result, "gear1.lead_crowning_um"
   WorkshopCorrection correction;
   std::string words;
 
   std::string_view unit() const { return key_unit(key); }
-  /// The key of a flank correction in the table of modifications, "lead_crowning_um".
+  /// The key of a flank correction in [gearN.modifications], for example "lead_crowning_um".
   std::string_view own_key() const { return std::string_view(key).substr(key.find('.') + 1); }
 };
 
@@ -37,7 +36,7 @@ struct CompensateInput {
   CompensateAim aim = CompensateAim::transmission_error;
   std::vector<std::size_t> corrections;    ///< indices in correction_entries; if empty, the default
                                            ///< corrections for the kind of pair
-  std::optional<double> centering_arcsec;  ///< cost of a contact pattern at the end of the face
+  std::optional<double> centering_arcsec;  ///< w  penalty for a pattern at the end of the face
   /// [compensate.range]: the least and the greatest value of each error. The index is the index of
   /// the error in error_entries.
   std::array<std::optional<std::array<double, 2>>, kErrorCount> range{};

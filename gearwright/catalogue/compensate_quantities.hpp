@@ -11,8 +11,8 @@
 
 namespace gearwright {
 
-/// A correction that was found. `key` and `unit` are spelled as in specs: "gear1.lead_crowning_um",
-/// "um".
+/// A correction that was found. `key` and `unit` are spelled as in specs, for example as
+/// "gear1.lead_crowning_um" and "um".
 struct FoundCorrection {
   std::string key, unit;
   std::string words;  ///< for users: "helix crowning of gear 1"
@@ -40,7 +40,7 @@ struct CompensateView {
   std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
 };
 
-/// The smallest improvement worth making, as text: "0.001 ″".
+/// The smallest improvement worth making, as text, for example "0.001 ″".
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();

@@ -21,8 +21,8 @@ struct NamedSlope {
 };
 
 /// A contact analysis with the results of additional requests. For a double-helical pair, it is the
-/// analysis of the whole gears. Their halves share the load, because one gear floats along its axis
-/// (contact/halves.hpp). Such an analysis has no pattern.
+/// analysis of the whole gears, whose two halves share the load because one gear floats along its
+/// axis (contact/halves.hpp). The analysis of whole double-helical gears has no pattern.
 struct ContactView {
   ContactResult driving;            ///< the working flanks for the given driving gear
   ContactResult other;              ///< the non-working flanks, at the same positions
@@ -34,7 +34,7 @@ struct ContactView {
   std::vector<NamedSlope> slopes{};  ///< one entry for each requested derivative
   std::optional<ErrorMap> map{};
   std::array<std::string, 2> map_axes{};                ///< names of the errors x and y of the map
-  std::optional<std::array<FlankRaster, 2>> pattern{};  ///< if requested in [contact]
+  std::optional<std::array<FlankRaster, 2>> pattern{};  ///< none if [contact] does not request it
   std::vector<ContactView> halves{};  ///< the halves of a double-helical pair, z > 0 and z < 0
   std::vector<double> float_axial{};  ///< Δz  mm, of gear 1 relative to gear 2 at each position;
                                       ///< empty for a single helix

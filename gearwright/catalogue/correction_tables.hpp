@@ -17,8 +17,9 @@ TextTable correction_table(std::string title, const std::vector<FoundCorrection>
 /// The peak-to-peak transmission error for each combination of errors.
 TextTable scenario_table(const std::vector<Scenario>& scenarios, UnitSystem units);
 
-/// The amounts of each proposal, and its effects under load, also with the helix slope deviations
-/// in the less favourable direction if grades give them. The proposal `marked` has a *.
+/// One table with the amounts of each proposal, and one with its effects under load. If the
+/// accuracy grades give helix slope deviations, the effects are also listed for the less favourable
+/// direction of these deviations. The proposal with the index `marked` has a *.
 std::vector<TextTable> proposal_tables(const ProposeView& view, UnitSystem units,
                                        std::optional<std::size_t> marked);
 

@@ -24,7 +24,6 @@ constexpr int kFewDigits = 3;     // decimals of ratios and thicknesses in the p
 bool is_crossed(const DesignView& v) { return v.problem->crossed(); }
 bool is_parallel(const DesignView& v) { return !is_crossed(v); }
 
-// The value of an objective in the unit of the result.
 Value objective_value(const DesignView& v, Objective o) {
   const auto c = cost(*v.problem, *v.row, o);
   return c ? Value(seeks_greatest(o) ? -*c : *c) : Value();
@@ -296,10 +295,8 @@ void add_design(Quantities<DesignView>& q) {
       .doors(kPage)
       .greater_first()
       .digits(4)
-      .shown([](const DesignView& v) {
-        return v.row->area > 0.0;
-      });  // with an exact centre distance, the
-           // region is a line
+      // If the centre distance is exact, the region is a line and has no area.
+      .shown([](const DesignView& v) { return v.row->area > 0.0; });
   q.record<region_quantities>("region", "profile shifts that satisfy every limit").doors(kJson);
   q.add(Type::map, "objective", "objective", "",
         "value of the objective, or one value for each of several objectives", objective)

@@ -9,8 +9,8 @@ namespace gearwright {
 
 namespace {
 
-// Greatest number of letters in a texture for which the symbol has room: "0.008-0.8/Ra 0.8", "U Rz
-// 4; L Ra 0.2".
+// Greatest number of letters of a texture for which its symbol has room. Two textures that fit are
+// "0.008-0.8/Ra 0.8" and "U Rz 4; L Ra 0.2".
 constexpr std::size_t kTextureLetters = 20;
 
 // The size in mm at which the names of fits are checked. The table of deviations contains every

@@ -44,7 +44,6 @@ Key member(SetMember which, std::string_view meaning, bool ring = false) {
       meaning);
 }
 
-// A key for bodies, which are given by their names.
 Key bodies_key(std::string_view key, KeyPlace place, std::string_view fallback,
                std::string_view meaning) {
   return Key::text(key, std::move(place), fallback, meaning)
@@ -73,7 +72,6 @@ Key torque_key(KeyPlace place) {
       .with_form(kByInput);
 }
 
-// One number, or one number for each of two gears.
 constexpr KeyList kOneOrTwo{.most = 2, .single = true};
 
 template <class T>

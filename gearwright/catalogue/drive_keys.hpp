@@ -16,9 +16,9 @@ const KeyTable& planetary_keys();
 /// [[stage]] with a pair of gears that are given by their numbers of teeth.
 struct StageInput {
   StageSpec stage;
-  PairTeeth plain{};   ///< the numbers of the teeth; only with a module
-  std::string series;  ///< of DIN 3967
-  PerMesh backlash;    ///< j_n  mm; a pair has one mesh, so it has no names
+  PairTeeth plain{};   ///< data of the teeth, which are used only if the module is given
+  std::string series;  ///< name of a series of thickness allowances of DIN 3967
+  PerMesh backlash;    ///< j_n  mm, of the only mesh of the pair
   PerMesh efficiency;  ///< η
 };
 

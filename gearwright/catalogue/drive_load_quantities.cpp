@@ -30,7 +30,8 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     q.number("mesh_load_factors", "mesh load factor of each mesh", "K_γ",
              "in the order of the loaded meshes; null if all meshes have the same shares",
              [](const V& v) -> Value {
-               // Relative; the residual of the equilibrium is far smaller.
+               // Relative difference of two factors that count as equal. The residual of the
+               // equilibrium changes a factor by far less.
                constexpr double kSame = 1e-6;
                ValueList list;
                bool same = true;

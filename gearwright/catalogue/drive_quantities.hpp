@@ -24,8 +24,8 @@ struct DriveMeshView {
 };
 const Quantities<DriveBodyView>& drive_body_quantities();
 const Quantities<DriveMeshView>& drive_mesh_quantities();
-/// A harmonic of the transmission error. `lever` is DriveError::lever, the travel of a rack per
-/// rad.
+/// A harmonic of the transmission error. `lever` is DriveError::lever: the travel of the rack, in
+/// mm, for a motion of 1 rad.
 struct DriveErrorLine {
   const DriveError::Line* line;
   std::optional<double> lever;

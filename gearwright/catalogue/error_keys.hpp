@@ -22,15 +22,15 @@ struct ErrorEntry {
   std::string_view key;           ///< "crossing_deg"
   std::string_view symbol;        ///< Δγ
   std::string_view words;         ///< "out-of-plane shaft deviation"
-  std::optional<ErrorKind> kind;  ///< kind of the derivative; empty if contact computes none
+  std::optional<ErrorKind> kind;  ///< kind of derivative; empty if contact computes no derivative
   int gear;                       ///< 1 or 2 for an error of a gear, 0 for an error of mounting
   /// Sets the error to a value in the unit of the key.
   void (*set)(ContactErrors&, const std::array<const Gear*, 2>&, double);
   std::string_view meaning;
 
   std::string_view unit() const { return key_unit(key); }  ///< "deg"
-  double si() const;                                       ///< one unit in rad or mm
-  /// The key without its unit, "crossing" for crossing_deg.
+  double si() const;                                       ///< the unit of the key, in rad or mm
+  /// The key without its unit, for example "crossing" for crossing_deg.
   std::string_view name() const { return key.substr(0, key.size() - unit().size() - 1); }
   bool of_cutter() const { return gear != 0 && unit() == "deg"; }
   std::string member() const;  ///< member of ContactErrors, "cutter_lead[0]"
@@ -45,7 +45,6 @@ struct ErrorsInput {
   std::array<double, kErrorCount> value{};
   bool given = false;
 
-  /// True if an error is not 0.
   bool any() const {
     return std::any_of(value.begin(), value.end(), [](double e) { return e != 0.0; });
   }
@@ -68,7 +67,6 @@ struct ContactMapInput {
   std::array<int, 2> points{21, 21};
 };
 
-/// [contact]
 struct ContactInput {
   bool given = false;
   int positions = 64;  ///< number of positions per pitch

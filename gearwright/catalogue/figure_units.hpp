@@ -11,14 +11,14 @@
 
 namespace gearwright {
 
-/// The conversion of values in a unit that is given as text: a unit of the catalogue, its square
-/// ("mm²"), or either of them followed by a comma and words.
+/// Converts values whose unit is given as text. The text begins with a unit of the catalogue or
+/// with its square ("mm²"). A comma and words may follow.
 class TextUnit {
  public:
   TextUnit(UnitSystem units, std::string_view unit);
 
   double operator()(double value) const;
-  int digits(int decimals) const;  ///< result of digits_in()
+  int digits(int decimals) const;  ///< decimals to show, from digits_in()
   std::string text() const;        ///< "in", "in²"
 
  private:

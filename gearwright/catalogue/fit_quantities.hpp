@@ -1,7 +1,5 @@
-// The quantities of gears that the spec does not describe completely, so that a verb computes
-// the missing values.
-//
-// Inverse design. A result contains its quantities under `fit`.
+// The quantities of two verbs, `fit` and `identify`, which complete a spec whose gears are not
+// fully described. A result of `fit` contains its quantities under `fit`.
 #pragma once
 
 #include <optional>

@@ -70,7 +70,7 @@ inline constexpr std::size_t kMostBallReadings = 20;
 const KeyTable& measured_keys();
 /// The keys of one entry of over_balls_mm.
 const KeyTable& measured_ball_keys();
-/// The keys of a [gearN] that has readings but no module, for other known data of the gear.
+/// The keys for known data of an unknown gear, that is, of a [gearN] with readings but no module.
 const KeyTable& unknown_gear_keys();
 
 const KeyTable& pair_keys();
@@ -78,9 +78,7 @@ const KeyTable& pair_keys();
 /// The keys of [gear2] if gear 2 is a rack.
 const KeyTable& rack_bar_keys();
 
-// The keys of [fit], which are the inputs of the verb `fit` in addition to the gears and the pair.
-
-/// [fit]
+/// The keys of [fit], which are the inputs of the verb `fit` in addition to the gears and the pair.
 struct FitInput {
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn of the requested designs
   bool few_teeth = false;  ///< true for a pinion with circular fillets and the wheel that it cuts
@@ -97,7 +95,8 @@ const KeyTable& fit_keys();
 // A key without a prefix applies to both flanks. A key with the prefix right_ or left_ applies to
 // one flank and takes precedence.
 
-/// A modification. The key of "tip_relief" is tip_relief_um.
+/// A modification. If its name is "tip_relief", for example, the key of its amount is
+/// tip_relief_um.
 struct ModificationEntry : ModificationMember {
   std::string_view symbol;       ///< C_αa
   std::string_view words;        ///< "tip relief"
@@ -110,7 +109,7 @@ struct ModificationEntry : ModificationMember {
 const std::array<ModificationEntry, kModifications.size()>& modification_entries();
 
 constexpr std::array<std::string_view, 2> kFlankSides{"right_", "left_"};
-/// Prefixes of the members of one flank: "modifications.right.tip_relief.amount".
+/// Prefixes of the members of one flank, as in "modifications.right.tip_relief.amount".
 constexpr std::array<std::string_view, 2> kFlankMembers{"right.", "left."};
 
 /// [gearN.modifications]: the right and the left flank, and the files of their topographies.

@@ -58,7 +58,6 @@ void add_properties(Json& properties) {
   properties = std::move(all);
 }
 
-// If a permitted word is the metric name of a key, adds the inch name of this key.
 void add_words(Json& words) {
   const Json given = words;
   for (const Json& word : given)
@@ -66,8 +65,8 @@ void add_words(Json& words) {
       words.push_back(inch(word.get<std::string>()));
 }
 
-// Adds conditions for the keys that each key needs: { tip_relief_um = ["tip_relief_start_mm"] }.
-// Each of these keys may be given under either of its two names.
+// Adds conditions for the keys that each key needs. For example, tip_relief_um may need
+// tip_relief_start_mm. Every needed key may be given under its metric or its inch name.
 void add_needs(Json& schema, const Json& needs) {
   for (const auto& [key, keys] : needs.items()) {
     Json required = Json::object();
@@ -77,8 +76,9 @@ void add_needs(Json& schema, const Json& needs) {
   }
 }
 
-// The schema of a tree of tables in which a key may match `other` only if it also matches
-// `both`.
+// The schema of tables, at any depth, without keys in the other unit system. `other` is a pattern
+// for the endings of such keys. A key that matches `other` is accepted only if it also matches
+// `both`, the pattern for keys that have the same name in both systems.
 Json without_names(const char* other, const char* both, const char* self) {
   const Json again{{"$ref", self}};
   const Json name{{"anyOf", {{{"not", {{"pattern", other}}}}, {{"pattern", both}}}}};

@@ -2,8 +2,8 @@
 //
 //   Key        name in the file, symbol, kind, range with its reason, default, keys that it needs
 //              or excludes, one sentence of meaning, and the member of an input struct that it sets
-//   KeyTable   the keys of one table of a spec, and a rule for several of them
-//   KeyPlace   the member, key_place.hpp
+//   KeyTable   the keys of one table of a spec, and a rule that relates several keys
+//   KeyPlace   the member in which the value of a key is stored (key_place.hpp)
 //
 // The reader, the suggestions for unknown keys, the tables of docs/spec.md and the JSON Schema of
 // specs use the catalogue. A new key is one entry in one of the *_keys.cpp files.
@@ -50,7 +50,7 @@ struct KeyRange {
     return (lo_open ? x > lo : x >= lo) && (hi_open ? x < hi : x <= hi) && (zero || x != 0.0);
   }
   bool limited() const;
-  /// The error for `value`: "must lie between 1 and 60, usually 14.5 to 30".
+  /// The error for `value`, for example "must lie between 1 and 60, usually 14.5 to 30".
   ///
   /// Domain    limited() (contract)
   std::string sentence(double value) const;
@@ -65,7 +65,6 @@ struct ListOrder {
 
 inline constexpr ListOrder kLowerFirst{false, "must be two numbers in rising order"};
 
-/// The properties of a list, for a key that takes a list.
 struct KeyList {
   std::size_t least = 1, most = 1;
   bool single = false;  ///< a single value without a list is also allowed
@@ -73,12 +72,13 @@ struct KeyList {
   std::string_view noun{};  ///< noun for one word of the list: "objective"
   /// Returns the word of which `word` is a synonym, or "" if it is not a synonym.
   std::string_view (*meant)(std::string_view word) = nullptr;
-  std::string_view must{};  ///< for a list of tables, the requirement on the list; otherwise the
-                            ///< message for a list of another length
+  std::string_view must{};  ///< requirement on the value, for the errors about this list; if empty,
+                            ///< the errors use form_of()
   int first = 1;            ///< number that a path uses for the first element
   bool numbers = false;     ///< for a key of a table or of numbers by name: true if a list of
                             ///< numbers is also allowed
-  /// The numbers of which `word` is the name, or none: the modules of "ISO54-I".
+  /// The numbers of the series with the name `word`, for example the modules of "ISO54-I". The
+  /// result is empty if there is no such series.
   std::vector<double> (*series)(std::string_view word) = nullptr;
 };
 
@@ -115,11 +115,11 @@ struct Key {
   Words excludes{};  ///< keys that must not also be given
   /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
-  std::string_view fallback{};  ///< the value if the key is absent, as in the file or in words
+  std::string_view fallback{};  ///< the default, written as in the file or described in words
   bool in_documents = true;     ///< false if the text of the documents already describes the key
   std::string_view meaning;     ///< one sentence, lower case, without the full stop
-  /// The names that errors of the engine use for the members set by this key. By default, this is
-  /// the name of the key without its unit: "helix_angle" for helix_angle_deg.
+  /// The names that errors of the engine use for the members that this key sets. The default is the
+  /// name of the key without its unit, for example "helix_angle" for helix_angle_deg.
   std::vector<std::string> fields{};
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
@@ -188,23 +188,26 @@ struct KeyTable {
   std::vector<Key> keys;
   KeyRule rule{};  ///< checks the values after reading; "needs" and "excludes" are checked for each
                    ///< key
-  /// The key that a text or a list of numbers sets if it replaces the table: material = "16MnCr5".
-  /// It is empty if there is no such key.
+  /// The key that is set if a spec gives a text or a list of numbers in place of the table, for
+  /// example material = "16MnCr5". The member is empty if the table has no such key.
   std::string_view shorthand{};
 
   const Key* find(std::string_view key) const;
-  /// A table with these keys only, in this order, or with all other keys.
+  /// only() returns a table with only these keys, in this order, and without() a table with all
+  /// keys except these.
   KeyTable only(const std::vector<std::string_view>& kept) const;
   KeyTable without(const std::vector<std::string_view>& left_out) const;
   std::vector<std::string> names() const;
-  /// The key and its aliases. The value can be given by any one of them.
+  /// The key and its aliases. A spec can give the value by any one of these keys.
   std::vector<std::string> ways(std::string_view key) const;
 };
 
-/// The unit at the end of a key, without the underscore: "mm". It is empty if the key has no unit.
+/// The unit at the end of a key, without the underscore, for example "mm". The result is empty if
+/// the key has no unit.
 std::string_view key_unit(std::string_view key);
 
-/// The permitted values as part of a sentence: "a number", "one of "right", "left"", or `form`.
+/// The permitted values as part of a sentence, for example "a number". The result is Key::form if
+/// the key has one.
 std::string form_of(const Key& key);
 
 /// A meaning as plain text, without backticks and without numbers of equations.
@@ -218,14 +221,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// of the words is a part of the other. Case is ignored. The result is empty if no word is similar.
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known);
 
-/// The end of a message about an unknown word: "; did you mean mass?", or nothing.
+/// The end of a message about an unknown word, for example "; did you mean mass?". The end is empty
+/// if no known word is similar.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
 
-/// The rule of a value that must be a word: "must be one of "right", "left"; did you mean left?".
+/// The rule for a value that must be one of the known words, for example
+/// "must be one of "right", "left"; did you mean left?".
 std::string one_of_rule(const std::string& word, const std::vector<std::string>& known);
 
-/// A suggestion for an unknown word, followed by the known words: "did you mean mass? Known are …".
-/// `meant` is the word that the user means, or empty if this is not known.
+/// A suggestion for an unknown word, followed by the known words, for example
+/// "did you mean mass? Known are …". `meant` is the word that the user means, or empty if the
+/// caller does not know this word.
 std::string word_hint(const std::string& word, const std::vector<std::string>& known,
                       std::string_view meant = {});
 

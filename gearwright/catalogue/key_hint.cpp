@@ -54,7 +54,7 @@ Word word_of(std::string_view key) { return {folded(key), folded(without_unit(ke
 bool is_table(const Key& key) { return key.kind == KeyKind::table && key.words.empty(); }
 
 // Compares a word with a key. The result is 3 if the word is the name of the key, 2 if it is
-// another name, 1 if it is the symbol, and otherwise 0.
+// another name of the key (Key::also), 1 if it is the symbol of the key, and otherwise 0.
 int likeness(const Key& key, const Word& word) {
   const std::string bare = folded(without_unit(key.key));
   if (bare == word.bare || bare == word.whole) return 3;
@@ -66,7 +66,7 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// The least result of likeness() that is accepted.
+// The least result of likeness() with which called() accepts a key.
 enum Sure { by_symbol = 1, by_word = 2 };
 
 // The first key with the least cost, or null if every cost is `below` or more.
@@ -124,8 +124,8 @@ bool of_one_kind(std::string_view a, std::string_view b) {
   return a.empty() || b.empty() || kind(a) == kind(b);
 }
 
-// Searches the tables below this table and then all others. An example of the result is
-// "diameter_mm in [gear1.bore]".
+// Searches first the tables inside `table` and then all other tables for a key that is called
+// `word`. An example of the result is "diameter_mm in [gear1.bore]".
 std::optional<std::string> called_elsewhere(const KeyTable& table, std::string_view path,
                                             const Word& word, std::string_view unit) {
   // The result names the table of the key only if `table` itself has no key of this name.
@@ -230,8 +230,8 @@ std::string key_hint(const KeyTable& table, std::string_view path, std::string_v
   const auto nearest = [](std::string_view what) { return fmt::format("did you mean {}?", what); };
   if (word.bare.empty()) return "the known keys of this table are " + listed(table);
   if (const Key* here = called(table, word, by_symbol, true)) {
-    // If the similar key is a table with a key inside that is also similar, the key inside is
-    // suggested.
+    // If the similar key is a table, and a key inside this table is also similar, the key inside
+    // the table is suggested.
     for (const auto part : here->tables) {
       if (!is_table(*here)) break;
       if (const Key* inside = called(part(), word, by_word, false))

@@ -16,19 +16,20 @@
 namespace gearwright {
 
 /// The text after "unknown key in [gear1]; ", for example "did you mean normal_module_mm?".
-/// `path` is the name of the table, "gear1.rack", or empty for the file itself.
+/// `path` is the name of the table, for example "gear1.rack", or empty for the file itself.
 std::string key_hint(const KeyTable& table, std::string_view path, std::string_view key);
 
 /// A name in the form for comparison, which has only small Latin letters and digits. Greek letters
 /// are spelled out.
 std::string folded(std::string_view name);
 
-// Inputs that users may expect but that are not supported. The message states this, or names the
-// equivalent key. Without these sentences, the message would suggest a known key with a similar
-// name.
+// Sentences about inputs that users may expect but that are not supported. Such a sentence states
+// that the input is not supported, or names the equivalent key. Without it, the message would
+// suggest a known key with a similar name.
 
-/// The sentence about an unknown key with this path in the file, "gear2.form", or about a known key
-/// with a value, "gear2.teeth" and "0". It is empty if there is no such sentence.
+/// The sentence about an unsupported input. The input is an unknown key, for example "gear2.form",
+/// or a known key with an unsupported value, for example "gear2.teeth" with the value "0". The text
+/// is empty if there is no sentence about the input.
 std::string_view not_supported(std::string_view path, std::string_view value = {});
 
 }  // namespace gearwright

@@ -26,7 +26,7 @@
 
 namespace gearwright {
 
-/// Numbers by name: { sun = 10, planet = -10 }.
+/// Numbers by name, for example { sun = 10, planet = -10 }.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
 /// A value as a file gives it: a number, a whole number or the index of a word in its list, a flag,
@@ -34,7 +34,8 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 using KeyValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>,
                               std::vector<std::string>, NamedNumbers>;
 
-/// A member with one number for all names and a number of its own for single names.
+/// A type that stores one number for all names, for example for all gears of a set, and separate
+/// numbers for single names.
 template <class V>
 concept ByName = requires(V value, const std::string& name) {
   value.all;
@@ -102,7 +103,7 @@ class KeyPlace {
   static KeyPlace ends_or_table(std::array<double, 2> S::*ends, F reach);
   /// A KeyPlace for a value that is checked but not stored.
   static KeyPlace unused();
-  /// This place in the member `outer` of another struct.
+  /// The same place if the struct is itself the member `outer` of another struct.
   template <class T, class M>
   KeyPlace inside(M T::*outer) const;
 
@@ -114,13 +115,13 @@ class KeyPlace {
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
   bool is_member() const { return same_ != nullptr; }
-  /// The names of numbers by name.
+  /// The permitted names, if the value consists of numbers by name.
   const std::vector<std::string>& names() const { return names_; }
   /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
-  /// Returns the struct of a sub-table, or appends an element to a list of sub-tables and
-  /// returns it. The struct is default-constructed, unless the member itself is the struct. If
-  /// the struct has a member `given`, this member is set to true.
+  /// Returns the struct in which a sub-table is stored. For a list of sub-tables, this is a new
+  /// element at the end of the list. The struct has its default values, unless the member itself is
+  /// the struct. If the struct has a member `given`, this member is set to true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// True if the member has the same value in both structs.
   ///
@@ -181,7 +182,7 @@ class KeyPlace {
   static void store(std::optional<V>& to, const KeyValue& v) {
     store(to.emplace(), v);
   }
-  // A member for one number takes the mean of two limits.
+  // If a spec gives two limits, a member for one number is set to their mean.
   static void store(std::optional<double>& to, const KeyValue& v) {
     const auto* ends = std::get_if<std::vector<double>>(&v);
     to = ends ? (ends->front() + ends->back()) / 2 : std::get<double>(v);

@@ -37,7 +37,8 @@ Key by_temperature(std::string_view key, std::string_view symbol,
       .with_fields({std::string(field)});
 }
 
-// True if the name begins with the abbreviation or trade name of a plastic: "PA66-GF30", "pom c".
+// True if the name begins with the abbreviation or the trade name of a plastic, for example
+// "PA66-GF30" or "pom c".
 bool names_plastic(std::string_view name) {
   constexpr std::array kPlastics{"abs", "delrin", "lcp", "nylon", "pa",  "pbt", "pc",   "peek",
                                  "pei", "pet",    "pla", "poly",  "pom", "pps", "ptfe", "uhmw"};

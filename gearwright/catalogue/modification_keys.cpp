@@ -38,8 +38,8 @@ void add(std::vector<Key>& keys, Key key, Set set) {
   }
 }
 
-// A key that applies to no flank. `amount` is the key of the relief to which `key` belongs, or empty
-// if `key` belongs to no relief.
+// The error if a spec gives a key that has no effect on either flank. `amount` is the key of the
+// amount of the relief to which `key` belongs, or empty if `key` belongs to no relief.
 std::optional<KeyFault> unused(const KeyGiven& given, const std::string& key,
                                const std::string& amount = "") {
   const std::string right = std::string(kFlankSides[0]) + key;
@@ -71,7 +71,8 @@ std::optional<KeyFault> check_flanks(FlanksInput& input, const KeyGiven& given) 
       Relief& relief = input.flanks[flank].*m.relief;
       const std::string key = key_of_flank(given, flank, amount);
       if (!given(key)) relief = {};
-      // A start diameter can be computed from the pair, but a length cannot.
+      // A missing start diameter is computed from the pair. A missing length cannot be computed, so
+      // it is an error.
       if (relief.amount > 0.0 && !relief.reach && m.reach != "_start_mm")
         return KeyFault{reach, ": " + key + " needs a value for this key", true};
     }

@@ -10,7 +10,6 @@ namespace gearwright {
 
 namespace {
 
-// The amount of an interference in mm or rad.
 double amount(const Interference& i) {
   const auto* angle = std::get_if<Angle>(&i.amount);
   return angle ? angle->rad() : std::get<double>(i.amount);

@@ -133,7 +133,6 @@ void add_mounting(Quantities<Pair>& q) {
       .shown(is<CrossedPair>);
 }
 
-// Adds quantities that exist only on crossed axes.
 void add_crossed(Quantities<Pair>& all) {
   auto q = all.part(as<CrossedPair>);
   all.under(kFace);
@@ -324,7 +323,6 @@ void add_sliding(Quantities<Pair>& q) {
               });
 }
 
-// Adds quantities that exist only on parallel axes.
 void add_parallel(Quantities<Pair>& all) {
   auto q = all.part(as<ParallelPair>);
   all.under(kFace);

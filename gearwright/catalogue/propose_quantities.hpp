@@ -32,7 +32,7 @@ struct ProposedLoad {
 struct Proposal {
   ProposedProfile profile = ProposedProfile::as_given;
   bool pitch = false;  ///< true if the reliefs are also sufficient for the pitch deviations
-  bool lead = false;   ///< true if there is a helix crowning and slope
+  bool lead = false;   ///< true if a helix crowning, a helix slope or both are proposed
   std::array<ProposedGear, 2> gears{};
   std::vector<ProposedLoad> loads{};       ///< results for each torque
   LoadedScore worst = no_score();          ///< worst values over all torques
@@ -47,7 +47,7 @@ struct Proposal {
 struct ProposeView {
   double torque = 0.0;                                      ///< N mm, torque on gear 1 for which
                                                             ///< the amounts are computed
-  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm, for the shortest reliefs
+  std::optional<std::array<double, 2>> short_deflection{};  ///< C_i  mm, of the shortest reliefs
   std::optional<double> pitch_deviation{};     ///< mm, normal to the flank, of both gears together
   std::optional<double> helix_deviation{};     ///< mm, over the common face, of both gears together
   std::optional<FaceDeflection> deflection{};  ///< deflection of the shafts plus the deflection in
@@ -62,11 +62,12 @@ const Quantities<Proposal>& proposal_quantities();
 
 /// Example: "short tip relief with f_pb, helix crowning".
 std::string words_of(const Proposal& proposal);
-/// The indices of the proposals with the same spec as proposal `i`, with `i` as the first. Empty if
-/// an earlier proposal has this spec.
+/// The indices of the proposals with the same spec as proposal `i`, with `i` as the first. The list
+/// is empty if a proposal before `i` has this spec.
 std::vector<std::size_t> same_proposals(const std::vector<Proposal>& proposals, std::size_t i);
-/// Example: "3, 4, 6: long tip relief; helix crowning; long tip relief, helix crowning" for the
-/// indices after the first. Empty if there is only one index.
+/// The proposals in `same` except the first, with their numbers and words. Example:
+/// "3, 4, 6: long tip relief; helix crowning; long tip relief, helix crowning". The text is empty
+/// if `same` contains only one index.
 std::string words_of_same(const std::vector<Proposal>& proposals,
                           const std::vector<std::size_t>& same);
 /// Example: "tip relief 12 µm from 79.123 mm, helix crowning 8 µm". Empty if the gear is unchanged.

@@ -34,8 +34,8 @@ Value angles_in(Unit unit, Angle angle) {
 
 namespace {
 
-// True for a number that would be printed as zero, such as a small damage. Below 1e-9, a number is
-// a rounding error and is printed as zero.
+// True for a small number, for example a damage, that `digits` decimals would show as zero although
+// it is not zero. False for a number below 1e-9, which is a rounding error and is shown as zero.
 bool rounds_to_zero(double x, int digits) {
   return std::abs(x) > 1e-9 && std::abs(x) < 0.5 * std::pow(10.0, -digits);
 }
@@ -138,8 +138,8 @@ class Groups {
   std::vector<TextGroup> take() { return std::move(groups_); }
 
  private:
-  // Adds the quantities of an inner record under the heading of this record. If there is a list of
-  // records, they are added one after the other.
+  // Adds the quantities of an inner record under the heading `title`. The records of a list are
+  // added one after the other, with their numbers in the headings.
   void nest(const Across& a, const std::string& title) {
     std::size_t longest = 1;
     for (const Member* m : a.members)

@@ -29,7 +29,7 @@ namespace gearwright {
 
 /// The interfaces that show a quantity.
 enum Doors : unsigned {
-  kJson = 1,     ///< JSON, and readers of JSON
+  kJson = 1,     ///< JSON, and interfaces that read it
   kListing = 2,  ///< the tables of the terminal
   kPage = 4,     ///< the tables of the report
   kPeople = kListing | kPage,
@@ -68,9 +68,9 @@ struct QuantityInfo {
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
   std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
   bool greater_first = false;              ///< true if greater values are better
-  bool only_inch = false;                  ///< true if it is shown only for inch specs
-  bool optional_key = false;               ///< if the quantity does not exist: true if the key is
-                                           ///< absent, false if its value is null
+  bool only_inch = false;                  ///< true if only results in inch show it
+  bool optional_key = false;               ///< true if the key is absent when the quantity does not
+                                           ///< exist; if false, the key then has the value null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -164,8 +164,8 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// The type that this function returns has the Shape of the values that record_value() returns
-/// if the getter returns R.
+/// This function is used only for its return type. For a getter that returns R, this type has
+/// the same Shape (value_shape.hpp) as the value that record_value() makes from R.
 template <class T, class R>
 auto record_shape() {
   if constexpr (std::is_same_v<R, T>) {
@@ -271,7 +271,7 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     table_.name = std::move(name);
     for (const Quantity<S>& q : list_) table_.list.push_back(&q.info);
   }
-  Quantities(const Quantities&) = delete;  // the table points into the list
+  Quantities(const Quantities&) = delete;  // because table_ points into list_
   Quantities& operator=(const Quantities&) = delete;
 
   /// Sets the headings in the order for users. Other headings are appended in the order of their

@@ -21,7 +21,7 @@ Key kind(std::string_view word, std::string_view meaning, std::string_view fallb
   return Key::word("kind", {word}, KeyPlace::unused(), fallback, meaning).undocumented();
 }
 
-// Sets all defaults for this cutter. The keys that are read after it replace single values.
+// Sets all values to the defaults for this cutter. Keys that are read later replace single values.
 void set_cutter(ArcRack& rack, ArcRack::Cutter cutter) { rack = default_arc_rack(cutter); }
 
 // The default of the tip rounding may be the full radius. Floating-point errors must not make

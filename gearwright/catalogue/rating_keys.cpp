@@ -28,7 +28,8 @@ Key factor(std::string_view key, std::string_view symbol,
                      fallback, meaning);
 }
 
-// K_γ. The reader of drives reads the table and the word (spec/read_drive.hpp).
+// The key of K_γ. For a drive, the value may also be a table of numbers by mesh or the word
+// "computed", which spec/read_drive.hpp reads.
 Key mesh_load_factor() {
   Key key = factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
                    "greatest load of a mesh divided by the mean load, if several meshes share the "

@@ -144,13 +144,11 @@ Value tolerance(const RatingAnswer& v, double Tolerances::*member) {
 
 double speed(const RatingAnswer& v) { return v.input.speed.value_or(0.0); }
 
-// The magnitude of the gear ratio, |z_2/z_1|.
 double ratio(const RatingAnswer& v) {
   const auto& gears = v.pair.gears;
   return std::abs(static_cast<double>(gears[v.pair.place(2)].teeth) / gears[v.pair.place(1)].teeth);
 }
 
-// The value of a member of both materials.
 template <class F>
 ValueList of_materials(const RatingAnswer& v, F value) {
   ValueList values;

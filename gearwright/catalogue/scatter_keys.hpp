@@ -13,7 +13,6 @@
 
 namespace gearwright {
 
-/// [scatter.bearings]
 struct ScatterBearings {
   double span = 0.0;    ///< L  mm, distance of the bearings of a shaft
   double radius = 0.0;  ///< R  mm, radius of the circle in which a bore of axis 1 can lie, relative
@@ -32,7 +31,6 @@ struct ScatterGear {
   std::optional<std::array<int, 2>> helix_waves;    ///< range of the number of waves, for f_fβ
 };
 
-/// [scatter.robust]
 struct ScatterRobust {
   CompensateAim aim = CompensateAim::transmission_error;  ///< the transmission error of rigid or
                                                           ///< loaded teeth
@@ -43,7 +41,6 @@ struct ScatterRobust {
                                                ///< correction
 };
 
-/// [scatter]
 struct ScatterInput {
   bool given = false;
   int samples = 1024;  ///< n, samples of each replicate

@@ -13,7 +13,7 @@ namespace gearwright {
 
 namespace {
 
-// "The gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)."
+// Example: "The gears jam in 3 of 64 samples (4.688 %, between 0.9782 and 13.09 %)."
 std::string event_words(std::string_view words, const Probability& p) {
   const std::string share =
       p.count == 0 ? fmt::format("less than {:.3g} %", 100 * p.interval.upper)
@@ -69,7 +69,6 @@ TextTable::Row estimate_row(UnitSystem units, const SpreadEntry& entry, std::str
   return row;
 }
 
-// The quantities that have a distribution.
 template <class Spreads>
 TextTable distribution_table(const ScatterView& view, UnitSystem units, std::string title,
                              const Spreads& spreads) {

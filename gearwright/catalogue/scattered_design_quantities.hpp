@@ -11,7 +11,7 @@
 namespace gearwright {
 
 struct ScatteredDesign {
-  std::int64_t number;  ///< its rank in the search
+  std::int64_t number;  ///< rank of the design in the search
   DesignView design;
   const ScatterView* scatter;  ///< null if the scatter could not be computed
   std::string reason{};        ///< the reason, if the scatter could not be computed

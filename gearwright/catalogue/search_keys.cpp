@@ -68,7 +68,8 @@ constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12
 constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
                                   80.0, 96.0, 120.0, 150.0, 200.0};
 
-// The numbers of two series. `name` selects the first, the second, or with `both` both of them.
+// The numbers of a series, in ascending order. If `name` is `one`, they are the numbers of the
+// first series; if it is `two`, of the second series; if it is `both`, of the two series together.
 template <class First, class Second>
 std::vector<double> numbers_of(std::string_view name, const First& first, std::string_view one,
                                const Second& second, std::string_view two, std::string_view both) {

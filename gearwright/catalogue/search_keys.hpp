@@ -10,14 +10,14 @@ namespace gearwright {
 
 const KeyTable& search_keys();
 
-/// The modules of "ISO54-I", "ISO54-II" or "ISO54-I+II", mm, in ascending order; empty for any other
-/// name.
+/// The modules of the series "ISO54-I", "ISO54-II" or "ISO54-I+II", in mm and in ascending order.
+/// The list is empty for any other name.
 std::vector<double> module_series(std::string_view name);
 
-/// The name for no allowances, in place of a series of thickness allowances.
+/// The word for teeth without allowances. A spec gives it in place of a series of DIN 3967.
 inline constexpr std::string_view kNoAllowances = "none";
-/// The reason why DIN 3967 has no such series of thickness allowances; empty for a series and for
-/// kNoAllowances.
+/// The reason for rejecting a name that is not a series of thickness allowances of DIN 3967. The
+/// text is empty for such a series, for kNoAllowances and for an empty name.
 std::string series_fault(const std::string& series);
 
 /// One number, or the least and the greatest number of a band.
@@ -27,8 +27,9 @@ inline constexpr KeyList kBand{
     .order = {.sentence = "is an empty band, because no number lies between {} and {}; write the "
                           "least value first"}};
 
-/// The objective for a synonym, "mass" for "weight", or "" if the word is not a synonym. The
-/// objective may belong to searches for pairs, for drives, or for both.
+/// The objective of which a word is a synonym, for example "mass" for "weight". The text is empty
+/// if the word is not a synonym. The objective may belong to searches for pairs, for drives, or for
+/// both.
 std::string_view objective_called(std::string_view word);
 
 }  // namespace gearwright

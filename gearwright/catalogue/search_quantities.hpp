@@ -36,15 +36,15 @@ const Quantities<SearchView>& search_quantities();
 /// The quantities of a point of the grid of profile shifts. They occur only as columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
-/// A change of the spec, with the key and with the values in the words of the spec:
+/// A change of the spec, with its key and its two values as the spec writes them. An example is
 /// search.interference from "exclude" to "flag".
 struct SpelledChange {
   std::string key, from, to;
 };
 SpelledChange spelled_change(const NearestChange& change, UnitSystem units = UnitSystem::mm);
 
-/// An angle in degrees without the rounding error of a conversion to radians and back: exactly
-/// −12 if −12 was given.
+/// An angle in degrees without the rounding error of a conversion to radians and back. If −12 was
+/// given, for example, the result is exactly −12.
 double tidy_degrees(Angle angle);
 
 }  // namespace gearwright

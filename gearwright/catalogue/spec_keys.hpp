@@ -31,8 +31,9 @@ const KeyTable& spec_keys();
 /// Every table that can be reached from spec_keys(), each once. The first is spec_keys() itself.
 std::vector<const KeyTable*> all_key_tables();
 
-/// True if the last part of the path is a key of a table. True also if it is the last part of a
-/// permitted word, such as lead_crowning_um of "gear1.lead_crowning_um".
+/// True if the last part of the path is a key of any table, or the last part of any permitted word.
+/// An example of the latter is lead_crowning_um, the last part of the word
+/// "gear1.lead_crowning_um".
 bool is_spec_key(std::string_view path);
 
 }  // namespace gearwright

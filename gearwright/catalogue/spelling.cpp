@@ -47,7 +47,8 @@ void find_keys(const KeyTable& table, const std::string& path, std::string_view 
     if (member.starts_with(side)) find_keys(table, path, member.substr(side.size()), found);
 }
 
-// The first of the keys that the spec gives, or otherwise the first key that documents contain.
+// The first entry of `found` whose key the spec gives. If the spec gives none of the keys, the
+// first entry whose key the documents contain.
 std::optional<Spelling> chosen(const std::vector<Spelling>& found, const GivenKeys& given) {
   if (found.empty()) return std::nullopt;
   for (const Spelling& s : found)
@@ -81,7 +82,7 @@ std::string spelled_value(const std::string& value, const Key& key) {
   return word ? "\"" + value + "\"" : value;
 }
 
-// The part of `path` after the tables that it has in common with `around`.
+// The rest of `path` after the leading tables that `path` and `around` have in common.
 std::string_view beside(std::string_view path, std::string_view around) {
   const auto table_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
   while (path.find('.') != std::string_view::npos && table_of(path) == table_of(around)) {

@@ -18,12 +18,12 @@
 
 namespace gearwright {
 
-/// The paths of the keys that a spec gives, "gear1.left_tip_relief_um". If several keys can set
-/// one member, an error names the key that the spec gives.
+/// The paths of the keys that a spec gives, for example "gear1.left_tip_relief_um". If several keys
+/// can set one member, an error names the key that the spec gives.
 struct GivenKeys : std::set<std::string, std::less<>> {
   using set::set;
-  UnitSystem units = UnitSystem::mm;  ///< units of the spec; paths belong to the catalogue
-  /// For a spec in inch, the values of the lengths as they are written, by path.
+  UnitSystem units = UnitSystem::mm;  ///< units of the spec; the paths always have metric keys
+  /// The values of the lengths as they are written, by path. Empty unless the spec is in inch.
   std::map<std::string, std::string, std::less<>> written{};
 };
 
@@ -35,8 +35,8 @@ Error spelled(const Error& error, const GivenKeys& given = {});
 /// the spec gives is shown as it is written.
 Error in_units_of(const GivenKeys& given, const Error& error);
 
-/// Replaces members by keys in a sentence about `owner`, "gear1". If `owner` is empty, the sentence
-/// is about the spec.
+/// Replaces members by keys in a sentence about the table `owner`, for example "gear1". If `owner`
+/// is empty, the sentence is about the spec.
 std::string spelled(std::string_view sentence, const GivenKeys& given = {},
                     std::string_view owner = {});
 
@@ -44,8 +44,8 @@ struct SpelledMember {
   std::string key;    ///< with its path, "search.contact_ratio_min"
   std::string value;  ///< as it is written in the file; a word is in quotes
 };
-/// A member of the table `owner`, or of the spec if this table has no such member. If there is no
-/// key, the result is the member itself.
+/// The key of a member of the table `owner`, or of the spec if this table has no such member. If no
+/// key sets the member, the result is the name of the member itself.
 SpelledMember spelled_member(std::string_view owner, std::string_view member,
                              const std::string& value = {});
 

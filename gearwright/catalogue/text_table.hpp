@@ -23,7 +23,7 @@ struct TextTable {
   std::vector<std::string> columns;
   std::vector<Row> rows = {};
   std::vector<std::string> notes = {};  ///< sentences below the table
-  std::vector<std::string> units = {};  ///< of the columns; empty if the rows have units
+  std::vector<std::string> units = {};  ///< units of the columns; empty if the rows have units
   bool omit_zeros = false;              ///< true if the terminal lists rows of zeros in one line
 };
 
@@ -50,7 +50,8 @@ std::vector<ListingColumn> listing_columns(UnitSystem units,
                                            const std::vector<ValueRecord>& records,
                                            std::initializer_list<std::string_view> keys);
 
-/// A table with a row for each record, which begins with its name, and the columns of `keys`.
+/// A table with a row for each record. The row begins with the name of the record, followed by the
+/// columns that listing_columns() makes for `keys`.
 TextTable record_table(UnitSystem units, std::string title, const std::vector<std::string>& names,
                        const std::vector<ValueRecord>& records,
                        std::initializer_list<std::string_view> keys);

@@ -1,6 +1,6 @@
 // Converts sentences of the program, which are written in mm, to inch. Numbers and keys are
-// converted. Every length in a sentence has its own unit, "1 mm, 2 mm and 5 mm". A module stays in
-// mm. The unit of a module follows a no-break space, so it is not found and not converted.
+// converted. Every length in a sentence has its own unit, as in "1 mm, 2 mm and 5 mm". A module
+// stays in mm: a no-break space precedes its unit, so the unit is not found and not converted.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -38,8 +38,9 @@ constexpr std::array<std::string_view, 12> kInBoth{"module_mm",
                                                    "diametral_pitches_per_in",
                                                    "diametral_pitches_per_mm"};
 
-// Keys in the table of a toleranced length, { range = [-1, 1], cpk = 1.33 }, whose numbers are not
-// lengths, and `samples`, whose members have units of their own.
+// Keys whose numbers do not have the unit of the enclosing key. `cpk` and `shape` are pure numbers
+// in the table of a toleranced length, for example in { range = [-1, 1], cpk = 1.33 }. The members
+// of `samples` have units of their own.
 constexpr std::array<std::string_view, 3> kPureNumbers{"cpk", "shape", "samples"};
 
 template <class List>

@@ -17,10 +17,9 @@ namespace gearwright {
 
 enum class UnitSystem { mm, inch };  ///< the order of the words of the key `units`
 
-/// The words of the key `units`.
 std::string_view to_string(UnitSystem units);
 
-/// The unit that replaces a unit of the catalogue in this system: Unit::inch for Unit::mm.
+/// The unit that replaces a unit of the catalogue in this system, for example inch for mm.
 Unit unit_in(UnitSystem units, Unit unit);
 /// A value in the unit that replaces `unit`. The result is the number with the fewest digits
 /// that equals the exact value within rounding.
@@ -30,9 +29,9 @@ double value_in(UnitSystem units, Unit unit, double value);
 int digits_in(UnitSystem units, Unit unit, int digits);
 
 /// The text of a value in the unit that replaces `unit`, with the number of decimals of
-/// digits_in(): "1.0000" or "0.03937" for 1 mm and 4 decimals.
+/// digits_in(). For 1 mm and 4 decimals, for example, it is "1.0000" or "0.03937".
 std::string text_in(UnitSystem units, Unit unit, double value, int decimals);
-/// The text of the unit that replaces `unit`: "mm" or "in".
+/// The text of the unit that replaces `unit`, for example "mm" or "in".
 std::string_view unit_text(UnitSystem units, Unit unit);
 
 /// A unit of length of the metric system and the unit that replaces it in the inch system.
@@ -47,21 +46,22 @@ struct KeyUnit {
   double to_metric(double inch_value) const;
 };
 
-/// The unit of a key or of a path of keys, "gear1.face_width_mm" or "gear1.measured.span_mm.3", if
-/// the key has a unit of length. Null for other keys, whose unit is the same in both systems.
+/// The unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3", if the key
+/// has a unit of length. Null for other keys, whose unit is the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
-/// The unit of a key in an inch spec, "gear1.face_width_in". Null for keys whose unit is the same
-/// in both systems.
+/// The unit of a key in an inch spec, for example of "gear1.face_width_in". Null for keys whose
+/// unit is the same in both systems.
 const KeyUnit* inch_unit(std::string_view key);
 
 /// True if the numbers under this key have the unit that the key of the enclosing table gives. An
 /// example is `3` in span_mm = { 3 = 19.751 }.
 bool is_in_unit_of_table(std::string_view key);
 
-/// The name that a key or a path of the catalogue has in this system: "face_width_in" for
-/// "face_width_mm".
+/// The name that a key or a path of the catalogue has in this system. In inch, for example,
+/// "face_width_mm" becomes "face_width_in".
 std::string key_in(UnitSystem units, std::string_view key);
-/// The name that a key of an inch spec has in the catalogue: "face_width_mm" for "face_width_in".
+/// The name that a key of an inch spec has in the catalogue. For example, "face_width_in" becomes
+/// "face_width_mm".
 std::string metric_key(std::string_view key);
 
 /// A sentence in this system. Names of keys, and numbers before " mm" or " µm" or after "key = ",

@@ -14,8 +14,9 @@
 
 namespace gearwright {
 
-/// The shape of the values of a getter that returns R: the lengths of nested lists, and true if no
-/// value is null. A list whose values are all null counts as null. A Value may have any shape.
+/// The shape of the values of a getter that returns R: the lengths of nested lists, and a flag that
+/// is true if no value is null. A list whose values are all null counts as null. A Value may have
+/// any shape.
 template <class R>
 struct Shape;
 template <bool always>

@@ -190,8 +190,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   return judge(with, {.contact = &contact->driving, .load = !loads.empty()});
 }
 
-// Adds the closed forms for circular-arc teeth to the answer. Returns the value of each correction
-// in closed form, from which the search starts, and 0 for other corrections.
+// Adds the closed forms for circular-arc teeth to the answer. Returns the values of all corrections
+// from which the search starts. A value is 0 if there is no closed form for the correction.
 std::vector<double> closed_forms(const SolvedJob& job, const ContactSetup& setup,
                                  const std::vector<WorkshopCorrection>& corrections,
                                  CompensateAnswer& answer) {

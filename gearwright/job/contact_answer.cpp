@@ -85,8 +85,8 @@ void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
          "cut by a pinion cutter or for circular fillets."});
     return;
   }
-  // Only the first pitch is examined, because the positions in the other pitches repeat its
-  // phases.
+  // Of equally spaced positions, only those in the first pitch are examined. The teeth have the
+  // same phases of contact in every other pitch.
   const auto first_pitch = [&](std::span<const ContactPoint> positions) {
     return input.rotations.empty() ? positions.first(static_cast<std::size_t>(input.positions))
                                    : positions;

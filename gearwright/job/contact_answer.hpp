@@ -1,6 +1,6 @@
 // The verb `contact` analyses the working and the non-working flanks under the errors and
 // modifications of the spec. The flanks belong to a pair, to a rack and its pinion, or to the two
-// halves of a double-helical pair. The influences of the errors have names.
+// halves of a double-helical pair. Each influence has the name that it has in results.
 #pragma once
 
 #include <optional>

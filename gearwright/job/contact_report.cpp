@@ -29,7 +29,8 @@ constexpr int kSmallPositions = 80;
 constexpr int kMaxPositions = 1024;  // sufficient for the printed decimals of the peak-to-peak
                                      // transmission error
 
-// "tip relief 15 µm from 64.5 mm, helix crowning 8 µm", or empty if there are no modifications.
+// Example: "tip relief 15 µm from 64.5 mm, helix crowning 8 µm". The text is empty if there are no
+// modifications.
 std::string words_of(const FlankModifications& m) {
   std::string text;
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
@@ -290,7 +291,7 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   auto made = answer_contact(job, progress);
   if (!made) {
     // If nothing touches, the warning states only the rule of the error, because the rule
-    // describes the whole pair. Otherwise, it also names the invalid number.
+    // describes the whole pair. Otherwise, the warning also names the invalid number.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

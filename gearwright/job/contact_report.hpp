@@ -21,7 +21,7 @@ bool wants_contact(const SolvedJob& job);
 /// The contact of one pair of flanks over a pitch, with the data of its pictures. The flanks belong
 /// to two gears, to a pinion and its rack, or to one half of a double-helical pair.
 struct FlankContact : ContactScene {
-  std::shared_ptr<const ContactPair> pair;  ///< for the half at z < 0, its mirror image
+  std::shared_ptr<const ContactPair> pair;  ///< the mirror image, for the half at z < 0
   bool below = false;                       ///< true for the half at z < 0
   Angle behind{};                           ///< rotation of this half minus the rotation of gear 1
 

@@ -26,7 +26,7 @@ std::string csv_cell(const Value& value, UnitSystem units = UnitSystem::mm, Unit
 /// list has a row for each value (key.1, key.2, …). Lists of records (contacts, overlaps) are
 /// omitted.
 std::string quantities_csv(const SolvedJob& job);
-/// The same rows for the measurements of the gears.
+/// Rows as in quantities_csv(), for the measurements of the gears.
 std::string measure_csv(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 /// A row for each position of the working flanks, with a column for each number of the position.
 std::string contact_csv(const SolvedJob& job, const ContactAnswer& answer);
@@ -40,7 +40,7 @@ std::string rating_csv(const SolvedJob& job, const RatingAnswer& answer);
 /// A row for each point, with the columns arc, x_mm and y_mm.
 std::string outline_csv(const Outline& outline, int points, UnitSystem units);
 
-/// The usable extent of the flank, over which modifications apply. The gear may be internal.
+/// The usable extent of the flank of an external or internal gear. Modifications apply to it.
 FlankExtent extent_of(const Gear& gear, const EvaluationRanges& ranges);
 
 /// Reads "9x5", the numbers of points along the profile and along the face. Other texts give no

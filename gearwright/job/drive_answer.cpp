@@ -257,7 +257,8 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   const auto& given = job.spec.drive->graph.gears[gear].spec;
   if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
     table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
-  // The mean of a series becomes the series again, so that the drawing has its limits.
+  // An allowance that is the mean of a series is replaced by the name of the series, so that the
+  // drawing has the limits of the series.
   const std::string series = solved ? series_of(job.spec.tree->tables, solved->spec) : "";
   if (!series.empty()) {
     table.erase("thickness_allowance_mm");

@@ -31,8 +31,8 @@ inline constexpr std::size_t kDefaultDrives = 100;
 
 bool searches_drives(const JobSpec& spec);
 
-/// The numbers of teeth of a candidate, "sun 19, planet 17, ring 56". If the stages of a train
-/// have different modules, each module follows, "19:58 (m 1.5), 20:66 (m 2.5)".
+/// The numbers of teeth of a candidate, for example "sun 19, planet 17, ring 56". If the stages of
+/// a train have different modules, the text also gives the modules: "19:58 (m 1.5), 20:66 (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
 /// A candidate as a spec for the verb `drive`, from the keys that all candidates share and the

@@ -61,7 +61,6 @@ std::vector<double> pins_of(const LoadInput& input, const Drive& drive) {
   return pins;
 }
 
-// True if the gear also belongs to an earlier mesh under load.
 bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   for (std::size_t m = 0; m < mesh; ++m) {
     const auto& [a, b] = drive.graph.meshes[m].gears;

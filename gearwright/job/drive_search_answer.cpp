@@ -181,8 +181,9 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
                        default_face_step(spec.units())};
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
-  // Rated trains whose shifts the search chooses have the same limit as rated pairs. In small
-  // planetary sets, no shifts satisfy it.
+  // If a search rates trains and chooses their profile shifts, it limits the specific sliding in
+  // the same way as a search for rated pairs. Planetary sets have no such limit, because no profile
+  // shifts of a small set satisfy it.
   const PerMember& shift = problem.base.profile_shift;
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())

@@ -35,7 +35,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The note about omitted flank modifications and about gears of one body that are separate solids.
+// The note about flank modifications that the file omits, and about gears that belong to one body
+// but are separate solids in the file.
 std::string deviations(const std::vector<ToothedBody>& bodies) {
   std::string note;
   for (const ToothedBody& body : bodies) {
@@ -170,8 +171,8 @@ Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress
   return std::optional<CompensateView>();
 }
 
-// The scatter, or nothing if the spec has no [scatter]. If there is no contact, the contact
-// analysis warns.
+// The scatter, or nothing if the spec has no [scatter] or if there is no contact. In the second
+// case, no warning is added here, because the contact analysis already warns.
 Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
   auto answer = answer_scatter(job, progress);

@@ -33,7 +33,6 @@ bool gives_thickness(const Json& tree, const Json& gear) {
 // A computed value with six decimals, because readings are less accurate.
 double six_decimals(double value) { return std::round(1e6 * value) / 1e6; }
 
-// A computed length with six decimals in the unit of the spec.
 double six_decimals(UnitSystem units, double mm) {
   if (units == UnitSystem::mm) return six_decimals(mm);
   const KeyUnit& inch = *metric_unit("tip_diameter_mm");
@@ -56,14 +55,15 @@ Json spec_of(const JobSpec& spec, int which, const IdentifiedGear& found) {
   const double allowance = six_decimals(spec.units(), found.thickness_allowance);
   if (allowance != 0.0 && !gear.contains("thickness_allowance_mm") && !gives_thickness(tree, gear))
     gear["thickness_allowance_mm"] = allowance;
-  // ISO53-A is the rack by default.
+  // A spec does not need the key for ISO53-A, the default rack.
   if (!found.rack.empty() && found.rack != "ISO53-A") gear["rack"] = found.rack;
   if (!gear.contains("tip_diameter_mm"))
     gear["tip_diameter_mm"] = six_decimals(spec.units(), found.tip_diameter);
   return tree;
 }
 
-// The name of a reading with its tool: "span over 3 teeth", "dimension over balls of 5 mm".
+// The name of a reading with its tool, for example "span over 3 teeth" or "dimension over balls of
+// 5 mm".
 std::string tool_text(Reading reading, double tool) {
   switch (reading) {
     case Reading::span: return fmt::format("span over {:.0f} teeth", tool);
@@ -78,7 +78,7 @@ std::string tool_text(Reading reading, double tool) {
 
 const char* reading_unit(Reading reading) { return reading == Reading::helix_angle ? "°" : " mm"; }
 
-// The beginning of a sentence about readings that seem to be given in the other unit.
+// The beginning of a sentence about readings that seem to be in inch instead of mm, or the reverse.
 const char* group_text(Reading mistake) {
   switch (mistake) {
     case Reading::all: return "all lengths are";
@@ -204,7 +204,9 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
 // The sentence about two likely candidates that no usual measurement distinguishes. It is empty if
 // there is only one likely candidate.
 std::string undecided_text(const Identification& found) {
-  constexpr double kLikely = 0.01, kClear = 0.1;  // likelihood; degrees
+  // The least likelihood of a likely candidate, and in degrees the least difference of two helix
+  // angles that a measurement can distinguish.
+  constexpr double kLikely = 0.01, kClear = 0.1;
   if (found.next || found.candidates.size() < 2 || found.candidates[1].likelihood < kLikely)
     return "";
   const double one = found.candidates[0].helix_angle.deg();

@@ -69,7 +69,7 @@ Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job) {
 
 std::vector<ValueRecord> measure_records(const SolvedJob& job) {
   std::vector<ValueRecord> records;
-  std::vector<Warning> ignored;  // the verb adds its own warnings
+  std::vector<Warning> ignored;  // only the verb `measure` reports these warnings
   for (int which = 1; which <= static_cast<int>(job.gears.size()); ++which) {
     const auto measures = measured(job, which, job.pair, ignored);
     records.push_back(measures ? measure_quantities().of(*measures) : ValueRecord());

@@ -28,13 +28,13 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 /// two records or none. Without tolerances the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// job_record with `measure` added to each of `gears`, and the ranges of the measurements within
-/// tolerances.
+/// The record of job_record() in which each of `gears` also has `measure`, with the ranges of the
+/// measurements within tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
-/// The rack of --as-rack, "module,angle". Either of the two may be empty.
+/// The rack that --as-rack gives as "module,angle". Either of the two numbers may be missing.
 struct RackQuestion {
   std::optional<double> normal_module;  ///< mm
   std::optional<Angle> normal_pressure_angle;
@@ -45,8 +45,8 @@ std::optional<RackQuestion> parse_rack_question(const std::string& text);
 
 /// Describes the gear, with its teeth as cut, by the rack of `question`.
 ///
-/// Errors    `--as-rack` if no such rack describes this gear. The message gives the module for
-///           the angle, or the greatest angle
+/// Errors    `--as-rack` if no such rack describes this gear. The message gives the limit of the
+///           module or of the angle, or the module that belongs to the given angle
 Result<ReferenceInput<double>> gear_as_rack(const Gear& gear, const RackQuestion& question);
 
 /// {normal_module_mm, normal_pressure_angle_deg, helix_angle_deg, profile_shift,

@@ -45,7 +45,6 @@ std::optional<Error> not_made_for(const SolvedJob& job) {
   return std::nullopt;
 }
 
-// Copies the torque of [rating] if [load] has no torque.
 void complete_torque(JobSpec& spec, Json& tree) {
   const auto torque = torque_of_rating(spec);
   if (!torque) return;
@@ -119,16 +118,17 @@ std::string arrow(double from, double to, int decimals) {
   return fmt::format("{} → {}", fixed_decimals(from, decimals), fixed_decimals(to, decimals));
 }
 
-// The score whose pressure is compared. If there is a helix slope deviation, it is the score at the
-// limits of this deviation.
+// The score whose pressure is compared with other proposals. If the gears have a helix slope
+// deviation, this is the score at the limits of the deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
-constexpr double kMostPressure = 1.1;  // Pressure that is accepted for freeing the edges at the
-                                       // limits. As p_H ∝ √F, 10 % are 21 % of the torque.
+// Greatest increase of the pressure, as a factor, that is accepted if it frees the edges at the
+// limits of the helix slopes from load. Because p_H ∝ √F, 10 % more pressure are 21 % more torque.
+constexpr double kMostPressure = 1.1;
 
-// 2 if an edge carries load, 1 if it does so only at the limits of the helix slopes, 0 if no edge
-// carries load. A pressure above the multiple kMostPressure of `least` counts as an edge at the
-// limits.
+// The result is 2 if an edge carries load, 1 if an edge carries load only at the limits of the
+// helix slopes, and 0 if no edge carries load. A pressure above kMostPressure · least counts like
+// an edge at the limits, so the result is then at least 1.
 int edge_rank(const Proposal& p, double least) {
   if (p.worst.edge_carries) return 2;
   return pressed(p).edge_carries || p.worst.max_pressure > kMostPressure * least;
@@ -144,7 +144,8 @@ bool is_possible(const Proposal& p, const Proposal& given) {
          !rises(p.worst, given.worst);
 }
 
-// The least pressure without deviations among the possible proposals without a loaded edge.
+// The least pressure among the possible proposals without a loaded edge. Both the pressure and the
+// edges are those of the nominal teeth, without deviations.
 double least_pressure(const std::vector<Proposal>& list) {
   double least = kInfinity;
   for (const Proposal& p : list)
@@ -163,8 +164,9 @@ std::optional<std::size_t> quietest_without_edge(const std::vector<Proposal>& li
   return best;
 }
 
-// A sentence about the quietest possible proposal that has no loaded edge at the limits either, but
-// more pressure than kMostPressure permits. Empty if there is none.
+// A sentence about a possible proposal without a loaded edge, even at the limits of the helix
+// slopes. Of several such proposals, it is the one with the least transmission error. The sentence
+// is empty if there is no such proposal, or if its pressure is not greater than that of `best`.
 std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best) {
   std::optional<std::size_t> free;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -211,7 +213,8 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
-  // The transmission error is compared for the nominal teeth, and the pressure at the limits.
+  // Proposals are compared by the transmission error of the nominal teeth. At the limits of the
+  // helix slopes, the transmission error may therefore be greater than for the spec as given.
   if (p.at_limits && given.at_limits && rises(*p.at_limits, *given.at_limits))
     text += fmt::format(
         " At the limits of the helix slopes, its transmission error is greater than that of the "
@@ -237,8 +240,9 @@ std::string origin(const ProposeAnswer& a, std::size_t i) {
 
 std::size_t recommended(const std::vector<Proposal>& list) {
   GW_EXPECTS(!list.empty());
-  constexpr double kWorth = 0.99;  // a later proposal has more changes, so at equal rank it is
-                                   // chosen only if its merit is smaller by more than 1 %
+  // A smaller merit is better. A later proposal has more changes of the spec, so at equal rank it
+  // is chosen only if its merit is smaller by more than 1 %.
+  constexpr double kWorth = 0.99;
   const Proposal& given = list.front();
   const auto relative = [](double x, double to) { return std::isfinite(to) ? x / to : 1.0; };
   const auto merit = [&](const Proposal& p) {

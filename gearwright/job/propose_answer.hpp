@@ -21,7 +21,7 @@ namespace gearwright {
 
 struct ProposeAnswer : ProposeView {
   std::vector<Json> specs;  ///< one for each proposal; the first one is the spec as given
-  /// Sentences about each of the specs, as in Answer.
+  /// Sentences about each of the specs, as in Answer::notes.
   std::vector<std::vector<std::string>> notes;
   Verdict verdict;  ///< on the recommended proposal, with its warnings instead of the warnings of
                     ///< the job

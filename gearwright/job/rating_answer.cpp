@@ -54,7 +54,8 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   }
 }
 
-// Gives the safety factors under the spectrum, because the verdict applies to one torque with K_A.
+// Adds a warning with the safety factors under the spectrum. The verdict does not contain them,
+// because it applies to one torque with K_A.
 void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
   const double flank = std::min(answer.spectrum->S_H[0], answer.spectrum->S_H[1]);
   const double root = std::min(answer.spectrum->S_F[0], answer.spectrum->S_F[1]);

@@ -20,9 +20,9 @@ struct LoadAnalysis;
 Json warnings_json(const std::vector<Warning>& warnings);
 /// A record that begins with `title`, if the spec has one.
 Json titled_record(const JobSpec& spec);
-/// The record of titled_record() with one result under its key.
+/// A record that begins with `title`, if the spec has one, and contains the result under `key`.
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
-/// A record with the title and the result of the verb `load` under its name.
+/// A record with the title and, under the key `load`, the result of the verb `load`.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);

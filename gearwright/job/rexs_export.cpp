@@ -192,7 +192,7 @@ Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& pat
     gears[i] = writer.gear(gear, name, shafts[i], job.spec.gear(which).modifications);
   }
   writer.stage("stage", gears[0], gears[1], job.pair->center_distance());
-  // Converts the torque and the speed of gear 1 in the spec to the driving gear.
+  // The spec gives the torque and the speed of gear 1. They are converted to the driving gear.
   const std::size_t driver = job.spec.load.driver == 2 ? 1 : 0;
   const double ratio = driver == 1 ? job.pair->gear_ratio() : 1.0;
   auto speed = job.spec.pair.speed_rpm;

@@ -16,7 +16,8 @@ namespace gearwright {
 ///           racks or pinion cutters, and double-helical gears
 Result<JobFile> make_rexs(const SolvedJob& job, const std::filesystem::path& path);
 
-/// Errors    a drive without geometry or with a rack; the errors above for its gears
+/// Errors    a drive without geometry or with a rack; for a gear that REXS cannot contain, the
+///           error that make_rexs() returns for a pair
 Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path);
 
 }  // namespace gearwright

@@ -67,10 +67,10 @@ DensityRequest density_request(const SolvedJob& job, const ScatterTask& task, in
 PatternDensity density_of(const SolvedJob& job, const ScatterAnswer& answer,
                           Progress* progress = nullptr, int most = 0);
 
-/// Replaces the names in an error of the functions of scatter/ by keys of [scatter].
+/// Replaces names by keys of [scatter] in an error that a function of scatter/ returns.
 Error of_scatter(const ScatterTask& task, Error error);
 
-/// The view refers to `answer`.
+/// The view refers to `answer`, which must therefore outlive it.
 ScatterView scatter_view(const SolvedJob& job, const ScatterAnswer& answer);
 Json scatter_json(const SolvedJob& job, const ScatterAnswer& answer);
 std::string scatter_listing(const SolvedJob& job, const ScatterAnswer& answer);

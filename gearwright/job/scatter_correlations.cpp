@@ -33,8 +33,9 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
   return std::nullopt;
 }
 
-// The coordinates of x that an entry of `between` names: one, or both of a bore. The name of
-// pitches means their share, and the name of a wave means its number of waves.
+// The indices of the coordinates of a sample to which the name in `between` refers. The name of a
+// bore refers to both of its coordinates. Every other name refers to one coordinate, which for
+// pitches is their share, and for a wave is the number of waves.
 std::vector<std::size_t> coordinates_named(const std::string& name,
                                            const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);
@@ -113,7 +114,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_of(
     const std::vector<ToleranceGroup>& groups) {
   auto found = correlations_in_mm(spec.scatter, tolerances, groups);
   if (found) return found;
-  // The coordinates of a bore are not keys of the catalogue, so their names are converted here.
+  // The names of the coordinates of a bore are not keys of the catalogue, so no other function
+  // converts them to inch.
   Error error = found.error();
   for (const std::string& name : coordinate_names(tolerances))
     for (std::string* text : {&error.value, &error.rule})

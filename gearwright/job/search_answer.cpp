@@ -73,7 +73,6 @@ std::string face_load_line(const SearchRun& run) {
       *run.default_face_load);
 }
 
-// The sentence for a search in which none of the tried changes helps.
 std::string no_change_helps(const SearchRun& run, UnitSystem units) {
   std::vector<std::string> keys;
   for (const std::string& field : run.changes_tried) {
@@ -111,7 +110,7 @@ std::vector<std::string> reasons_of(const SearchProblem& problem, const SearchRu
   return lines;
 }
 
-// The face width in words: "10 mm to 120 mm (the least sufficient width)", "10 modules".
+// The face width in words, for example "10 mm to 120 mm (the least sufficient width)".
 std::string face_words(const SearchProblem& p) {
   std::string words;
   const auto add = [&](const std::optional<std::array<double, 2>>& band, const char* unit) {
@@ -171,7 +170,6 @@ namespace {
 
 bool has_boundaries(const SearchRun& run) { return run.answer.designs.size() <= kMaxBoundaries; }
 
-// The result without its designs.
 Json search_head(const SearchRun& run) {
   Json head = to_json(search_quantities().of(run));
   head.erase("designs");

@@ -15,7 +15,6 @@ inline constexpr std::size_t kListedDesigns = 20;
 /// One design as JSON with the keys of search.designs[i].
 Json design_row_json(const Search& search, const DesignRow& row, bool with_edges = true);
 
-/// The whole result in these units.
 Json search_json(const Search& search, const SearchRun& run, UnitSystem units);
 /// The text of search_json(). For mm, the text has one design per line.
 std::string search_json_text(const Search& search, const SearchRun& run,
@@ -28,8 +27,8 @@ Json unfinished_json(const SearchRun& run);
 std::string search_listing(const Search& search, const SearchRun& run, UnitSystem units,
                            std::size_t most = kListedDesigns);
 
-/// "rated by ISO 6336:2006, 300 N m on gear 1, face width 10 modules, S_H ≥ 1.1"; empty if the
-/// designs are not rated.
+/// Describes the rating, for example as "rated by ISO 6336:2006, 300 N m on gear 1, face width 10
+/// modules, S_H ≥ 1.1". The text is empty if the designs are not rated.
 std::string rating_line(const SearchProblem& problem);
 /// Describes the drawings of designs and their default limits. The text is empty if no drawings are
 /// checked.

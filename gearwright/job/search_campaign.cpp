@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The counts in the order of count_names(): first the limits, then the points of the grid.
+// The counts of a chunk. `rejected` contains the number of trials that each limit rejected,
+// followed by the numbers of tested and of feasible grid points. count_names() has the same order.
 ChunkCounts as_chunk(const SearchCounts& c) {
   ChunkCounts chunk{c.tested, c.feasible, {c.rejected.begin(), c.rejected.end()}};
   chunk.rejected.push_back(c.points_tested);

@@ -32,7 +32,7 @@ void add_heads(const RecordColumn& column, std::vector<ParquetColumn>& heads) {
 }
 
 TableColumns<DesignView> design_columns(const SearchProblem& problem) {
-  // Only some searches have these columns. The problem determines which of them exist.
+  // The columns that exist only for some problems.
   const std::set<std::string_view> optional{"backlash_mm", "face_width_mm", "S_H",
                                             "S_F",         "mass_kg",       "efficiency",
                                             "balance",     "relative_cost", "noise_um"};

@@ -44,7 +44,7 @@ SearchRun run_in_memory(const JobSpec& spec, const Search& search, std::int64_t 
   std::iota(todo.begin(), todo.end(), 0);
   BestDesigns best(search.problem(), options.top.value_or(kDefaultDesigns));
   SearchCounts counts;
-  std::map<std::int64_t, ChunkFinds> all;  // for the files
+  std::map<std::int64_t, ChunkFinds> all;  // filled only if files are written
   std::mutex mutex;
   SearchWorkers workers(search, chunk, std::move(todo), options);
   workers.run([&](std::int64_t c, ChunkFinds finds, const SearchCounts& n) {

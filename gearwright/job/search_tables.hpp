@@ -60,7 +60,6 @@ class TableColumns {
   std::vector<ParquetColumn> heads_;
 };
 
-/// A table that is written to a Parquet file.
 template <class S>
 class ParquetTable {
  public:

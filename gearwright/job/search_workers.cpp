@@ -32,8 +32,8 @@ void SearchWorkers::work(const Done& done) {
   const SearchWatch watch = [&](std::int64_t trials) {
     trials_done_ += trials;
     if (stopped()) return false;
-    constexpr unsigned kSeldom = 16;  // number of graphs between reports of the progress, so that
-                                      // the reports take little time
+    constexpr unsigned kSeldom = 16;  // only every 16th call without finished trials is reported,
+                                      // so that the reports take little time
     if (trials > 0 || calls++ % kSeldom == 0) report_progress();
     return true;
   };
@@ -42,8 +42,8 @@ void SearchWorkers::work(const Done& done) {
     if (!c) return;
     ChunkFinds finds;
     const std::int64_t from = *c * chunk_;
-    // Only files need the grid points themselves, but every result contains the number of grid
-    // points.
+    // The grid points are computed even if no file needs them, because every result contains their
+    // number.
     const SearchCounts counts =
         search_.range(from, from + trials_of(*c), finds.designs,
                       {.detail = detail_of(search_.problem(), !options_.out.empty()),

@@ -74,8 +74,8 @@ std::optional<Error> find_halves(SolvedJob& job) {
                "opposite hands"};
 }
 
-// True if the numbers that the error reports as missing can be computed by the verb `fit`: the
-// position, the helices and the profile shifts.
+// True if the verb `fit` can compute the numbers that the error reports as missing. These are the
+// position of the gears, the helices and the profile shifts.
 bool is_found_by_fit(const JobSpec& spec, const Error& error) {
   if (error.kind != FailureKind::placement && error.kind != FailureKind::missing) return false;
   const bool helices = spec.gear(1).helix_given || spec.gear(2).helix_given;

@@ -20,7 +20,6 @@ struct SolvedJob : Arranged {
   /// The pinion with its rack if gear 2 is a rack. In this case `gears` contains only the pinion.
   std::optional<RackPair> rack{};
 
-  /// The number of gears, including a rack.
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
   /// arranged_corners() of the tolerances, computed at the first call. Copies share the result.
   const std::vector<Arranged>& corners() const;
@@ -32,9 +31,10 @@ struct SolvedJob : Arranged {
   std::shared_ptr<Corners> shared_corners = std::make_shared<Corners>();  ///< for corners()
 };
 
-/// Errors    keys with their table, "gear2.profile_shift"; the errors of arrange(), halve() and
-///           halves_of(); `pair.shaft_angle` for double-helical gears on crossed axes; `gear2.form`
-///           for a rack, if the scope is more than the gears
+/// Errors    the errors of arrange(), halve() and halves_of(), with the path of the key in the spec
+///           as the field, for example "gear2.profile_shift"; `pair.shaft_angle` if double-helical
+///           gears have crossed axes; `gear2.form` if gear 2 is a rack and `scope` includes more
+///           than the single gears
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope);
 
 /// Like solve(), but gear 2 may also be a rack.
@@ -49,9 +49,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec);
 /// single-helical.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// Returns "search", "identify" or "fit" if solve() rejects the spec because the verb of this name
-/// must first compute unknown numbers. The text is empty for other errors. The error may already
-/// contain keys of the file.
+/// The verb, "search", "identify" or "fit", that can compute the unknown numbers because of which
+/// solve() rejects the spec with `error`. The text is empty for any other error. `error` may
+/// contain names of members or keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

@@ -87,7 +87,7 @@ std::string head_of(const JobSpec& spec, const StudyColumn& column) {
   return head == "%" ? percent_words(spec) : head;
 }
 
-// "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 % point of …"
+// Example: "63 designs, 1024 samples of each (8 replicates of 128), ranked by the 95 % point of …"
 std::string study_words(const JobSpec& spec, const StudyRun& run) {
   const ScatterInput& in = spec.scatter;
   return fmt::format(

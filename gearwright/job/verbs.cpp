@@ -216,8 +216,8 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
-// The answer of a verb whose results are gears, because the spec does not give them completely.
-// `specs` are the computed gears.
+// The answer of a verb that completes an incomplete spec. Answer::specs contains the completed
+// specs.
 template <class Found>
 Answer proposals(UnitSystem units, Found&& found, Json (*record)(const Found&),
                  std::string (*listing)(const Found&, UnitSystem)) {

@@ -25,7 +25,7 @@ namespace gearwright {
 
 namespace {
 
-// The member of a record with this path, "span.length_mm", or null if there is no value.
+// The member with this path, for example "span.length_mm", or null if it has no value.
 const Member* find(const ValueRecord& record, std::string_view path) {
   const Member* const m = member_at(record, path);
   return m && !all_nothing(m->value) ? m : nullptr;
@@ -103,7 +103,7 @@ void add_cutter(DataGroup& group, const PinionCutting& cutter, int mate, const R
                         short_decimals(value_in(r.units, Unit::mm, cutter.tip_rounding), 4)});
 }
 
-// The name of a standard rack as the spec gives it, "AGMA-20" or "ISO 53-A", which is the default.
+// The name of a standard rack in the spec, for example "AGMA-20". The default is "ISO 53-A".
 std::string rack_name(const JobSpec& spec, int which) {
   const std::string name = spec.tree->tables.at(gear_field(which)).value("rack", "ISO53-A");
   return name.starts_with("ISO53") ? "ISO 53" + name.substr(5) : name;
@@ -234,7 +234,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-// The half at z < 0 of a double-helical gear is the mirror image of the other half.
+// The rows describe both halves of a double-helical gear, because one is the other's mirror image.
 DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
                         UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};

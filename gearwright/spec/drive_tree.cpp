@@ -161,8 +161,8 @@ Json mesh_of(const DriveGraph& graph, const DriveMesh& mesh) {
   return j;
 }
 
-// If the list `gears` of a stage contains this gear, the table with all keys of the gear. Otherwise
-// null.
+// The table with all keys of the gear, from the list `gears` of its stage. Null if no such list
+// contains the gear.
 Json whole_gear(const Json& tree, const std::string& name) {
   if (!tree.contains("stage")) return nullptr;
   for (std::size_t k = 0; k < tree["stage"].size(); ++k) {

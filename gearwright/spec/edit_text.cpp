@@ -213,8 +213,8 @@ class Editor {
   std::vector<std::size_t> lines_;  // beginning of each line
 };
 
-// If the path `parts` leads into a material that is only a name, material = "16MnCr5", the result
-// is the path of the material and its table.
+// The path `parts` may lead into a material that is only a name, for example material = "16MnCr5".
+// The result is then the path of the material and a table that contains this name.
 std::optional<std::pair<std::string, Json>> named_material_of(
     const Json& tree, const std::vector<std::string>& parts) {
   const Json* node = &tree;

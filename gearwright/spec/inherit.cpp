@@ -37,7 +37,6 @@ std::optional<double> number(const Json& table, const std::string& key) {
   return it->get<double>();
 }
 
-// The magnitude of the helix angle in degrees.
 double helix_of(const Json& gear) {
   if (const auto beta = number(gear, "helix_angle_deg")) return std::abs(*beta);
   if (const auto lead = number(gear, "lead_angle_deg")) return 90.0 - *lead;

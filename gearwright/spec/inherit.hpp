@@ -22,15 +22,15 @@ struct Inherited {
   std::vector<std::string> noted{};  ///< copied keys that are not dimensions: material, quality
 };
 
-/// True if the table describes a rack, form = "rack".
+/// True if the table describes a rack, that is, contains form = "rack".
 bool is_rack(const Json& gear);
 /// The reason for rejecting a key of a gear in the table of a rack.
 inline constexpr std::string_view kNotOfRack =
     "does not apply to a rack, which has the basic rack, the module and the helix angle of its "
     "pinion";
 
-/// The spec with every material that is only a name, material = "16MnCr5", replaced by a table
-/// [material] with this name.
+/// The spec in which every material that is only a name, for example material = "16MnCr5", is
+/// replaced by a table [material] with this name.
 Json with_named_materials(const Json& tree);
 
 /// Copies values from gear 1 to gear 2 of a mounted pair, if both have teeth. A gear that is cut by

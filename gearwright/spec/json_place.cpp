@@ -89,7 +89,7 @@ bool enter(Walk& walk, std::string_view& path, std::optional<std::size_t>& found
   return false;
 }
 
-// Moves to an element of a list. The number of the element, "[2]", is at the beginning of `path`.
+// Moves to an element of a list. `path` begins with the number of the element, for example "[2]".
 bool enter_list(Walk& walk, std::string_view& path, std::optional<std::size_t>& found) {
   const int wanted = std::atoi(path.data() + 1);
   walk.step();

@@ -36,7 +36,6 @@ void check_names(const std::vector<Item>& items, const std::string& table) {
                          "is already the name of another entry"}};
 }
 
-// Adds the bodies to the graph, and returns their names.
 std::vector<std::string> add_bodies(const GraphInput& in, DriveGraph& graph) {
   std::vector<std::string> names;
   for (const auto& [body, rides_on] : in.bodies) {

@@ -20,9 +20,9 @@
 
 namespace gearwright {
 
-/// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, "gear1". `mate` is
-/// the table of the other gear, which supplies the module and the angles that the table of a
-/// separate cutter omits. File names are relative to `folder`.
+/// `keys` are gear_keys() or cutter_keys(), and `path` is the name of the table, for example
+/// "gear1". `mate` is the table of the other gear. It supplies the module and the angles if the
+/// table of a separate cutter omits them. File names are relative to `folder`.
 GearInput read_gear(const KeyTable& keys, const Json& node, const std::string& path,
                     const Json* mate = nullptr, const std::filesystem::path& folder = {});
 
@@ -47,12 +47,10 @@ bool is_unknown_gear(const Json& gear);
 /// Throws    SpecError
 std::shared_ptr<const IdentifyProblem> read_measured(const Json& tree, int which);
 
-// Reads [gearN.modifications] for the right and the left flank.
-
 constexpr std::size_t kMaxTopography = 4 << 20;  ///< bytes, enough for 200 000 points
 
-/// The modifications of the right and the left flank. If the gear has no such table, they remove
-/// nothing. make_removal_field checks the conditions on the finished gear.
+/// The modifications of the right and the left flank. Without [gearN.modifications], they remove
+/// nothing. The conditions on the finished gear are not checked here but in make_removal_field().
 ///
 /// Throws    IoError if the file of a topography exists and cannot be read
 std::array<FlankModifications, 2> read_modifications(TableReader& gear,

@@ -23,8 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two lines of a grid count as one line that was measured twice if their distance, relative to the
-// range, is smaller than this. A spline between them would turn noise into a slope.
+// Least distance of two neighbouring lines of a grid, relative to the range of all lines. Two
+// closer lines count as one line that was measured twice, because a spline would turn the noise
+// between them into a slope.
 constexpr double kMinStep = 1e-4;
 
 std::string_view trimmed(std::string_view s) {

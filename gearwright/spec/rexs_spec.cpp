@@ -85,7 +85,8 @@ class Reader {
     return flank ? flank->number("addendum_modification_coefficient") : std::nullopt;
   }
 
-  // The rack of a tool. In version 2.0 the radius of the tip corners has a new name.
+  // The rack of a tool. The radius of the tip corners is read under its name in version 2.0 and
+  // under its older name.
   static Json rack_of(const Component& tool) {
     Json rack = Json::object();
     const bool hob = tool.type == "rack_shaped_tool";

@@ -44,8 +44,8 @@ struct JobSpec : SpecTables {
 };
 
 /// Reads a spec from text. File names are relative to `folder`, or to the working directory if
-/// `folder` is empty. All missing inputs are reported as one error. They are the inputs that every
-/// spec needs and the inputs that `use` needs.
+/// `folder` is empty. All inputs that are missing, for every spec or for this `use`, are reported
+/// as one error.
 ///
 /// Throws    IoError if a named file exists and cannot be read
 /// Errors    the key with its table ("gear1.normal_module_mm") as the field, its value, and the

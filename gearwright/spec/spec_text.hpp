@@ -26,8 +26,8 @@ struct SpecText {
 /// REXS file (spec/rexs_file.hpp) is converted to TOML.
 ///
 /// Throws    IoError if the file cannot be read
-/// Errors    a REXS file that cannot be read or converted to a spec (spec_of_rexs); more than kMaxSpec
-///           bytes, which are not read
+/// Errors    a REXS file that cannot be read or converted to a spec (spec_of_rexs); more than
+///           kMaxSpec bytes, which are not read
 Result<SpecText> read_spec_text(const std::filesystem::path& path);
 
 /// A position counted from 1, with columns in characters.
@@ -35,16 +35,16 @@ struct TextPlace {
   int line = 1, column = 1;
 };
 
-/// The position of a key, "gear1.rack.arcs[2].radius", or of its table if the key is absent. There
-/// is no position if the table is absent too. An empty key gives the position of a syntax error of
-/// TOML. For any other key, read_spec must be able to parse the text.
+/// The position of a key, for example "gear1.rack.arcs[2].radius", or of its table if the key is
+/// absent. There is no position if the table is absent too. An empty key gives the position of a
+/// syntax error of TOML. For any other key, read_spec must be able to parse the text.
 std::optional<TextPlace> place_of_key(const SpecText& text, std::string_view key);
 
 // Sets one key of a spec's TOML text to another value and leaves comments, order and blanks
 // unchanged.
 
-/// `path` has the form that errors use, "gear1.rack.dedendum". `value` is JSON text. Null removes
-/// the key, and its line if the key has a line of its own.
+/// `path` has the form that errors use, for example "gear1.rack.dedendum". `value` is JSON text.
+/// Null removes the key, and its line if the key has a line of its own.
 ///
 /// An absent key is added at the end of its table. An absent table is added at the end of the text.
 /// Keys of an inline table { … } are set inside the braces.

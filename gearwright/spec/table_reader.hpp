@@ -56,14 +56,14 @@ class TableReader {
   const Json* any(const std::string& key);  ///< a value of any type, or null
   /// True if the table contains the key or one of its aliases.
   bool given_in_any_way(const std::string& key) const { return has_any(node_, keys_.ways(key)); }
-  /// The helix angle, with which values in the transverse section are converted. By default, it is
+  /// Sets the helix angle with which values in the transverse section are converted. The default is
   /// 0.
   void use_helix(Angle beta) { cos_beta_ = std::cos(beta.rad()); }
 
   void check(const std::string& key, double value) const;
   /// Returns a finite number within the key's range. `part` is the name of the number within the
-  /// value of the key: "sun" in bore_mm = { sun = 200 }. It is empty if the value is a single
-  /// number.
+  /// value of the key, for example "sun" in bore_mm = { sun = 200 }. `part` is empty if the value
+  /// is a single number.
   double checked(const std::string& key, const Json& value, const std::string& part = "") const;
   /// Fails if a required key is absent. If the key is misspelled, the error names the misspelled
   /// key.

@@ -29,8 +29,8 @@ bool is_one_of(const List& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-// The unit of a path whose last key is in the catalogue, or null. Other words that end like the key
-// of a length are names that the user chose.
+// The unit of a path whose last key is in the catalogue, or null. Any other word is a name that the
+// user chose, and has no unit even if it ends like the key of a length.
 const KeyUnit* declared_metric(std::string_view path) {
   return is_spec_key(path) ? metric_unit(path) : nullptr;
 }
@@ -43,7 +43,7 @@ const KeyUnit* declared_inch(std::string_view path) {
   throw SpecError{{path, shown(value), std::move(why)}};
 }
 
-// Members whose unit is given by another member: { value = 8, unit = "um" }.
+// Members whose unit another member gives, for example `value` in { value = 8, unit = "um" }.
 struct UnitMember {
   std::string_view member, named_by;
 };
@@ -137,8 +137,8 @@ class SpecInMm {
   GivenKeys& given_;
 };
 
-// True for a spec with gears or a drive. Other parts of a result may have a key `spec` without such
-// tables.
+// True if `value` is a spec inside a result. The key alone does not show this, because other parts
+// of a result may also have a key `spec`. Only a spec contains gears or a drive.
 bool is_spec(const std::string& key, const Json& value) {
   if (!value.is_object()) return false;
   const bool named = key == "spec" || key == "corrected_spec" || key == "expanded";

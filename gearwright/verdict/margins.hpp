@@ -21,9 +21,9 @@ std::vector<Finding> backlash_findings(const StatedBacklash& j);
 /// Findings for contact at edges, and for a contact pattern that lies near the end of the face.
 std::vector<Finding> contact_findings(const PatternPlace& place);
 
-/// A sentence with the changes that raise all safety factors to their required values: "6 mm more
-/// face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the sentence
-/// states the greatest permissible torque.
+/// A sentence with the changes that raise all safety factors to their required values, for example
+/// "6 mm more face width, or 17CrNiMo6 would be sufficient." If no single change is sufficient, the
+/// sentence states the greatest permissible torque.
 std::string rating_remedy(const JudgedRating& rating);
 
 /// One finding for each safety factor below its requirement: red if it is below 1, otherwise amber.

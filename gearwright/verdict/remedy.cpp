@@ -158,7 +158,8 @@ std::optional<Found> least_change(Trials& trials, const Finding& finding, const 
     }
   };
   try_places();
-  // The profile shifts between undercut and a thin tip may lie between two places.
+  // The range of profile shifts with neither undercut nor a thin tip may be so narrow that it lies
+  // between two of the tried values. More values are then tried.
   if (!best && lever.what == Adjustable::profile_shift && depth != TryDepth::with_contact) {
     constexpr int kFine = 20;
     for (int i = 1; i < kFine; ++i) places.push_back(steps_for(i * lever.span / kFine));

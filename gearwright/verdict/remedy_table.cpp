@@ -130,7 +130,7 @@ std::optional<double> shift_without_undercut(const Gear& gear) {
          s.thickness_allowance / (2 * s.normal_module * std::tan(s.normal_pressure_angle.rad()));
 }
 
-// The number of decimals at which the last digit of a length in mm is about 10^-more modules.
+// The number of decimals for lengths in mm. Their last digit is then about 10^-more modules.
 int digits_for(double module, int more) {
   return std::clamp(more - static_cast<int>(std::round(std::log10(module))), 0, 9);
 }
@@ -192,7 +192,7 @@ std::optional<Lever> lever_of(const Means& means, const Finding& finding, const 
     }
     case A::bore:
       if (!gear(which).bore) return std::nullopt;
-      // A rim thickness that is given for the rating does not depend on the bore.
+      // If the rim thickness is given for the rating, another bore does not change it.
       if (finding.code == C::thin_rim && judged.rating &&
           judged.rating->input->rim[static_cast<std::size_t>(which - 1)])
         return std::nullopt;

@@ -248,8 +248,8 @@ std::string Finding::whole() const {
 std::vector<Finding> findings_of(const Judged& judged) {
   GW_EXPECTS(!judged.gears.empty() && judged.warnings != nullptr);
   std::vector<Finding> findings;
-  // On crossed axes, edges or crowned flanks can touch without conjugate contact. If the contact
-  // was computed, it decides.
+  // On crossed axes, edges or crowned flanks can touch although there is no conjugate contact. If
+  // the contact was computed and is not lost, the warning about conjugate contact is only amber.
   const bool touches =
       judged.pair && judged.pair->crossed() && judged.contact && !judged.contact->contact_lost;
   for (const Warning& w : *judged.warnings) {
@@ -280,7 +280,8 @@ std::optional<PatternPlace> pattern_place(const Judged& judged) {
           ? std::array{judged.pair->gear(1).spec.face_width, judged.pair->gear(2).spec.face_width}
           : std::array{judged.rack->pinion.spec.face_width, judged.rack->rack.face_width};
   const std::vector<ContactPoint>& positions = judged.contact->positions;
-  // The positions of the second half of a double-helical pair follow those of the first half.
+  // For a double-helical pair, the list has all positions of the first half, followed by all
+  // positions of the second half.
   const bool two_halves = judged.pair && judged.pair->gear(1).gap;
   const std::size_t rotations = positions.size() / (two_halves ? 2 : 1);
   std::size_t touching = 0, edges = 0, points = 0;

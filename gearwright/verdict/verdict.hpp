@@ -32,8 +32,8 @@ const char* to_string(Level level);
 /// A problem is red, a caution is amber, and a note is green.
 Level level_of(Severity severity);
 
-/// The smallest recommended j_n for iron or steel gears in an iron or steel housing, at speeds below
-/// 15 m/s.
+/// The smallest recommended j_n for iron or steel gears in an iron or steel housing, at speeds
+/// below 15 m/s.
 ///
 /// Formula   j_n = j_bn/cos α_wn, j_bn = 2/3 (0.06 + 0.0005 a + 0.03 m_n); ISO/TR 10064-2:1996,
 ///           annex A
@@ -100,7 +100,8 @@ constexpr double kMarginForm = 0.01, kMarginFillet = 0.0001, kMarginTip = 0.1;
 /// Greatest distance of the contact pattern from the middle of a face, relative to half of the face
 /// width, at which the pattern still counts as central.
 constexpr double kCentralPlace = 0.7;
-/// Greatest such distance that remains after a remedy that centres the contact.
+/// Greatest distance of the pattern from the middle, relative to half of the face width, that may
+/// remain after a remedy that centres the contact.
 constexpr double kMiddlePlace = 0.1;
 
 /// A rating, with the inputs that are needed to rate the gears again for a remedy.
@@ -111,7 +112,7 @@ struct JudgedRating {
   Safeties wanted{};
 };
 
-/// All pointers must stay valid during the call.
+/// The data for a verdict. Its pointers must stay valid while a function below uses the data.
 struct Judged {
   std::vector<const Gear*> gears;  ///< one or two gears; the gears of `pair`, if it is set
   const Pair* pair = nullptr;      ///< null if the gears are not mounted
@@ -138,12 +139,13 @@ std::string safety_words(const std::vector<const Rating*>& ratings);
 
 /// Where the teeth touch, over all positions with contact.
 struct PatternPlace {
-  /// Fraction of these positions at which an edge touches. For a double-helical pair, the edge of
-  /// either half counts.
+  /// Fraction of the positions with contact at which an edge touches. For a double-helical pair, an
+  /// edge of either half counts.
   double edge_share;
-  /// Mean position along the face, relative to half of the face width, towards +z. It belongs to
-  /// the gear on which the contact is nearer to an end of the face, which is the narrower gear if
-  /// the widths differ. None if all positions have contact lines.
+  /// Mean position of the contact points along the face, relative to half of the face width,
+  /// towards +z. The value is that of the gear on which the contact is nearer to an end of the
+  /// face, which is the narrower gear if the widths differ. None if all positions have contact
+  /// lines.
   std::optional<double> mean;
 };
 /// None if the contact was not computed or if no teeth touch.

@@ -19,7 +19,6 @@
 
 namespace gearwright {
 
-/// The text of a table cell.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
@@ -48,7 +47,7 @@ inline void expect_document(const std::string& path, const std::string& made) {
                                      "GW_WRITE_DOCS=1";
 }
 
-/// Names of the blocks of a kind, "keys", in a document.
+/// The names of all blocks of one kind, for example of the kind "keys", in a document.
 inline std::vector<std::string> blocks_of(const std::string& path, const std::string& kind) {
   const std::string text = document(path);
   const std::string begin = "<!-- " + kind + ": ";

@@ -10,7 +10,8 @@
 
 namespace gearwright::testing {
 
-/// The record of the answer, or "key" and "rule" of its error with the keys of a file.
+/// The record of the answer. For an error, a record with its "key" and its "rule", in which the
+/// keys are those of a spec file.
 inline Json answered(const Json& tree, std::string_view verb) {
   const auto spec = read_spec_tree(tree, {}, find_verb(verb)->use);
   const auto answer = spec ? answer_json(verb, *spec) : Result<Json>(spec.error());
