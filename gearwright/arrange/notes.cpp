@@ -40,7 +40,7 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format("and is not computed, because `pair.choose_profile_shifts` = false; the default "
+      fmt::format(" and is not computed, because `pair.choose_profile_shifts` = false; the default "
                   "for `pair.center_distance` = {} mm would be {}. Give the profile shifts, which "
                   "determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));

@@ -136,7 +136,9 @@ int digits_for(double module, int more) {
 }
 
 std::optional<Lever> lever_of(const Means& means, const Finding& finding, const Judged& judged) {
-  const int which = gear_of(means.whose, finding.gear);
+  int which = gear_of(means.whose, finding.gear);
+  // With a rack, only the face width of the pinion can be changed.
+  if (which == 0 && means.what == A::face_width && judged.gears.size() == 1) which = 1;
   if (which > static_cast<int>(judged.gears.size())) return std::nullopt;
   const auto gear = [&](int n) -> const Gear& {
     return *judged.gears[static_cast<std::size_t>(n - 1)];

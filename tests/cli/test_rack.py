@@ -29,6 +29,19 @@ class ARack(unittest.TestCase):
         self.assertIn("pair.travel_mm_per_turn,", r.out)
         self.assertIn("rack.transverse_pitch_mm,", r.out)
 
+    def test_a_contact_ratio_below_one_is_an_answer_with_a_remedy(self):
+        # A rack has no second gear whose face width could be changed.
+        pinion = '[gear1]\nteeth = 8\nnormal_module_mm = 2\n'
+        rack = '[gear2]\nform = "rack"\n'
+        spur = json.loads(Run("pair", pinion + rack, "--json").out)
+        self.assertLess(spur["pair"]["contact_ratio_true"], 1)
+        change = spur["verdict"]["findings"][0]["change"]
+        better = pinion + f"profile_shift = {change['gear1.profile_shift']}\n" + rack
+        self.assertGreaterEqual(json.loads(Run("pair", better, "--json").out)["pair"]["contact_ratio_true"], 1)
+        narrow = Run("pair", pinion + "helix_angle_deg = 10\nface_width_mm = 1\n" + rack, "--json")
+        self.assertLess(json.loads(narrow.out)["pair"]["contact_ratio_true"], 1)
+        self.assertIn("contact_ratio", json.loads(narrow.out)["verdict"]["findings"][0]["code"])
+
     def test_a_rack_without_a_size_has_files(self):
         r = Run("run", RACK, "--out", "o")
         self.assertEqual(r.status, 0, r.err)
