@@ -1,10 +1,8 @@
 // Page 5: the chord that a calliper measures, and the errors of formulas for a calculation by hand.
 // Left: the unrolled cylinder with both flanks and the shortest chord between them. Right: the errors
 // of the series and of virtual gears.
-#include <fmt/format.h>
-
+#include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/inspection/chord_series.hpp"
@@ -12,11 +10,12 @@
 
 namespace gearwright::figures {
 
-Figure chord_figure() {
-  Figure f("05-approximations", 860, 500, "The shortest chord, exactly and by hand",
-           "A tooth's two flanks on an unrolled cylinder with the shortest chord, and the relative "
-           "errors of "
-           "its approximations over the half angle of the tooth.");
+Drawing chord_figure() {
+  Drawing f(
+      "05-approximations", 860, 500, "The shortest chord, exactly and by hand",
+      "A tooth's two flanks on an unrolled cylinder with the shortest chord, and the relative "
+      "errors of "
+      "its approximations over the half angle of the tooth.");
   const double psi = Angle::degrees(35.2644).rad();  // where the series converge worst [T5.11]
 
   // Left: the radius is 1, the half angle 0.6. The flanks are the helices θ = ±θ_t − ζ tan ψ.
@@ -49,48 +48,49 @@ Figure chord_figure() {
   f.label(px(-reach * std::tan(psi) + theta_t, reach), "flank, {ψ} = 35.26°", Anchor::middle,
           {0, -10}, "g1 small halo");
 
-  // Right: relative errors of the chord, double logarithmic.
-  const Plot plot{{std::log10(0.05), std::log10(0.7), 462, 826}, {-12, 0, 440, 36}};
-  for (int p = -12; p <= 0; p += 2) {
-    f.svg().line({plot.x.from, plot.y(p)}, {plot.x.to, plot.y(p)}, "rule grid");
-    f.label({plot.x.from - 8, plot.y(p) + 4}, p == 0 ? "1" : fmt::format("1e{}", p), Anchor::end,
-            Vec2::Zero(), "soft tick");
-  }
-  for (const char* text : {"0.05", "0.1", "0.2", "0.4", "0.7"}) {
-    const double at = plot.x(std::log10(std::atof(text)));
-    f.svg().line({at, plot.y.from}, {at, plot.y.to}, "rule grid");
-    f.label({at, plot.y.from + 17}, text, Anchor::middle, Vec2::Zero(), "soft tick");
-  }
-  f.label({(plot.x.from + plot.x.to) / 2, plot.y.from + 38}, "half angle {θ_t} of the tooth, rad",
-          Anchor::middle);
-  f.label({plot.x.from, plot.y.to - 10}, "relative error of the chord {k*}, {ψ} = 35.26°");
+  // Right: relative errors of the chord.
+  Figure errors{"errors",
+                "Relative errors of the chord",
+                "The relative errors over the half angle of the tooth.",
+                "",
+                {.words = "half angle of the tooth",
+                 .unit = "rad",
+                 .lo = 0.05,
+                 .hi = 0.7,
+                 .symbol = "θ_t",
+                 .log = true},
+                {.words = "relative error of the chord",
+                 .unit = {},
+                 .lo = 1e-12,
+                 .hi = 1.0,
+                 .symbol = "k*",
+                 .log = true}};
+  errors.tall = 1.05;
+  name_decades(errors.y);
   const double base_helix = std::asin(std::sin(psi) * std::cos(Angle::degrees(20).rad()));
-  const auto curve = [&](const auto& chord, const char* style, const char* words,
-                         const Vec2& offset, const char* text) {
+  const auto curve = [&](const auto& chord, const char* style) {
     std::vector<Vec2> points;
     for (int i = 0; i <= 60; ++i) {
-      const double lg = plot.x.lo + (plot.x.hi - plot.x.lo) * i / 60;
-      const double half = std::pow(10.0, lg);
+      const double half = 0.05 * std::pow(0.7 / 0.05, i / 60.0);
       const double exact = shortest_chord(ToothArc<double>{half, psi, 1.0, 1.1}).chord;
       const double error = std::abs(chord(half) / exact - 1);
-      if (error > 1e-12) points.push_back(plot.px(lg, std::log10(error)));
+      if (error > 1e-12) points.push_back({half, error});
     }
-    f.svg().polyline(points, style);
-    f.label(points[points.size() * 2 / 3], words, Anchor::end, offset, text);
+    errors.line(std::move(points), style);
   };
-  curve([&](double h) { return chord_by_series(h, psi, 1.0, 0).chord; }, "soft thick",
-        "the arc {s_n}", {-8, -6}, "soft small halo");
+  curve([&](double h) { return chord_by_series(h, psi, 1.0, 0).chord; }, "curve ink");
   curve([&](double h) { return virtual_spur_on_base_helix(h, psi, base_helix, 1.0).chord().chord; },
-        "g2 thick", "virtual gear [T5.14]", {-4, -8}, "g2 small halo");
-  curve([&](double h) { return virtual_spur(h, psi, 1.0).chord().chord; }, "g2 dash thick", "",
-        {0, 0}, "small");
-  const char* styles[] = {"g1 thick", "action thick", "green thick"};
-  const char* texts[] = {"g1 small halo", "action small halo", "green small halo"};
-  const char* names[] = {"1 correction, and virtual gear [T5.13]", "2 corrections",
-                         "3 corrections [T5.9]"};
+        "curve g2");
+  curve([&](double h) { return virtual_spur(h, psi, 1.0).chord().chord; }, "curve g2 dash");
+  constexpr std::array kStyles{"curve g1", "curve action-curve", "curve trailing-curve"};
   for (int n = 1; n <= 3; ++n)
-    curve([&](double h) { return chord_by_series(h, psi, 1.0, n).chord; }, styles[n - 1],
-          names[n - 1], n == 1 ? Vec2(-8, -4) : Vec2(-10, -4), texts[n - 1]);
+    curve([&](double h) { return chord_by_series(h, psi, 1.0, n).chord; }, kStyles[n - 1]);
+  errors.text({0.25, 1.5e-2}, markup("the arc {s_n}"), Anchor::end, "halo");
+  errors.text({0.067, 9e-6}, "virtual gear [T5.14]", Anchor::start, "halo g2");
+  errors.text({0.054, 2e-8}, "1 correction; [T5.13]", Anchor::start, "halo g1");
+  errors.text({0.23, 6e-7}, "2 corrections", Anchor::end, "halo action");
+  errors.text({0.18, 5e-11}, "3 corrections [T5.9]", Anchor::start, "halo green");
+  f.add(errors, {410, 0}, 450);
   return f;
 }
 

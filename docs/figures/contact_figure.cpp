@@ -3,19 +3,21 @@
 // at which the leading pair touches.
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/contact/contact.hpp"
+#include "gearwright/figure/contact_scene.hpp"
 #include "gearwright/pair/shift.hpp"
 
 namespace gearwright::figures {
 
-Figure contact_figure() {
-  Figure f("08-contact", 860, 560,
-           "Transmission error as the greatest of the tooth pairs' branches",
-           "Rotation demanded by each tooth pair over three pitches with their upper envelope, and "
-           "the height on "
-           "the face at which the leading pair touches.");
+Drawing contact_figure() {
+  Drawing f(
+      "08-contact", 860, 560, "Transmission error as the greatest of the tooth pairs' branches",
+      "Rotation demanded by each tooth pair over three pitches with their upper envelope, and "
+      "the height on "
+      "the face at which the leading pair touches.");
   CylindricalSpec spec;
   spec.teeth = 21;
   spec.normal_module = 3;
@@ -50,14 +52,6 @@ Figure contact_figure() {
     const ContactPoint point = describe(transmission, touch, Angle::radians(phi), 0.006);
     height.push_back({phi / pitch, point.height[0]});
   }
-  const Plot top{{-1.5, 1.5, 74, 838}, {-12, 4, 300, 36}};
-  const Plot low{{-1.5, 1.5, 74, 838}, {-13, 13, 500, 356}};
-  draw_frame(f, top, "",
-             "rotation of gear 2 that a tooth pair demands, less the expected one: {T}, arcsec", 0,
-             6);
-  draw_frame(f, low, "rotation {φ1} of gear 1, pitches", "height {z} of the touch on the face, mm",
-             6, 4);
-
   // The value of the branch at a rotation determines the leading pair there.
   const auto at = [&](const std::vector<Vec2>& curve, double x) {
     for (std::size_t i = 1; i < curve.size(); ++i) {
@@ -67,37 +61,54 @@ Figure contact_figure() {
     }
     return -1e9;
   };
-  f.svg().begin_clip(74, 36, 764, 264);
-  const char* styles[] = {"g1", "g2", "green"};
+  // Three pitches of a quantity of each tooth pair.
+  const auto plot = [](const char* id, const FigureAxis& y, double tall) {
+    Figure f{
+        id,
+        y.words,
+        y.words + " over the rotation of gear 1.",
+        "",
+        {.words = "rotation of gear 1", .unit = "pitches", .lo = -1.5, .hi = 1.5, .symbol = "φ_1"},
+        y};
+    f.tall = tall;
+    return f;
+  };
+  Figure top = plot("branches",
+                    {.words = "rotation of gear 2 that a tooth pair demands, less the expected one",
+                     .unit = "arcsec",
+                     .lo = -12,
+                     .hi = 4,
+                     .symbol = "T"},
+                    0.31);
+  Figure low = plot("height",
+                    {.words = "height of the contact on the face",
+                     .unit = "mm",
+                     .lo = -13,
+                     .hi = 13,
+                     .symbol = "z"},
+                    0.17);
+  const auto leading = [&](double x) {
+    double best = -1e9;
+    for (int k = -3; k <= 3; ++k) best = std::max(best, at(branch, x - k));
+    return best;
+  };
   for (int k = -3; k <= 3; ++k) {
-    std::vector<Vec2> points;
-    for (const Vec2& p : branch)
-      if (std::abs(p.x() + k) < 1.6 && p.y() > -14) points.push_back(top.px(p.x() + k, p.y()));
-    if (points.size() > 1) f.svg().polyline(points, styles[(k + 3) % 3]);
+    const std::string style = std::string("curve ") + pair_style(k + 3);
+    std::vector<Vec2> points, heights;
+    for (const Vec2& p : branch) points.push_back({p.x() + k, p.y()});
+    top.line(std::move(points), style);
+    for (const Vec2& p : height)
+      if (at(branch, p.x()) >= leading(p.x() + k) - 1e-9) heights.push_back({p.x() + k, p.y()});
+    low.line(std::move(heights), style);
   }
   std::vector<Vec2> envelope;
-  for (int i = -150; i <= 150; ++i) {
-    double best = -1e9;
-    for (int k = -3; k <= 3; ++k) best = std::max(best, at(branch, i / 100.0 - k));
-    envelope.push_back(top.px(i / 100.0, best));
-  }
-  f.svg().polyline(envelope, "ink heavy");
-  f.svg().end_group();
-  for (int k = -2; k <= 2; ++k) {
-    std::vector<Vec2> points;
-    for (const Vec2& p : height) {
-      const double x = p.x() + k;
-      double best = -1e9;
-      for (int j = -3; j <= 3; ++j) best = std::max(best, at(branch, x - j));
-      if (std::abs(x) <= 1.5 && at(branch, p.x()) >= best - 1e-9)
-        points.push_back(low.px(x, p.y()));
-    }
-    if (points.size() > 1) f.svg().polyline(points, std::string(styles[(k + 3) % 3]) + " thick");
-  }
-  f.label(top.px(0.02, -9.5), "{TE} = max over {k} of {T}({φ1} − 2π{k}/{z_1}) [T8.2]",
-          Anchor::middle, {0, 4}, "halo");
-  f.label({838, 52}, "21 : 55 teeth, {β} = 12°, crowned; axes crossed by 0.02°", Anchor::end,
-          {-6, 0}, "soft small halo");
+  for (int i = -150; i <= 150; ++i) envelope.push_back({i / 100.0, leading(i / 100.0)});
+  top.line(std::move(envelope), "curve ink");
+  top.note = "21 : 55 teeth, β = 12°, crowned; axes crossed by 0.02°";
+  top.text({0.0, 2.6}, markup("{TE} = max over {k} of {T}({φ_1} − 2π{k}/{z_1}) [T8.2]"),
+           Anchor::middle, "halo");
+  f.add(top, {0, 0}, 860);
+  f.add(low, {0, 330}, 860);
   return f;
 }
 

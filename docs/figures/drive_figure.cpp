@@ -10,10 +10,10 @@
 
 namespace gearwright::figures {
 
-Figure drive_figure() {
-  Figure f("13-drives", 860, 560, "A planetary set and the places of its planets",
-           "Sun of 20, planets of 19 and ring of 58 teeth; the 78 places of a turn where a planet "
-           "meshes with both, and four planets at those nearest to equal pitch.");
+Drawing drive_figure() {
+  Drawing f("13-drives", 860, 560, "A planetary set and the places of its planets",
+            "Sun of 20, planets of 19 and ring of 58 teeth; the 78 places of a turn where a planet "
+            "meshes with both, and four planets at those nearest to equal pitch.");
   PlanetarySpec set;
   set.z(SetMember::sun) = 20;
   set.z(SetMember::planet) = 19;

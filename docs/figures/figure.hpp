@@ -1,8 +1,9 @@
 // One figure of the theory pages, which is an SVG file drawn from the geometry of the engine.
 //
-// Shapes and colours are those of the report (figure/svg.hpp, figure_style.css): light, and dark for
-// readers who prefer that. The figure has its own background, so that it is readable on any page.
-// Words may contain symbols in braces, for example "radius {r_b}", which are set with subscripts.
+// It consists of figures of the room `figure`, as in the report, and of shapes that are drawn here.
+// Their colours are those of figure_style.css: light, and dark for readers who prefer that. The
+// drawing has its own background, so that it is readable on any page. Words may contain symbols in
+// braces, for example "radius {r_b}", which are set with subscripts.
 //
 //   px    pixels of the picture, y down        mm    the plane of a Viewport, y up
 #pragma once
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gearwright/figure/svg.hpp"
+#include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
 
 namespace gearwright::figures {
@@ -32,17 +33,19 @@ struct Viewport {
 /// Returns words with symbols in braces as the content of an SVG text element.
 std::string markup(std::string_view words);
 
-class Figure {
+class Drawing {
  public:
   /// `name` is the name of the file without ".svg". A screen reader reads the title aloud.
-  Figure(std::string_view name, double width, double height, std::string_view title,
-         std::string_view description);
+  Drawing(std::string_view name, double width, double height, std::string_view title,
+          std::string_view description);
 
   Svg& svg() { return svg_; }
   std::string_view name() const { return name_; }
   /// Returns the text of the file.
   std::string str() const;
 
+  /// Draws a figure with its upper left corner at `corner`, px.
+  void add(const Figure& figure, const Vec2& corner, double width);
   /// Draws words at `at` + `offset` px. `style` contains names of classes of figure_style.css.
   void label(const Vec2& at, std::string_view words, Anchor anchor = Anchor::start,
              const Vec2& offset = Vec2::Zero(), std::string_view style = "");
@@ -63,25 +66,11 @@ class Figure {
 
   std::string name_;
   Svg svg_;
+  std::string figures_;
 };
 
-/// An axis of a plot: the values lo … hi are drawn at the pixels from … to.
-struct Axis {
-  double lo, hi, from, to;
-  double operator()(double v) const { return from + (v - lo) / (hi - lo) * (to - from); }
-};
-
-/// Draws the frame of a plot with ticks on both axes (none below if `columns` is 0), the words `foot`
-/// below the frame and the words `head` above its left edge.
-struct Plot {
-  Axis x, y;
-  Vec2 px(double a, double b) const { return {x(a), y(b)}; }
-};
-void draw_frame(Figure& figure, const Plot& plot, std::string_view foot, std::string_view head,
-                int columns = 6, int rows = 6);
-/// Draws the finite values as one line.
-void draw_curve(Figure& figure, const Plot& plot, const std::vector<Vec2>& values,
-                std::string_view style);
+/// Names every second power of ten on a logarithmic axis, "1e4".
+void name_decades(FigureAxis& axis);
 
 /// Returns the transverse outline of half a tooth from root to tip, within `tolerance` mm.
 std::vector<Vec2> half_tooth(const Gear& gear, double tolerance);
@@ -98,20 +87,20 @@ Vec2 polar(double radius, double angle);
 Gear gear_of(const CylindricalSpec& spec);
 
 // ---- the figures, in the order of the pages ----
-Figure notation_figure();
-Figure frames_figure();
-Figure mesh_triangle_figure();
-Figure generation_figure();
-Figure crossed_figure();
-Figure chord_figure();
-Figure few_teeth_figure();
-Figure arcs_figure();
-Figure contact_figure();
-Figure search_figure();
-Figure inspection_figure();
-Figure load_figure();
-Figure rating_figure();
-Figure drive_figure();
-Figure scatter_figure();
+Drawing notation_figure();
+Drawing frames_figure();
+Drawing mesh_triangle_figure();
+Drawing generation_figure();
+Drawing crossed_figure();
+Drawing chord_figure();
+Drawing few_teeth_figure();
+Drawing arcs_figure();
+Drawing contact_figure();
+Drawing search_figure();
+Drawing inspection_figure();
+Drawing load_figure();
+Drawing rating_figure();
+Drawing drive_figure();
+Drawing scatter_figure();
 
 }  // namespace gearwright::figures

@@ -8,11 +8,11 @@
 
 namespace gearwright::figures {
 
-Figure frames_figure() {
-  Figure f("01-frames", 860, 540, "Frames of a mounted pair at rest",
-           "Two spur gears of 12 and 18 teeth in the section z = 0: housing frame, gear frames, "
-           "senses of "
-           "rotation, line of action from A to E.");
+Drawing frames_figure() {
+  Drawing f("01-frames", 860, 540, "Frames of a mounted pair at rest",
+            "Two spur gears of 12 and 18 teeth in the section z = 0: housing frame, gear frames, "
+            "senses of "
+            "rotation, line of action from A to E.");
   CylindricalSpec spec;
   spec.teeth = 12;
   spec.normal_module = 10;

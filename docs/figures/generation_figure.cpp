@@ -36,11 +36,12 @@ std::vector<Vec2> edge_points(const CutterEdge& edge, double module, double high
 
 }  // namespace
 
-Figure generation_figure() {
-  Figure f("03-rack-and-generation", 860, 600, "A rack cuts a tooth",
-           "Positions of a rack's edge seen from a gear of 9 teeth, and the tooth that they leave: "
-           "involute, "
-           "trochoid, and the crossing where undercut ends the flank.");
+Drawing generation_figure() {
+  Drawing f(
+      "03-rack-and-generation", 860, 600, "A rack cuts a tooth",
+      "Positions of a rack's edge seen from a gear of 9 teeth, and the tooth that they leave: "
+      "involute, "
+      "trochoid, and the crossing where undercut ends the flank.");
   CylindricalSpec spec;
   spec.teeth = 9;
   spec.normal_module = 10;

@@ -29,7 +29,7 @@ std::vector<Vec2> involute_points(const Gear& gear, int hand, double turned, dou
   return points;
 }
 
-void draw_span(Figure& f, const Gear& gear, const Viewport& view) {
+void draw_span(Drawing& f, const Gear& gear, const Viewport& view) {
   const Span span = *usual_span(gear);
   const double r_b = gear.base_radius(), half = span.length / 2;
   const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
@@ -50,7 +50,7 @@ void draw_span(Figure& f, const Gear& gear, const Viewport& view) {
   f.label(view.px(polar(r_b, -0.62)), "{d_b}", Anchor::start, {6, 10}, "green halo");
 }
 
-void draw_ball(Figure& f, const Gear& gear, const Viewport& view) {
+void draw_ball(Drawing& f, const Gear& gear, const Viewport& view) {
   const double pitch = 2 * std::numbers::pi / gear.spec.teeth;
   const auto ball = ball_in_space(gear, ball_sizes(gear)->ideal);
   if (!ball) throw std::logic_error(ball.error().message());
@@ -80,11 +80,11 @@ void draw_ball(Figure& f, const Gear& gear, const Viewport& view) {
 
 }  // namespace
 
-Figure inspection_figure() {
-  Figure f("10-inspection", 900, 470, "A span and a ball",
-           "Left, two anvils over four teeth: the span is a length of the tangent of the base "
-           "circle. Right, a ball in a space, touched where the normals of the parallel involutes "
-           "meet the flanks.");
+Drawing inspection_figure() {
+  Drawing f("10-inspection", 900, 470, "A span and a ball",
+            "Left, two anvils over four teeth: the span is a length of the tangent of the base "
+            "circle. Right, a ball in a space, touched where the normals of the parallel involutes "
+            "meet the flanks.");
   CylindricalSpec spec;
   spec.teeth = 24;
   spec.normal_module = 4;

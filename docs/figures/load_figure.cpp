@@ -8,10 +8,10 @@
 
 namespace gearwright::figures {
 
-Figure load_figure() {
-  Figure f("12-loaded-contact", 900, 520, "A gear's section in elements",
-           "Three teeth of a gear cut into elements, finer towards the outline and the tips; the "
-           "rest of the rim is smooth. A bump of load presses on the flank of the middle tooth.");
+Drawing load_figure() {
+  Drawing f("12-loaded-contact", 900, 520, "A gear's section in elements",
+            "Three teeth of a gear cut into elements, finer towards the outline and the tips; the "
+            "rest of the rim is smooth. A bump of load presses on the flank of the middle tooth.");
   CylindricalSpec spec;
   spec.teeth = 25;
   spec.normal_module = 1;

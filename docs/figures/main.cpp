@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[argc - 1];
   int stale = 0;
-  for (const figures::Figure& figure :
+  for (const Drawing& figure :
        {notation_figure(), frames_figure(), mesh_triangle_figure(), generation_figure(),
         crossed_figure(), chord_figure(), few_teeth_figure(), arcs_figure(), contact_figure(),
         search_figure(), inspection_figure(), rating_figure(), load_figure(), drive_figure(),

@@ -8,8 +8,8 @@
 
 namespace gearwright::figures {
 
-Figure notation_figure() {
-  Figure f(
+Drawing notation_figure() {
+  Drawing f(
       "00-notation", 860, 560, "One tooth and its symbols",
       "Transverse section of a gear of 24 teeth: diameters, thicknesses, the arcs of the outline, "
       "and the string of the involute.");

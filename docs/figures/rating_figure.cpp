@@ -1,7 +1,5 @@
 // Page 11: the geometry of a strength rating. Left: the critical section of a tooth and its load, with
 // the values that the rating uses. Right: the life curves of flank and root.
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -15,7 +13,7 @@ namespace gearwright::figures {
 
 namespace {
 
-void draw_section(Figure& f) {
+void draw_section(Drawing& f) {
   CylindricalSpec spec;
   spec.teeth = 20;
   spec.normal_module = 10;
@@ -65,46 +63,47 @@ void draw_section(Figure& f) {
           "action small halo");
 }
 
-void draw_lives(Figure& f) {
-  const Plot plot{{2, 10.5, 480, 826}, {std::log10(0.8), std::log10(2.7), 420, 50}};
-  for (const double v : {0.85, 1.0, 1.3, 1.6, 2.0, 2.5}) {
-    const double y = plot.y(std::log10(v));
-    f.svg().line({plot.x.from, y}, {plot.x.to, y}, "rule grid");
-    f.label({plot.x.from - 8, y + 4}, fmt::format("{:g}", v), Anchor::end, Vec2::Zero(),
-            "soft tick");
-  }
-  for (int p = 2; p <= 10; p += 2) {
-    f.svg().line({plot.x(p), plot.y.from}, {plot.x(p), plot.y.to}, "rule grid");
-    f.label({plot.x(p), plot.y.from + 17}, fmt::format("1e{}", p), Anchor::middle, Vec2::Zero(),
-            "soft tick");
-  }
-  f.label({(plot.x.from + plot.x.to) / 2, plot.y.from + 38}, "load cycles {N_L}", Anchor::middle);
-  f.label({plot.x.from, plot.y.to - 12}, "life factors {Z_NT}, {Y_NT} [T11.41]");
+Figure lives() {
+  Figure f{
+      "lives",
+      "Life factors",
+      "The life factors of flank and root over the load cycles.",
+      "",
+      {.words = "load cycles", .unit = {}, .lo = 1e2, .hi = 3e10, .symbol = "N_L", .log = true},
+      {.words = "life factors",
+       .unit = {},
+       .lo = 0.8,
+       .hi = 2.7,
+       .symbol = "Z_NT, Y_NT",
+       .log = true}};
+  f.tall = 1.05;
+  name_decades(f.x);
   const auto curve = [&](const auto& life, const char* style) {
     std::vector<Vec2> points;
-    for (double lg = 2; lg <= 10.5; lg += 0.05)
-      points.push_back(plot.px(lg, std::log10(life(std::pow(10.0, lg)))));
-    f.svg().polyline(points, style);
+    for (double lg = 2; lg <= 10.5; lg += 0.05) {
+      const double cycles = std::pow(10.0, lg);
+      points.push_back({cycles, life(cycles).factor.value});
+    }
+    f.line(std::move(points), style);
   };
   using K = MaterialKind;
-  curve([](double n) { return flank_life(K::case_hardened, n).factor.value; }, "g1 thick");
-  curve([](double n) { return root_life(K::case_hardened, n).factor.value; }, "g2 thick");
-  curve([](double n) { return root_life(K::through_hardened, n).factor.value; }, "g2 dash thick");
-  curve([](double n) { return flank_life(K::nitrided, n).factor.value; }, "g1 dash thick");
-  f.label(plot.px(3.6, std::log10(2.3)), "root: case-hardened; tempered, broken", Anchor::start,
-          {60, -10}, "g2 small halo");
-  f.label(plot.px(6.2, std::log10(1.45)), "flank: hardened; nitrided, broken", Anchor::start,
-          {10, -10}, "g1 small halo");
+  curve([](double n) { return flank_life(K::case_hardened, n); }, "curve g1");
+  curve([](double n) { return root_life(K::case_hardened, n); }, "curve g2");
+  curve([](double n) { return root_life(K::through_hardened, n); }, "curve g2 dash");
+  curve([](double n) { return flank_life(K::nitrided, n); }, "curve g1 dash");
+  f.text({3e10, 2.2}, "root: case-hardened; tempered, broken", Anchor::end, "halo g2");
+  f.text({3e10, 1.55}, "flank: hardened; nitrided, broken", Anchor::end, "halo g1");
+  return f;
 }
 
 }  // namespace
 
-Figure rating_figure() {
-  Figure f("11-rating", 860, 480, "What a strength rating looks at",
-           "Left a tooth with the tangents at 30 degrees that find its critical section, and the "
-           "load on it; right the life factors of flank and root over the load cycles.");
+Drawing rating_figure() {
+  Drawing f("11-rating", 860, 480, "What a strength rating looks at",
+            "Left a tooth with the tangents at 30 degrees that find its critical section, and the "
+            "load on it; right the life factors of flank and root over the load cycles.");
   draw_section(f);
-  draw_lives(f);
+  f.add(lives(), {430, 0}, 430);
   return f;
 }
 

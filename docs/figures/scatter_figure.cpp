@@ -5,8 +5,8 @@
 
 namespace gearwright::figures {
 
-Figure scatter_figure() {
-  Figure f(
+Drawing scatter_figure() {
+  Drawing f(
       "14-scatter", 860, 470, "Samples of a tolerance",
       "256 places of a bore in its circle, drawn at random and by scrambled Sobol points, which "
       "leave no holes and make no heaps.");

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/pair_figures.hpp"
 
@@ -105,7 +103,7 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair) {
   return reason && shift >= kMinShift * pair.gears[0].spec.normal_module;
 }
 
-std::string centrode_figures(const InvolutePair& pair, UnitSystem units) {
+std::string centrode_figures(const InvolutePair& pair, const FigureForm& form) {
   if (!centrodes_are_worth_a_picture(pair)) return {};
   const Centrodes c = centrodes_of(pair);
   const double half = half_height(pair, c);
@@ -121,8 +119,7 @@ std::string centrode_figures(const InvolutePair& pair, UnitSystem units) {
       fixed(c.a, kLengthDigits), (c.a - c.a_d) * c.side_1 > 0.0 ? "are apart" : "overlap",
       fixed(std::abs(c.a - c.a_d), kLengthDigits));
   return "<h3>Centrodes</h3>\n" +
-         side_by_side(figure_html(in_units(units, before), kCentrodeWidth) +
-                      figure_html(in_units(units, after), kCentrodeWidth));
+         side_by_side(form.html(before, kCentrodeWidth) + form.html(after, kCentrodeWidth));
 }
 
 }  // namespace gearwright

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -146,55 +145,6 @@ std::string planets_part(const Drive& drive, UnitSystem units) {
   return text.empty() ? text : "<section>\n<h2>Planets</h2>\n" + text + "</section>\n";
 }
 
-// The position after the names that begin at `at`. `mark` is the text before the names. After
-// "url(#", they end at a parenthesis. After any other mark, they end at a quote.
-std::size_t end_of_names(const std::string& html, std::string_view mark, std::size_t at) {
-  return std::min(html.find(mark.front() == 'u' ? ')' : '"', at), html.size());
-}
-
-std::set<std::string> ids_in(const std::string& html) {
-  constexpr std::string_view kId = " id=\"";
-  std::set<std::string> ids;
-  for (std::size_t at = html.find(kId); at != std::string::npos; at = html.find(kId, at)) {
-    at += kId.size();
-    ids.insert(html.substr(at, end_of_names(html, kId, at) - at));
-  }
-  return ids;
-}
-
-// Adds a prefix to the ids in the HTML of a mesh and to the references to these ids, because ids
-// must be unique in a page. References to the shapes of the drive, which the page defines once, are
-// kept.
-std::string with_prefix(const std::string& html, const std::string& prefix) {
-  constexpr std::array<std::string_view, 4> kMarks{" id=\"", " aria-labelledby=\"", "url(#",
-                                                   " href=\"#"};
-  const std::set<std::string> own = ids_in(html);
-  std::string text;
-  for (std::size_t at = 0; at < html.size();) {
-    std::size_t next = html.size();
-    std::string_view mark;
-    for (const std::string_view m : kMarks) {
-      const std::size_t found = html.find(m, at);
-      if (found < next) {
-        next = found;
-        mark = m;
-      }
-    }
-    text += html.substr(at, next - at);
-    if (mark.empty()) break;
-    text += mark;
-    at = next + mark.size();
-    const std::size_t end = end_of_names(html, mark, at);
-    while (at < end) {
-      const std::string name = html.substr(at, std::min(html.find(' ', at), end) - at);
-      text += (own.contains(name) ? prefix : "") + name;
-      at += name.size();
-      if (at < end) text += html[at++];
-    }
-  }
-  return text;
-}
-
 std::string mesh_parts(const Drive& drive, UnitSystem units) {
   std::string text;
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
@@ -206,10 +156,12 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
     const std::string head = fmt::format(
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
-    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
-    text += with_prefix(rack ? rack_section(*rack, shapes, units, head)
-                             : pair_section(*parallel, shapes, units, head),
-                        fmt::format("mesh{}-", m + 1));
+    // The section of a rack defines the shape of the rack.
+    const FigureForm form{units, fmt::format("mesh{}-", m + 1)};
+    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]),
+                                            (rack ? form.prefix : "") + shape_name(mesh.gears[1])};
+    text += rack ? rack_section(*rack, shapes, form, head)
+                 : pair_section(*parallel, shapes, form, head);
   }
   return text;
 }
@@ -223,15 +175,13 @@ std::string gears_part(const Drive& drive, UnitSystem units) {
   return "<section>\n<h2>Gears</h2>\n" + side_by_side(pictures) + "</section>\n";
 }
 
-std::string drive_foot(const DriveReportInput& input) {
+std::string drive_foot(UnitSystem units) {
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. Speeds and ratios are exact fractions. The teeth are as cut by "
-      "the given racks and pinion cutters. Lengths are in {} and angles in degrees; “{}” means "
-      "that there is no such value. Speeds and torques are positive counter-clockwise, and powers "
-      "are positive where power enters the drive. Only the power losses of the teeth are "
-      "considered.</p>\n</footer>\n",
-      input.version.empty() ? std::string() : " " + escaped(input.version), to_string(input.units),
-      kNoValue);
+      "Speeds and ratios are exact fractions. The teeth are as cut by the given racks and pinion "
+      "cutters. Lengths are in {} and angles in degrees; “{}” means that there is no such value. "
+      "Speeds and torques are positive counter-clockwise, and powers are positive where power "
+      "enters the drive. Only the power losses of the teeth are considered.",
+      to_string(units), kNoValue);
 }
 
 }  // namespace
@@ -239,25 +189,27 @@ std::string drive_foot(const DriveReportInput& input) {
 std::string drive_report_html(const DriveReportInput& input) {
   GW_EXPECTS(input.drive != nullptr);
   const Drive& drive = *input.drive;
-  const std::string title = input.title.empty() ? drive_title(drive) : input.title;
-  std::string page = page_head(title, input.version) + "<body>\n" + drive_definitions(drive);
-  page += fmt::format(
-      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
-      "{}</p>\n<dl class=\"keyfigures\">\n{}</dl>\n{}{}</header>\n",
-      escaped(drive_kind(drive)), escaped(title), to_string(input.verdict.level),
-      to_string(input.verdict.level), escaped(sentence_in(input.units, input.verdict.headline)),
-      key_boxes(drive_quantities().table(), {drive_quantities().of(drive)}, kKeyFigures,
-                input.units),
-      sentence_in(input.units, finding_list(input.verdict, "")), picture_hint());
-  const std::string sections =
-      sentence_in(input.units,
-                  drive_overview(input) + section_part(input) + power_part(drive, input.units) +
-                      strength_part(drive, input.units) + load_part(drive, input.units) +
-                      planets_part(drive, input.units) + mesh_parts(drive, input.units) +
-                      gears_part(drive, input.units) + file_section(input.files)) +
-      spec_section(input.spec_text);
-  page += "<main>\n" + with_contents(sections) + "</main>\n" + drive_foot(input);
-  return page + page_end(turn_script());
+  const std::string head = "<dl class=\"keyfigures\">\n" +
+                           key_boxes(drive_quantities().table(), {drive_quantities().of(drive)},
+                                     kKeyFigures, input.units) +
+                           "</dl>\n" + sentence_in(input.units, finding_list(input.verdict, "")) +
+                           picture_hint();
+  const std::string sections = sentence_in(
+      input.units, drive_overview(input) + section_part(input) + power_part(drive, input.units) +
+                       strength_part(drive, input.units) + load_part(drive, input.units) +
+                       planets_part(drive, input.units) + mesh_parts(drive, input.units) +
+                       gears_part(drive, input.units) + file_section(input.files));
+  return page_html({.title = input.title.empty() ? drive_title(drive) : input.title,
+                    .version = input.version,
+                    .kind = escaped(drive_kind(drive)),
+                    .verdict = escaped(sentence_in(input.units, input.verdict.headline)),
+                    .level = to_string(input.verdict.level),
+                    .head = head,
+                    .definitions = drive_definitions(drive),
+                    .sections = sections,
+                    .spec = input.spec_text,
+                    .foot = drive_foot(input.units),
+                    .script = turn_script()});
 }
 
 }  // namespace gearwright

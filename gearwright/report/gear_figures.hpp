@@ -62,7 +62,12 @@ std::optional<Gear> by_rack_alone(const Gear& gear);
 /// Formula   r_b e^{i ψ_b}, ψ_b = s_bt/d_b
 Vec2 undercut_limit_point(const Gear& gear);
 
-/// The picture of the root; empty if root_is_worth_a_picture() is false.
+/// The root of the tooth, without a caption.
+///
+/// Domain    root_is_worth_a_picture() (contract)
+Figure root_plot(const Gear& gear, const std::string& shape, const std::string& name);
+
+/// The picture of the root with its caption; empty if root_is_worth_a_picture() is false.
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name,
                         UnitSystem units = UnitSystem::mm);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "gearwright/catalogue/figure_units.hpp"
-#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/mesh.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -53,11 +51,10 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 }
 
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                      UnitSystem units, const std::string& below) {
+                      const FigureForm& form, const std::string& below) {
   const auto [mesh, whole] = mesh_figures(pair, shapes);
-  return "<div class=\"figures mesh\">\n" +
-         figure_html(in_units(units, mesh), kMeshWidth, "", turn_control(pair)) + "<div>" +
-         figure_html(in_units(units, whole), kWholeMeshWidth) + below + "</div>\n</div>\n";
+  return "<div class=\"figures mesh\">\n" + form.html(mesh, kMeshWidth, turn_control(pair)) +
+         "<div>" + form.html(whole, kWholeMeshWidth) + below + "</div>\n</div>\n";
 }
 
 }  // namespace gearwright

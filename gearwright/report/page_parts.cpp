@@ -2,11 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/mesh.hpp"
 
 namespace gearwright {
+
+std::string FigureForm::html(Figure figure, double width, std::string_view control) const {
+  figure.id = prefix + figure.id;
+  return figure_html(in_units(units, std::move(figure)), width, "", control);
+}
 
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style) {
@@ -19,23 +24,10 @@ std::string page_head(std::string_view title, std::string_view version,
       escaped(version), escaped(title), figure_style(), page_style(), more_style);
 }
 
-std::string page_end(std::string_view own_script) {
-  return fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
-                     zoom_script(), page_script(), own_script);
-}
-
 std::string picture_hint() {
   return "<p class=\"hint\" id=\"hint\" hidden>In each picture, the wheel zooms, dragging moves, "
          "and a double click restores the view. The keys +, −, 0 and the arrow keys do the "
          "same.</p>\n";
-}
-
-std::string spec_section(const std::string& spec) {
-  if (spec.empty()) return {};
-  return fmt::format(
-      "<section>\n<h2>Specification</h2>\n<details><summary>The specification from which "
-      "this report was made</summary>\n<pre>{}</pre></details>\n</section>\n",
-      escaped(spec));
 }
 
 std::string with_contents(const std::string& sections) {
@@ -60,9 +52,30 @@ std::string with_contents(const std::string& sections) {
 
 namespace {
 
+std::string spec_section(const std::string& spec) {
+  if (spec.empty()) return {};
+  return fmt::format(
+      "<section>\n<h2>Specification</h2>\n<details><summary>The specification from which "
+      "this report was made</summary>\n<pre>{}</pre></details>\n</section>\n",
+      escaped(spec));
+}
+
 constexpr int kPitchSteps = 120;  // steps per pitch, of the slider and of the arrow keys
 
 }  // namespace
+
+std::string page_html(const ReportPage& page) {
+  const std::string level = page.level.empty() ? "" : fmt::format("<b>{}</b> ", page.level);
+  return page_head(page.title, page.version, page.style) + "<body>\n" + page.definitions +
+         fmt::format(
+             "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict{}{}\">{}{}</p>\n"
+             "{}</header>\n<main>\n{}</main>\n<footer>\n<p>Gearwright{}{}. {}</p>\n</footer>\n",
+             page.kind, escaped(page.title), level.empty() ? "" : " ", page.level, level,
+             page.verdict, page.head, with_contents(page.sections + spec_section(page.spec)),
+             page.version.empty() ? "" : " ", escaped(page.version), page.foot) +
+         fmt::format("<script>{}{}{}{}</script>\n</body>\n</html>\n", figure_script(),
+                     zoom_script(), page_script(), page.script);
+}
 
 std::string turn_control(const InvolutePair& pair) {
   return fmt::format(

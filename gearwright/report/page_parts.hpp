@@ -6,10 +6,26 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "gearwright/catalogue/unit_system.hpp"
+#include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
+
+/// The form in which a section shows its figures: the unit of lengths, and a text in front of the
+/// ids of figures, which must be unique in a page.
+struct FigureForm {
+  UnitSystem units = UnitSystem::mm;
+  std::string prefix;
+
+  // A system of units is a form without a prefix.
+  FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
+      : units(in), prefix(std::move(before)) {}
+  /// Returns figure_html() of the figure in this form.
+  std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
+};
 
 /// The style sheet of every page. It is light or dark as the user prefers, and always light on
 /// paper. The colours are those of Okabe and Ito, which can be distinguished with any colour
@@ -29,14 +45,23 @@ std::string_view page_script();
 std::string page_head(std::string_view title, std::string_view version,
                       std::string_view more_style = "");
 
-/// The scripts that all pages need and the script of this page, up to the end of the page.
-std::string page_end(std::string_view own_script);
+/// A page with all its parts. Title, version and spec are plain text, and all other texts are HTML.
+struct ReportPage {
+  std::string title, version;
+  std::string kind;           ///< what the page describes, above the title
+  std::string verdict;        ///< below the title
+  std::string level{};        ///< level of the verdict, "green"; empty if there is none
+  std::string head{};         ///< after the verdict
+  std::string definitions{};  ///< of shapes
+  std::string sections;
+  std::string spec;  ///< the spec, verbatim; omitted if empty
+  std::string foot;  ///< from the sentence after the version to the end of the last paragraph
+  std::string_view style{}, script;  ///< in addition to those of all pages
+};
+std::string page_html(const ReportPage& page);
 
 /// The hint about zooming. It is hidden until the script of the page makes it visible.
 std::string picture_hint();
-
-/// A folded section with the verbatim text of the spec; empty if the text is empty.
-std::string spec_section(const std::string& spec);
 
 /// The sections of a page, preceded by a list of links to their headings. Short pages have no list.
 std::string with_contents(const std::string& sections);

@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/pair/arc_pair.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "gearwright/pair/rack_pair.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
@@ -27,7 +27,7 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 /// HTML with both figures. `below` contains further figures, which are placed below the picture of
 /// the whole pair.
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
-                      UnitSystem units = UnitSystem::mm, const std::string& below = {});
+                      const FigureForm& form = {}, const std::string& below = {});
 
 /// The mesh of a rack and its pinion, with the definition of the rack's shape. `shapes` are the
 /// names of the SVG definitions of pinion and rack.
@@ -48,7 +48,7 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 
 /// Two figures: the reference circles at the reference centre distance, and the working pitch
 /// circles at the centre distance of the pair. Empty if centrodes_are_worth_a_picture() is false.
-std::string centrode_figures(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
+std::string centrode_figures(const InvolutePair& pair, const FigureForm& form = {});
 
 // Draws circular-arc teeth at their contact point.
 //

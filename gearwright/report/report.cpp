@@ -134,18 +134,17 @@ std::string title_block(const DrawingInput& drawing) {
 }
 
 std::string foot(const ReportInput& input) {
-  const std::string version = input.version.empty() ? std::string() : " " + escaped(input.version);
   const bool crossed = input.pair && input.pair->crossed();
   const bool by_pinion = std::any_of(input.gears.begin(), input.gears.end(),
                                      [](const Gear* gear) { return gear->cut_by.has_value(); });
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of the teeth as cut by the "
+      "The geometry is the nominal geometry of the teeth as cut by the "
       "given {}. Symbols and terms are those of ISO 21771. Lengths are in {} and angles in "
       "degrees; “{}” means that there is no such value.{}</p>\n<p>Numbers are computed in double "
       "precision, by closed formulas, or by iteration until only rounding errors remain. Lengths "
       "are shown with {} decimals of {}, and angles with {} decimals of a degree. Outlines of "
-      "teeth follow the exact curves within {:g} normal modules. {}{}{}</p>\n</footer>\n",
-      version, by_pinion ? "racks and pinion cutters" : "racks", to_string(input.units), kNoValue,
+      "teeth follow the exact curves within {:g} normal modules. {}{}{}",
+      by_pinion ? "racks and pinion cutters" : "racks", to_string(input.units), kNoValue,
       crossed ? " On crossed axes, teeth touch at points. The contact ratio is the mean number of "
                 "these points on the line of action."
               : "",
@@ -176,17 +175,17 @@ std::string finding_list(const Verdict& verdict, std::string_view whole) {
 }
 
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units, std::string_view head) {
+                         const FigureForm& form, std::string_view head) {
   const bool meet = pair.flanks_meet();
+  const std::string table = path_table(pair, form.units);
   const std::string path =
-      meet ? side_by_side(figure_html(in_units(units, path_figure(pair)), kWideFigure) + "<div>" +
-                          path_table(pair, units) + "</div>")
-           : path_table(pair, units);
+      meet ? side_by_side(form.html(path_figure(pair), kWideFigure) + "<div>" + table + "</div>")
+           : table;
   return fmt::format("<section class=\"pair\">\n{}{}{}{}{}{}</section>\n", head,
-                     mesh_part(pair, shapes, units,
-                               meet ? figure_html(ratio_figure(pair), kBarWidth) : std::string()),
-                     pair_table(pair, units), interference_table(pair, units), path,
-                     centrode_figures(pair, units));
+                     mesh_part(pair, shapes, form,
+                               meet ? form.html(ratio_figure(pair), kBarWidth) : std::string()),
+                     pair_table(pair, form.units), interference_table(pair, form.units), path,
+                     centrode_figures(pair, form));
 }
 
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&,
@@ -227,19 +226,6 @@ std::string report_html(const ReportInput& input) {
   GW_EXPECTS(!input.rack || input.gears.size() == 1);
   GW_EXPECTS(!input.pair || input.gears.size() == 2);
   const UnitSystem units = input.units;
-  const std::string title = input.title.empty() ? default_title(input) : input.title;
-  std::string page = page_head(title, input.version);
-  page += "<body>\n" + definitions(input);
-  page += fmt::format(
-      "<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p class=\"verdict {}\"><b>{}</b> "
-      "{}</p>\n{}{}{}{}</header>\n",
-      kind_of(input), escaped(title), to_string(input.verdict.level),
-      to_string(input.verdict.level), escaped(sentence_in(units, input.verdict.headline)),
-      title_block(input.drawing), key_figures(input),
-      sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
-                                                     : input.rack ? "Rack and pinion"
-                                                                  : "")),
-      picture_hint());
   // The most important sections come first, and the data sheets of the gears later.
   std::string sections;
   if (input.pair) {
@@ -256,10 +242,23 @@ std::string report_html(const ReportInput& input) {
   if (input.rating) sections += rating_section(*input.rating, units);
   sections += gear_section(input) + few_teeth_section(input) +
               measure_section(input.measures, input.measure_ends, input.k_diagrams, units);
-  sections =
-      sentence_in(units, sections + file_section(input.files)) + spec_section(input.spec_text);
-  page += "<main>\n" + with_contents(sections) + "</main>\n" + foot(input);
-  return page + page_end(turn_script());
+  const std::string head =
+      title_block(input.drawing) + key_figures(input) +
+      sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
+                                                     : input.rack ? "Rack and pinion"
+                                                                  : "")) +
+      picture_hint();
+  return page_html({.title = input.title.empty() ? default_title(input) : input.title,
+                    .version = input.version,
+                    .kind = kind_of(input),
+                    .verdict = escaped(sentence_in(units, input.verdict.headline)),
+                    .level = to_string(input.verdict.level),
+                    .head = head,
+                    .definitions = definitions(input),
+                    .sections = sentence_in(units, sections + file_section(input.files)),
+                    .spec = input.spec_text,
+                    .foot = foot(input),
+                    .script = turn_script()});
 }
 
 }  // namespace gearwright

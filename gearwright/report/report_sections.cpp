@@ -214,25 +214,18 @@ Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2
   return figure;
 }
 
-namespace {
-
-std::string rack_picture(const RackPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units) {
-  const auto figure = rack_figure(pair, shapes);
-  return figure ? figure_html(in_units(units, *figure), kRackWidth)
-                : fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
-                              escaped(figure.error().message()));
-}
-
-}  // namespace
-
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units, std::string_view head) {
-  return fmt::format(
-      "<section class=\"pair\">\n{}{}{}{}</section>\n", head, rack_picture(pair, shapes, units),
-      table_html("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"}, units,
-                 rack_pair_quantities(), pair),
-      table_html("Rack data, symbols of ISO 21771", {"Rack"}, units, rack_quantities(), pair.rack));
+                         const FigureForm& form, std::string_view head) {
+  const auto figure = rack_figure(pair, shapes);
+  const std::string picture =
+      figure ? form.html(*figure, kRackWidth)
+             : fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
+                           escaped(figure.error().message()));
+  return fmt::format("<section class=\"pair\">\n{}{}{}{}</section>\n", head, picture,
+                     table_html("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"},
+                                form.units, rack_pair_quantities(), pair),
+                     table_html("Rack data, symbols of ISO 21771", {"Rack"}, form.units,
+                                rack_quantities(), pair.rack));
 }
 
 }  // namespace gearwright

@@ -18,6 +18,7 @@
 #include "gearwright/pair/rack_pair.hpp"
 #include "gearwright/report/contact_report.hpp"
 #include "gearwright/report/k_diagram.hpp"
+#include "gearwright/report/page_parts.hpp"
 #include "gearwright/report/report.hpp"
 
 namespace gearwright {
@@ -29,7 +30,7 @@ std::string finding_list(const Verdict& verdict, std::string_view whole);
 /// A pair of involute gears: pictures, quantities, interference. `head` is the beginning of the
 /// section, in HTML.
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units, std::string_view head = "<h2>Pair</h2>\n");
+                         const FigureForm& form, std::string_view head = "<h2>Pair</h2>\n");
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes,
                          UnitSystem units);
 
@@ -107,6 +108,7 @@ std::string rating_section(const RatingAnswer& view, UnitSystem units);
 /// has no outline, a paragraph with the reason replaces the picture. `head` is as in
 /// pair_section().
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units, std::string_view head = "<h2>Rack and pinion</h2>\n");
+                         const FigureForm& form,
+                         std::string_view head = "<h2>Rack and pinion</h2>\n");
 
 }  // namespace gearwright

@@ -147,19 +147,11 @@ struct CollisionRow {
 
 std::string collision_rows(const std::string& caption, const std::vector<CollisionRow>& rows) {
   if (rows.empty()) return "";
-  std::string text = fmt::format(
-      "<div class=\"scroll\"><table>\n<caption>{}</caption>\n<thead><tr><th "
-      "scope=\"col\">Code</th><th scope=\"col\">Gear</th><th scope=\"col\" "
-      "class=\"value\">Depth</th><th scope=\"col\">Meaning</th></tr></thead>\n<tbody>\n",
-      caption);
-  for (const CollisionRow& row : rows) {
-    text += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"value\">{}</td><td "
-        "class=\"words\">{}</td></tr>\n",
-        escaped(row.code), row.gear > 0 ? std::to_string(row.gear) : "both", row.amount,
-        escaped(row.words));
-  }
-  return text + "</tbody></table></div>\n";
+  std::vector<std::vector<std::string>> cells;
+  for (const CollisionRow& row : rows)
+    cells.push_back({escaped(row.code), row.gear > 0 ? std::to_string(row.gear) : "both",
+                     row.amount, escaped(row.words)});
+  return value_table(caption, {"Code", "Gear", "Depth", "Meaning"}, cells, "collisions");
 }
 
 std::vector<CollisionRow> rows_of(const std::vector<Collision>& collisions, UnitSystem units) {

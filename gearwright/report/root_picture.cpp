@@ -130,32 +130,6 @@ std::vector<FigureLeader> marks_of(const Gear& gear) {
   return marks;
 }
 
-Figure root_of(const Gear& gear, const std::optional<Gear>& rack, const std::string& shape,
-               const std::string& name) {
-  Figure f = plane_figure("root-" + shape, name + ": root of the tooth",
-                          "The tooth in the transverse section with its arcs in colours. Behind "
-                          "the tooth, dashed lines show the base circle and the root that the rack "
-                          "alone would leave. F, C and J are points on the flank.",
-                          window(gear, rack));
-  add_upright_gear(f, gear, shape, "neighbour");
-  f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
-  const double space = kPi / gear.spec.teeth, far = 2 * gear.actual_tip_radius();
-  f.line({Vec2::Zero(), far * Vec2(std::sin(space), std::cos(space))}, "thin dashdot");
-  f.circle(Vec2::Zero(), gear.base_radius(), "thin dash", -1, "", "base circle");
-  if (rack && has_outline(*rack)) add_upright_arcs(f, *rack, [](ArcName) { return "before"; });
-  if (!rack && gear.undercut) add_lost_flank(f, gear);
-  add_upright_arcs(f, gear, arc_style);
-  if (const auto& arc = gear.tooth->root_fillet)
-    add_fillet(f, *arc, upright(root_center(gear)), upright(flank_of(gear).begin_point), "r_r");
-  if (const auto& arc = gear.tooth->tip_fillet)
-    add_fillet(f, *arc, upright(center_of(*arc, arc->land.rad())),
-               upright(flank_of(gear).end_point), "r_t");
-  f.leaders = marks_of(gear);
-  for (const FigureLeader& mark : f.leaders) f.dot(mark.at, 2.6, "mark");
-  lead_circle(f, gear.base_radius(), "d_b", kLengthDigits);
-  return f;
-}
-
 std::string behind_words(const Gear& gear, const std::optional<Gear>& rack) {
   const auto key = [](const char* words) { return caption_key("before", words) + " "; };
   if (rack && has_outline(*rack)) {
@@ -189,6 +163,32 @@ Vec2 undercut_limit_point(const Gear& gear) {
   return gear.base_radius() * Vec2(std::cos(psi), std::sin(psi));
 }
 
+Figure root_plot(const Gear& gear, const std::string& shape, const std::string& name) {
+  const std::optional<Gear> rack = by_rack_alone(gear);
+  Figure f = plane_figure("root-" + shape, name + ": root of the tooth",
+                          "The tooth in the transverse section with its arcs in colours. Behind "
+                          "the tooth, dashed lines show the base circle and the root that the rack "
+                          "alone would leave. F, C and J are points on the flank.",
+                          window(gear, rack));
+  add_upright_gear(f, gear, shape, "neighbour");
+  f.line({{0.0, f.y.lo}, {0.0, f.y.hi}}, "thin dashdot");
+  const double space = kPi / gear.spec.teeth, far = 2 * gear.actual_tip_radius();
+  f.line({Vec2::Zero(), far * Vec2(std::sin(space), std::cos(space))}, "thin dashdot");
+  f.circle(Vec2::Zero(), gear.base_radius(), "thin dash", -1, "", "base circle");
+  if (rack && has_outline(*rack)) add_upright_arcs(f, *rack, [](ArcName) { return "before"; });
+  if (!rack && gear.undercut) add_lost_flank(f, gear);
+  add_upright_arcs(f, gear, arc_style);
+  if (const auto& arc = gear.tooth->root_fillet)
+    add_fillet(f, *arc, upright(root_center(gear)), upright(flank_of(gear).begin_point), "r_r");
+  if (const auto& arc = gear.tooth->tip_fillet)
+    add_fillet(f, *arc, upright(center_of(*arc, arc->land.rad())),
+               upright(flank_of(gear).end_point), "r_t");
+  f.leaders = marks_of(gear);
+  for (const FigureLeader& mark : f.leaders) f.dot(mark.at, 2.6, "mark");
+  lead_circle(f, gear.base_radius(), "d_b", kLengthDigits);
+  return f;
+}
+
 std::string root_figure(const Gear& gear, const std::string& shape, const std::string& name,
                         UnitSystem units) {
   if (!root_is_worth_a_picture(gear)) return {};
@@ -206,7 +206,7 @@ std::string root_figure(const Gear& gear, const std::string& shape, const std::s
     words += fmt::format(" At <b>J</b>, the tip fillet with {} = {} mm touches the flank.",
                          symbol_html("r_t"), fixed(gear.tooth->tip_fillet->radius, kLengthDigits));
   }
-  Figure f = root_of(gear, rack, shape, name);
+  Figure f = root_plot(gear, shape, name);
   f.caption = ". " + words;
   return figure_html(in_units(units, f), kRootWidth);
 }

@@ -153,16 +153,15 @@ std::string chart_section(const SearchReport& report) {
          "</section>\n";
 }
 
-std::string foot(const SearchReport& report) {
-  const std::string version = report.version.empty() ? "" : " " + escaped(report.version);
+std::string foot(UnitSystem units) {
   return fmt::format(
-      "<footer>\n<p>Gearwright{}. The geometry is the nominal geometry of gears cut by racks. "
-      "Symbols and terms are those of ISO 21771. Lengths are in {}, angles in degrees, profile "
-      "shifts and regions in normal modules; “{}” means that there is no such value.</p>\n<p>Every "
-      "combination of module and numbers of teeth is tried. The profile shifts of a combination "
-      "are not sampled, because their region within the limits is computed exactly. Manufacturing "
-      "deviations, load and strength are not considered.</p>\n</footer>\n",
-      version, to_string(report.units), kNoValue);
+      "The geometry is the nominal geometry of gears cut by racks. Symbols and terms are those of "
+      "ISO 21771. Lengths are in {}, angles in degrees, profile shifts and regions in normal "
+      "modules; “{}” means that there is no such value.</p>\n<p>Every combination of module and "
+      "numbers of teeth is tried. The profile shifts of a combination are not sampled, because "
+      "their region within the limits is computed exactly. Manufacturing deviations, load and "
+      "strength are not considered.",
+      to_string(units), kNoValue);
 }
 
 std::string search_verdict(const SearchReport& report) {
@@ -199,16 +198,16 @@ std::string search_sections(const SearchReport& report) {
 
 std::string search_report(const SearchReport& report) {
   const SearchProblem& problem = report.search.problem();
-  const std::string title =
-      report.title.empty() ? "Design search, ratio " + band(problem.ratio) : report.title;
-  std::string page = page_head(title, report.version, search_style());
-  page += fmt::format(
-      "<body>\n<header>\n<p class=\"kind\">{}</p>\n<h1>{}</h1>\n<p "
-      "class=\"verdict\">{}</p>\n</header>\n<main>\n",
-      escaped(kind_of(problem, report.units)), escaped(title), search_verdict(report));
-  page += with_contents(search_sections(report) + spec_section(report.spec_text)) + "</main>\n" +
-          foot(report);
-  return page + page_end(sort_script());
+  return page_html(
+      {.title = report.title.empty() ? "Design search, ratio " + band(problem.ratio) : report.title,
+       .version = report.version,
+       .kind = escaped(kind_of(problem, report.units)),
+       .verdict = search_verdict(report),
+       .sections = search_sections(report),
+       .spec = report.spec_text,
+       .foot = foot(report.units),
+       .style = search_style(),
+       .script = sort_script()});
 }
 
 namespace {
@@ -242,19 +241,17 @@ std::string refused_section(const StudyReport& report) {
 }  // namespace
 
 std::string study_report(const StudyReport& report) {
-  std::string page = page_head(report.title, report.version, search_style());
-  page += fmt::format(
-      "<body>\n<header>\n<p class=\"kind\">Designs ranked under tolerances</p>\n<h1>{}</h1>\n<p "
-      "class=\"verdict\">{}</p>\n</header>\n<main>\n",
-      escaped(report.title), escaped(report.sentence));
-  page += with_contents("<section>\n<h2>Ranking</h2>\n" + figure_of(report) + table_of(report) +
-                        "</section>\n" + refused_section(report) + spec_section(report.spec_text)) +
-          "</main>\n";
-  page += fmt::format(
-      "<footer>\n<p>Gearwright{}. The teeth are rigid. The samples of every design are "
-      "computed as for the verb scatter.</p>\n</footer>\n",
-      report.version.empty() ? "" : " " + escaped(report.version));
-  return page + page_end(sort_script());
+  return page_html({.title = report.title,
+                    .version = report.version,
+                    .kind = "Designs ranked under tolerances",
+                    .verdict = escaped(report.sentence),
+                    .sections = "<section>\n<h2>Ranking</h2>\n" + figure_of(report) +
+                                table_of(report) + "</section>\n" + refused_section(report),
+                    .spec = report.spec_text,
+                    .foot = "The teeth are rigid. The samples of every design are computed as for "
+                            "the verb scatter.",
+                    .style = search_style(),
+                    .script = sort_script()});
 }
 
 }  // namespace gearwright

@@ -14,7 +14,9 @@ export type Fault = E.Failed["error"];
 export interface Solved {
   text: string;
   spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
+  /** null if there is a fault, or if the page already has the result with this number. */
   result: { [key: string]: Json } | null;
+  number: number; // the number of the result; results with equal numbers are equal
   fault: Fault | null;
   gears: number;
   hasPair: boolean;
@@ -87,12 +89,18 @@ function treeOf(text: string): Solved["spec"] {
   return failed(tree) ? null : JSON.parse(tree);
 }
 
-function solve(text: string): Solved {
+/** The last result as text. */
+let printed = { text: "", number: 0 };
+
+/** Solves a spec. `known` is the number of the result that the page has. A result is not sent twice, because
+ *  it takes longer to send than to compute, and most errors of mounting do not change it. */
+function solve(text: string, known: number): Solved {
   const begin = performance.now();
   const solved: Solved = {
     text,
     spec: null,
     result: null,
+    number: 0,
     fault: null,
     gears: 0,
     hasPair: false,
@@ -106,7 +114,10 @@ function solve(text: string): Solved {
   try {
     const { gears, hasPair, json } = session(text);
     Object.assign(solved, { gears, hasPair });
-    solved.result = good(JSON.parse(json(hasPair ? "pair" : gears ? "gear" : "drive")));
+    const result = json(hasPair ? "pair" : gears ? "gear" : "drive");
+    if (result !== printed.text || known !== printed.number) solved.result = good(JSON.parse(result));
+    if (result !== printed.text) printed = { text: result, number: printed.number + 1 };
+    solved.number = printed.number;
   } catch (reason) {
     if (!(reason instanceof Refused)) throw reason;
     solved.fault = reason.fault;
@@ -161,16 +172,16 @@ function eachGear<T>(s: E.Session, make: (gear: 1 | 2) => T | E.Failed): T[] {
 
 const questions = {
   catalogue: () => JSON.parse(engine.catalogue()) as E.Catalogue,
-  solve: (q: { text: string }) => solve(q.text),
+  solve: (q: { text: string; known: number }) => solve(q.text, q.known),
   /** Sets keys in the text and solves the new text. */
-  edit(q: { text: string; edits: Edit[] }): Solved | { refused: string } {
+  edit(q: { text: string; edits: Edit[]; known: number }): Solved | { refused: string } {
     let text = isJson(q.text) ? good(engine.toToml(q.text)) : q.text;
     for (const [key, value] of q.edits) {
       const next = engine.edit(text, key, value);
       if (failed(next)) return { refused: next.error.message };
       text = next;
     }
-    return solve(text);
+    return solve(text, q.known);
   },
   meshFigure: (q: { text: string; view: E.MeshView }) => good(session(q.text).meshFigure(q.view)),
   /** Poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
@@ -190,10 +201,10 @@ const questions = {
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
-  curve: (q: { text: string; positions: number }) => {
-    const begin = performance.now();
-    const curve = good(session(q.text).contactCurve(q.positions));
-    return { ...curve, milliseconds: performance.now() - begin };
+  /** The contact over one pitch with its figures. The time is that of the contact. */
+  contact(q: { text: string; view: E.ContactView }) {
+    const curve = timed(() => good(session(q.text).contactCurve(q.view.positions)));
+    return { curve, figures: good(session(q.text).contactFigures(q.view)) };
   },
   contactFigures: (q: { text: string; view: E.ContactView }) => good(session(q.text).contactFigures(q.view)),
   pattern: (q: { text: string; positions: number; rows: number; columns: number }, step: Step) =>

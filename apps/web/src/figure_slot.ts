@@ -144,7 +144,20 @@ export class Figures {
   readonly element = h("div", { class: "plots" });
   private readonly slots = new Map<string, FigureSlot>();
   private t = NaN;
-  constructor(private readonly chosen?: (t: number) => void) {}
+  private room = 0; // px, width of the element; 0 if it must be measured
+  private width = 0; // px, the width that fit() has returned last
+
+  /** `resized` is called when the width of the figures changes. */
+  constructor(
+    private readonly chosen?: (t: number) => void,
+    resized: () => void = () => undefined,
+  ) {
+    new ResizeObserver(() => {
+      const before = this.width;
+      this.room = this.element.clientWidth;
+      if (before && this.room && Math.abs(this.fit() - before) > 8) resized();
+    }).observe(this.element);
+  }
 
   /** Shows these figures. If `all` is true, removes all other figures. */
   show(figures: Figure[], all = true): void {
@@ -167,9 +180,10 @@ export class Figures {
   }
   /** Arranges the figures in one column or in two. Returns the width of a figure, px. */
   fit(): number {
-    const room = this.element.clientWidth || 600;
+    this.room ||= this.element.clientWidth;
+    const room = this.room || 600;
     const columns = Math.max(1, Math.min(2, Math.floor(room / 310)));
     this.element.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
-    return Math.round((room - 20) / columns);
+    return (this.width = Math.round((room - 20) / columns));
   }
 }

@@ -47,9 +47,10 @@ export function fromShown(value: number, of: Dimension): number {
 export function shownText(value: number, of: Dimension, digits: number): string {
   return fixed(toShown(value, of), Math.max(0, digits + (inInch(of)?.[2] ?? 0)));
 }
-/** A value with its unit. */
+/** A value with its unit and a true minus sign. */
 export function amount(value: number, of: Dimension, digits: number): string {
-  return `${shownText(value, of, digits)} ${shownUnit(of)}`;
+  const unit = shownUnit(of);
+  return shownText(value, of, digits).replace("-", "−") + (unit === "°" ? "" : " ") + unit;
 }
 /** Removes rounding errors in the last bits. For example, 0.1 in becomes exactly 2.54 mm. */
 function clean(value: number): number {

@@ -66,9 +66,9 @@ export class Page {
     const text = new TextPane();
     const choice = new Choice("form of the spec", { form: "form", text: "text" }, "form", (side) => {
       form.element.hidden = side !== "form";
-      text.element.hidden = side !== "text";
+      text.show(side === "text");
     });
-    text.element.hidden = true;
+    text.show(false);
     this.main = h(
       "main",
       { class: "bench", "data-part": kFirstPart },

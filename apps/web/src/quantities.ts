@@ -29,6 +29,7 @@ export class QuantityPane {
   private shown = ""; // the text of the spec to which the shown numbers belong
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
+  private result: unknown = null; // the result whose numbers are shown
 
   constructor() {
     bench.on("solved", () => this.update());
@@ -60,6 +61,8 @@ export class QuantityPane {
     if (!result) return;
     this.shown = bench.solved!.text;
     this.age();
+    if (result === this.result && this.signature) return;
+    this.result = result;
     const records = (result["gears"] ?? []) as Json[];
     const rack = at(records[1], "form") === "rack";
     const gears = rowsOf(quantities("gear")!, records, "gears");

@@ -95,10 +95,11 @@ class Workbench {
     this.busy = true;
     const begin = performance.now();
     const from = this.text;
+    const { good } = this;
     const edits = [...this.edits];
     this.edits.clear();
     try {
-      const answer = await this.front.call("edit", { text: from, edits });
+      const answer = await this.front.call("edit", { text: from, edits, known: good?.number ?? 0 });
       // If the user has edited the text in the meantime, the edited text takes precedence over
       // this change.
       if (this.text !== from) return;
@@ -110,7 +111,7 @@ class Workbench {
       this.remember(edits.map(([key]) => key).join(" "));
       this.text = answer.text;
       this.notify("text");
-      this.takeSolved(answer, begin);
+      this.takeSolved(answer, begin, good);
     } finally {
       this.busy = false;
       void this.applyEdits();
@@ -141,11 +142,14 @@ class Workbench {
       );
       return;
     }
-    const answer = await this.front.latest("solve", "solve", { text: this.text });
-    if (answer?.text === this.text) this.takeSolved(answer, begin);
+    const { good } = this;
+    const answer = await this.front.latest("solve", "solve", { text: this.text, known: good?.number ?? 0 });
+    if (answer?.text === this.text) this.takeSolved(answer, begin, good);
   }
 
-  private takeSolved(solved: Solved, begin: number): void {
+  /** `known` is the design whose result the engine does not send again. */
+  private takeSolved(solved: Solved, begin: number, known: Solved | null = null): void {
+    if (known && solved.number === known.number) solved.result ??= known.result;
     this.solved = solved;
     if (solved.result) this.good = solved;
     else if (this.finder) this.good = null;
@@ -203,7 +207,7 @@ class Workbench {
 
 function faulty(text: string, message: string): Solved {
   const fault: Fault = { key: "", value: "", message };
-  return { text, spec: null, result: null, fault, gears: 0, hasPair: false, milliseconds: 0 };
+  return { text, spec: null, result: null, number: 0, fault, gears: 0, hasPair: false, milliseconds: 0 };
 }
 
 export const bench = new Workbench();

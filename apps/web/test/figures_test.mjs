@@ -71,6 +71,13 @@ describe("figures", () => {
       before,
     );
     assert.match(await page.evaluate(() => window.gearwright.text()), /crossing_deg = 0\.06/);
+    // This error changes no number of the table. The table must show the next change nevertheless.
+    const width = '.numbers [data-quantity="gears.face_width_mm"][data-column="0"]';
+    for (const value of ["41", "40"]) {
+      await page.fill('[data-key="gear1.face_width_mm"]', value);
+      await page.waitForFunction(([of, value]) => Number(document.querySelector(of).textContent) === Number(value), [width, value]);
+      await page.fill('[data-slide="errors.crossing_deg"]', "0.02");
+    }
   });
 
   it("the pointer shows values, a press chooses a position, and values can be saved", async () => {

@@ -2,7 +2,7 @@
 // user moves a slider of an error or a modification. The contact pattern is computed in the background
 // and is updated later.
 
-import type { ContactCurve, FlankRaster } from "../../engine/engine";
+import type { ContactCurve, ContactView as FigureView, Figure, FlankRaster } from "../../engine/engine";
 import { quantities } from "../catalogue";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
 import { Figures } from "../figure_slot";
@@ -23,7 +23,10 @@ export class ContactView implements Tab {
   readonly id = "contact";
   private readonly sliders = new ContactSliders();
   private readonly sentence = h("p", { class: "view-sentence", "aria-live": "polite" });
-  private readonly curves = new Figures((t) => this.choose(Math.round((t + 0.5) * kPositions)));
+  private readonly curves = new Figures(
+    (t) => this.choose(Math.round((t + 0.5) * kPositions)),
+    () => void this.drawFigures(true),
+  );
   private readonly flanks = new Figures();
   private readonly errorMap = new ErrorMapView();
   private readonly instant = slider(
@@ -53,17 +56,10 @@ export class ContactView implements Tab {
   private curve: Timed | null = null;
   private patterns: FlankRaster[] | null = null;
   private index = kPositions / 2;
-  private width = 0;
   shown = "";
   private marked = ""; // the text of the spec whose pattern is shown on the flanks
   private asked = ""; // the text of the spec for which the verb contact has run last, or is running
   private rest = 0;
-
-  constructor() {
-    new ResizeObserver(() => {
-      if (this.curve && Math.abs(this.curves.fit() - this.width) > 8) void this.drawFigures(true);
-    }).observe(this.picture);
-  }
 
   leave(): void {
     clearTimeout(this.rest);
@@ -83,18 +79,19 @@ export class ContactView implements Tab {
       return this.clear(solved ? "Tooth contact needs a second gear." : bench.nothing);
     }
     if (solved.text === this.shown) return this.draw();
-    const question = { text: solved.text, positions: kPositions };
+    const view = this.view(true);
     try {
-      const answer = await bench.about(bench.front, "curve", "curve", question);
+      const answer = await bench.about(bench.front, "contact", "contact", { text: solved.text, view });
       if (!answer) return;
-      this.curve = answer;
+      this.curve = answer.curve;
+      this.shown = solved.text;
+      this.draw();
+      this.showFigures(answer.figures, view);
     } catch (reason) {
       return this.clear(sentenceOf(reason));
     }
-    this.shown = solved.text;
-    this.draw();
     fill(this.table);
-    await Promise.all([this.drawFigures(true), this.pattern(solved.text)]);
+    await this.pattern(solved.text);
     this.rest = window.setTimeout(() => void this.judge(), kRestMs);
   }
 
@@ -121,16 +118,21 @@ export class ContactView implements Tab {
     void this.drawFigures(false);
   }
 
-  private async drawFigures(curves: boolean): Promise<void> {
-    const { curve, index, patterns, shown } = this;
-    if (!curve) return;
-    this.width = this.curves.fit();
+  private view(curves: boolean): FigureView {
+    const { index, patterns } = this;
     this.flanks.fit();
-    const view = { width: this.width, positions: kPositions, index, patterns, curves };
+    return { width: this.curves.fit(), positions: kPositions, index, patterns, curves };
+  }
+  private async drawFigures(curves: boolean): Promise<void> {
+    const { curve, shown } = this;
+    if (!curve) return;
+    const view = this.view(curves);
     const figures = await bench.front
       .latest(curves ? "figures" : "flanks", "contactFigures", { text: shown, view })
       .catch(() => null); // the pair has been replaced
-    if (!figures || this.curve !== curve) return;
+    if (figures && this.curve === curve) this.showFigures(figures, view);
+  }
+  private showFigures(figures: Figure[], { curves, index }: FigureView): void {
     const ofFlanks = figures.filter((one) => one.id.startsWith("bearing"));
     if (curves) this.curves.show(figures.filter((one) => !ofFlanks.includes(one)));
     if (index === this.index || !curves) this.flanks.show(ofFlanks);

@@ -3,7 +3,8 @@
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, inputs, wordsOf } from "../catalogue";
-import { h, onKeys, symbol } from "../elements";
+import { h } from "../elements";
+import { keySlider, type KeySlider } from "../key_slider";
 import { amount, niceStep, onStep, shownUnit } from "../numbers";
 import { at, bench, hasRack } from "../workbench";
 
@@ -26,17 +27,9 @@ const kNeeds: Record<string, string> = {
   end_relief_um: "end_relief_length_mm",
 };
 
-interface Slide {
-  place: string;
-  input: HTMLInputElement;
-  output: HTMLOutputElement;
-  key: InputKey;
-  row: HTMLElement;
-}
-
 export class ContactSliders {
   readonly element = h("div", { class: "sliders", role: "group", "aria-label": "errors and modifications" });
-  private slides: Slide[] = [];
+  private slides: KeySlider[] = [];
 
   build(): void {
     if (this.slides.length) return;
@@ -69,33 +62,17 @@ export class ContactSliders {
 
   private slide(place: string, key: InputKey, words: string): HTMLElement {
     const reach = kReach[key.unit] ?? 1;
-    const output = h("output", {});
+    const name = `${words}, ${shownUnit(key)}${place.startsWith("gear") ? ", gear " + place[4] : ""}`;
+    const range = { min: key.range?.lo === 0 ? 0 : -reach, max: reach, step: reach / 100, value: 0 };
     const set = (value: number) => bench.setKey(place, value === 0 ? undefined : value);
-    const input = h("input", {
-      type: "range",
-      "aria-label": `${words}, ${shownUnit(key)}${place.startsWith("gear") ? ", gear " + place[4] : ""}`,
-      "data-slide": place,
-      min: key.range?.lo === 0 ? 0 : -reach,
-      max: reach,
-      step: reach / 100,
-      value: 0,
-      input: () => {
-        const value = onStep(Number(input.value), niceStep(Number(input.max), 100));
-        output.textContent = text(value, key);
-        set(value);
-      },
-      dblclick: () => set(0),
-    });
-    onKeys(input, { "0": () => set(0) });
-    const row = h(
-      "label",
-      { class: "slider", title: key.meaning },
-      h("span", { class: "slider-words" }, words, " ", symbol(key.symbol)),
-      output,
-      input,
-    );
-    this.slides.push({ place, input, output, key, row });
-    return row;
+    const moved = () => {
+      const value = onStep(Number(slide.input.value), niceStep(Number(slide.input.max), 100));
+      slide.output.textContent = text(value, key);
+      set(value);
+    };
+    const slide = keySlider({ place, key, words, name }, range, moved, () => set(0));
+    this.slides.push(slide);
+    return slide.row;
   }
 
   /** Sets the sliders to the values of the spec. */

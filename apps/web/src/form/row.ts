@@ -13,6 +13,7 @@ interface RowField {
   key: InputKey;
   field: Field;
   note: Note;
+  shown: string; // the value and the default that the field shows, as JSON
 }
 
 /** Digits of a limit in mm: 0.1 µm. */
@@ -86,7 +87,15 @@ export class Rows {
     return h("div", { class: "rows" }, ...keys.flatMap((key) => this.row(table, key, places)));
   }
   show(spec: Json): void {
-    for (const { key, field } of this.fields) field.show(at(spec, field.place), implied(key, field.place));
+    for (const one of this.fields) {
+      const value = at(spec, one.field.place);
+      const absent = implied(one.key, one.field.place);
+      const shown = JSON.stringify([value, absent]);
+      // If the engine has rejected a value, the field must show the value of the spec again.
+      if (shown === one.shown && !bench.fault) continue;
+      one.shown = shown;
+      one.field.show(value, absent);
+    }
   }
   /** Shows an error at its field. If `within` is true, the error of a missing table is shown at the first
    *  field of this table. */
@@ -111,7 +120,7 @@ export class Rows {
       const gear = /^gear[12]/.test(place) ? "gear " + place[4] : "";
       return makeField(key, words, `${place}.${key.key}`, gear, note);
     });
-    this.fields.push(...fields.map((field) => ({ key, field, note })));
+    this.fields.push(...fields.map((field) => ({ key, field, note, shown: "" })));
     const unit = shownUnit(key);
     const two = places.length > 1;
     const stacked = two && (isWide(key) || words.length > kShortLabel);

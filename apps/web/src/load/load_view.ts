@@ -58,7 +58,10 @@ export class LoadView extends AnswerView<Answer> {
     this.draw();
     void this.drawFigures();
   });
-  private readonly figures = new Figures((t) => this.choose(Math.round((t + 0.5) * this.positions.length)));
+  private readonly figures = new Figures(
+    (t) => this.choose(Math.round((t + 0.5) * this.positions.length)),
+    () => void this.drawFigures(),
+  );
   private readonly position = slider("position within the pitch", { min: 0, max: 1, step: 1 }, (i) =>
     this.choose(i),
   );
@@ -67,7 +70,6 @@ export class LoadView extends AnswerView<Answer> {
   private full = false; // false if the result is a draft
   private torque = 0;
   private index = -1;
-  private width = 0;
   private rest = 0;
   private wanted = ""; // accuracy and text of the current request
 
@@ -82,9 +84,6 @@ export class LoadView extends AnswerView<Answer> {
       this.proposals.element,
     );
     this.bar.hidden = true;
-    new ResizeObserver(() => {
-      if (this.answer && Math.abs(this.figures.fit() - this.width) > 8) void this.drawFigures();
-    }).observe(this.room);
   }
 
   async refresh(): Promise<void> {
@@ -180,9 +179,9 @@ export class LoadView extends AnswerView<Answer> {
 
   private async drawFigures(): Promise<void> {
     const { answer, torque } = this;
-    this.width = this.figures.fit();
+    if (!answer) return;
     const figures = await bench.press
-      .latest("load-figures", "loadFigures", { torque, width: this.width })
+      .latest("load-figures", "loadFigures", { torque, width: this.figures.fit() })
       .catch(() => null); // the result has been replaced
     if (!figures || this.answer !== answer || this.torque !== torque) return;
     this.figures.show(figures);

@@ -3,8 +3,9 @@
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
-import { fill, h, onKeys, symbol } from "../elements";
+import { fill, h } from "../elements";
 import type { Json } from "../engine_worker";
+import { keySlider, type KeySlider } from "../key_slider";
 import { amount, niceStep, onStep, shownUnit } from "../numbers";
 import { at, bench } from "../workbench";
 
@@ -13,11 +14,6 @@ interface Tolerance {
   place: string; // path in the spec of the range or the radius
   table: string; // table of the key in the catalogue
   key: InputKey;
-}
-interface Slide {
-  tolerance: Tolerance;
-  input: HTMLInputElement;
-  output: HTMLOutputElement;
 }
 /** For each unit, the upper end of the slider if the width in the spec is 0. */
 const kReach: Record<string, number> = { "°": 0.05, µm: 10, mm: 0.05 };
@@ -57,7 +53,7 @@ function endsOf(value: Json | undefined): [number, number] {
 
 export class ToleranceSliders {
   readonly element = h("div", { class: "sliders", role: "group", "aria-label": "tolerances" });
-  private slides: Slide[] = [];
+  private slides: KeySlider[] = [];
   private design = -1;
 
   /** `moved` is called with true while the user holds a slider, and with false when the user releases it. */
@@ -69,29 +65,27 @@ export class ToleranceSliders {
     const same =
       this.design === bench.design &&
       all.length === this.slides.length &&
-      all.every((one, i) => one.place === this.slides[i]!.tolerance.place);
+      all.every((one, i) => one.place === this.slides[i]!.place);
     if (!same) {
       this.design = bench.design;
       this.slides = [];
       const rows = all.map((one) => this.slide(one));
       fill(this.element, all.length > 0 && h("h3", {}, "Tolerances"), ...rows);
     }
-    for (const { tolerance, input, output } of this.slides) {
-      const [lo, hi] = endsOf(at(spec ?? undefined, tolerance.place));
+    for (const { place, key, input, output } of this.slides) {
+      const [lo, hi] = endsOf(at(spec ?? undefined, place));
       const half = (hi - lo) / 2;
-      if (!kSingle[tolerance.key.key]?.[1] && (!same || half > Number(input.max))) {
-        const reach = half > 0 ? 2 * half : (kReach[tolerance.key.unit] ?? 1);
+      if (!kSingle[key.key]?.[1] && (!same || half > Number(input.max))) {
+        const reach = half > 0 ? 2 * half : (kReach[key.unit] ?? 1);
         input.max = String(reach);
         input.step = String(niceStep(reach));
       }
       if (document.activeElement !== input) input.value = String(half);
-      output.textContent = text(half, tolerance.key);
+      output.textContent = text(half, key);
     }
   }
 
-  private slide(tolerance: Tolerance): HTMLElement {
-    const { place, table, key } = tolerance;
-    const output = h("output", {});
+  private slide({ place, table, key }: Tolerance): HTMLElement {
     const single = kSingle[key.key];
     const set = (half: number) => {
       const [lo, hi] = endsOf(at(bench.good?.spec ?? undefined, place));
@@ -101,31 +95,17 @@ export class ToleranceSliders {
     };
     const gear = /gear([12])/.exec(place)?.[1];
     const words = wordsOf(table, key) + (gear ? `, gear ${gear}` : "");
-    const input = h("input", {
-      type: "range",
-      "aria-label": `tolerance of ${words}, ${shownUnit(key)}`,
-      "data-slide": place,
-      min: single?.[0] ?? 0,
-      max: single?.[1],
-      step: single?.[1] && 1,
-      input: () => {
-        this.moved(true);
-        const half = onStep(Number(input.value), single?.[1] ? 1 : niceStep(Number(input.max)));
-        output.textContent = text(half, key);
-        set(half);
-      },
-      change: () => this.moved(false),
-      dblclick: () => !single && set(0),
-    });
-    onKeys(input, { "0": () => !single && set(0) });
-    this.slides.push({ tolerance, input, output });
-    return h(
-      "label",
-      { class: "slider", title: key.meaning },
-      h("span", { class: "slider-words" }, words, " ", symbol(key.symbol)),
-      output,
-      input,
-    );
+    const range = { min: single?.[0] ?? 0, max: single?.[1], step: single?.[1] && 1, change: () => this.moved(false) };
+    const moved = () => {
+      this.moved(true);
+      const half = onStep(Number(slide.input.value), single?.[1] ? 1 : niceStep(Number(slide.input.max)));
+      slide.output.textContent = text(half, key);
+      set(half);
+    };
+    const name = `tolerance of ${words}, ${shownUnit(key)}`;
+    const slide = keySlider({ place, key, words, name }, range, moved, () => !single && set(0));
+    this.slides.push(slide);
+    return slide.row;
   }
 }
 

@@ -77,12 +77,18 @@ export class TextPane {
     this.take();
   }
 
+  /** Shows or hides the text. A hidden text is not coloured. */
+  show(open: boolean): void {
+    this.element.hidden = !open;
+    if (open) this.colour();
+  }
+
   private take(): void {
     if (this.area.value === bench.text) return;
     const { selectionStart, selectionEnd } = this.area;
     this.area.value = bench.text;
     if (document.activeElement === this.area) this.area.setSelectionRange(selectionStart, selectionEnd);
-    this.colour();
+    if (!this.element.hidden) this.colour();
   }
 
   private colour(): void {
