@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <ostream>
 #include <string>
 
@@ -111,21 +112,33 @@ std::vector<Case> cases() {
   };
 }
 
+struct SolidFile {
+  StepReport report;
+  ReadStep read;
+};
+
+// The file of a case as another kernel reads it. The tests of a case share it, because reading takes longer than most of them.
+const SolidFile& file_of(const Case& c) {
+  static std::map<std::string, SolidFile> read;
+  const auto [at, added] = read.try_emplace(c.name);
+  if (added) {
+    const auto made = step_document({c.body}, "gear.step");
+    EXPECT_TRUE(made) << made.error().message();
+    if (made) at->second = {made->report, read_step(made->text)};
+  }
+  return at->second;
+}
+
 class StepSolidOf : public ::testing::TestWithParam<Case> {
  protected:
-  // Each test of a case runs in its own process, which reads the file once.
   void SetUp() override {
-    const auto made = step_document({GetParam().body}, "gear.step");
-    ASSERT_TRUE(made) << made.error().message();
-    report_ = made->report;
-    read_ = read_step(made->text);
-    ASSERT_EQ(read_.refusals, 0);
-    ASSERT_EQ(read_.solids.size(), 1u);
+    ASSERT_EQ(file_.read.refusals, 0);
+    ASSERT_EQ(file_.read.solids.size(), 1u);
   }
-  const TopoDS_Solid& solid() const { return read_.solids.front(); }
+  const TopoDS_Solid& solid() const { return file_.read.solids.front(); }
 
-  StepReport report_;
-  ReadStep read_;
+  const SolidFile& file_ = file_of(GetParam());
+  const StepReport& report_ = file_.report;
 };
 
 TEST_P(StepSolidOf, IsAValidClosedSolidOfTheExactVolume) {
