@@ -15,13 +15,8 @@ namespace {
 // the middle of the flank.
 double default_chord_diameter(const Gear& g) {
   const double d = g.reference_diameter;
-  const double end = 2 * g.tip_form_radius();
-  const auto form = g.root_form_radius();
-  const double begin = form           ? 2 * *form
-                       : g.internal() ? g.root_diameter
-                                      : g.reference().base_diameter;
-  const double lo = std::min(begin, end), hi = std::max(begin, end);
-  return d >= lo && d <= hi ? d : 0.5 * (lo + hi);
+  const auto flank = usable_flank(g);
+  return !flank || flank->contains(d) ? d : flank->middle();
 }
 
 constexpr int kMostSpans = 31;  // a gear with more usable spans has hundreds of teeth
@@ -56,12 +51,10 @@ class Measuring {
  private:
   using Fault = std::optional<Error>;
 
-  bool internal_helical() const { return gear_.internal() && gear_.spec.helix_angle.rad() != 0.0; }
-
   Fault missing(bool asked, const Error& error, WarningCode code, const char* what) {
     const Error here = within(gear_field(which_, "measure"), error);
     if (asked) return here;
-    warn(code, std::string(what) + ": " + (request_.words ? request_.words(here) : here.message()));
+    warn(code, fmt::format("{}: {}", what, request_.words ? request_.words(here) : here.message()));
     return std::nullopt;
   }
   void warn(WarningCode code, std::string message) {
@@ -75,9 +68,10 @@ class Measuring {
       if (!m.span && m.reference)
         warn(WarningCode::no_span,
              std::string("No span can be measured, because ") +
-                 (internal_helical() ? kNoPlaneAnvils
-                                     : "for every number of teeth the contacts lie off the usable "
-                                       "flank or the face") +
+                 (straight_tools_fit(gear_)
+                      ? "for every number of teeth the contacts lie off the usable flank or the "
+                        "face"
+                      : kNoPlaneAnvils) +
                  ".");
       note_narrow_face(m);
       return std::nullopt;
@@ -174,7 +168,7 @@ class Measuring {
 
   Fault pins(GearMeasures& m) {
     const bool asked = input_.pin_diameter.has_value();
-    if (asked && internal_helical())
+    if (asked && !straight_tools_fit(gear_))
       return refused(gear_field(which_, "measure.pin_diameter"), *input_.pin_diameter,
                      "a straight pin does not fit into the tooth spaces of an internal helical "
                      "gear; measure between balls");

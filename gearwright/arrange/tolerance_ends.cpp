@@ -146,12 +146,16 @@ std::optional<Error> check_tips(const GivenPair& given) {
   return std::nullopt;
 }
 
-// If the gear has a cutter and its tip diameter is not given, removes the tip diameter of the
-// nominal gear, so that it is computed again. It depends on the distance of the cutter and
-// therefore on the thickness allowance.
-void follow_cutter(const Arranged& nominal, std::size_t i, GearInput& gear) {
-  if (gear.cut_by && !nominal.given->gears[i]->cylindrical.tip_diameter)
+// Keeps the profile shift of the nominal gear, even if it was computed from the nominal centre
+// distance. If the gear has a cutter and its tip diameter is not given, removes the tip diameter of
+// the nominal gear instead, so that it is computed again. It depends on the distance of the cutter
+// and therefore on the thickness allowance.
+void follow_nominal(const Arranged& nominal, std::size_t i, GearInput& gear) {
+  if (!gear.cut_by && nominal.gears[i].involute()) {
+    gear.profile_shift = nominal.gears[i].spec.profile_shift;
+  } else if (gear.cut_by && !nominal.given->gears[i]->cylindrical.tip_diameter) {
     gear.cylindrical.tip_diameter.reset();
+  }
 }
 
 // The input at one end. End 0 has the thinnest and shortest teeth and the most backlash. End 1 has
@@ -161,13 +165,10 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   for (std::size_t i = 0; i < nominal.gears.size(); ++i) {
     GearInput& gear = *given.gears[i];
     if (gear.allowance_ends) gear.cylindrical.thickness_allowance = (*gear.allowance_ends)[end];
-    follow_cutter(nominal, i, gear);
+    follow_nominal(nominal, i, gear);
     if (gear.tolerance.tip_deviations)
       gear.cylindrical.tip_diameter =
           tip_at_end(nominal.gears[i], *gear.tolerance.tip_deviations, end);
-    // The profile shift is unchanged, even if it was computed from the nominal centre distance.
-    if (nominal.gears[i].involute() && !gear.cut_by)
-      gear.profile_shift = nominal.gears[i].spec.profile_shift;
   }
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
@@ -342,11 +343,9 @@ Result<Arranged> at_corner(const Arranged& nominal, const std::vector<Toleranced
     GearInput& gear = *given.gears[i];
     gear.allowance_ends.reset();
     gear.tolerance = {};
-    follow_cutter(nominal, i, gear);
-    if (nominal.gears[i].involute() && !gear.cut_by) {
-      gear.profile_shift = nominal.gears[i].spec.profile_shift;
+    follow_nominal(nominal, i, gear);
+    if (!gear.cut_by)
       gear.cylindrical.thickness_allowance = nominal.gears[i].spec.thickness_allowance;
-    }
   }
   for (std::size_t k = 0; k < tolerances.size(); ++k) {
     const TolerancedNumber& tolerance = tolerances[k];

@@ -23,22 +23,22 @@ const Quantities<std::array<Value, 2>>& two_gears_mm();
 /// Specific sliding ζ of gear 1 and of gear 2, each at A and at E.
 using SlidingAtEnds = std::array<std::array<std::optional<double>, 2>, 2>;
 /// Adds the entry `specific_sliding`: a record for programs, and for users one row at A and one at
-/// E. `get` returns a SlidingAtEnds or nothing.
-template <class S, class G>
-void add_sliding(Quantities<S>& q, const char* meaning, G get) {
-  q.template record<two_gears>("specific_sliding", meaning, [get](const S& s) {
-     const std::optional<SlidingAtEnds> z = get(s);
-     return z ? Value(two_gears().of({(*z)[0], (*z)[1]})) : Value();
+/// E. `q` are the quantities of a pair or of a part, for which `get` returns a SlidingAtEnds.
+template <class Q, class G>
+void add_sliding(Q& q, const char* meaning, G get) {
+  q.template record<two_gears>("specific_sliding", meaning, [get](const auto& s) {
+     const SlidingAtEnds z = get(s);
+     return Value(two_gears().of({z[0], z[1]}));
    }).doors(kJson);
   const auto row = [&](const char* key, std::size_t end) {
     q.term(key, "per gear",
-           [get, end](const S& s) {
-             const std::optional<SlidingAtEnds> found = get(s);
-             return found ? Value(std::array{(*found)[0][end], (*found)[1][end]}) : Value();
+           [get, end](const auto& s) {
+             const SlidingAtEnds z = get(s);
+             return Value(std::array{z[0][end], z[1][end]});
            })
         .per_gear()
         .doors(kPeople)
-        .expected([get](const S& s) { return std::optional<SlidingAtEnds>(get(s)).has_value(); });
+        .expected();
   };
   row("specific_sliding_at_A", 0);
   row("specific_sliding_at_E", 1);

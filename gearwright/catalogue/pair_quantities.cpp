@@ -24,14 +24,11 @@ bool is(const Pair& v) {
   return v.as<Kind>() != nullptr;
 }
 bool double_helical(const Pair& v) { return v.gear(1).gap.has_value(); }
-const InternalMargins* margins_of(const Pair& v) {
-  const ParallelPair* p = v.parallel();
-  return p && p->margins ? &*p->margins : nullptr;
-}
-
-const Efficiency* efficiency_of(const Pair& v) {
-  const InvolutePair* p = v.involute();
-  return p && p->efficiency ? &*p->efficiency : nullptr;
+// An optional part of one kind of pair; null for a pair without this part.
+template <class Part, class Kind, std::optional<Part> Kind::*part>
+const Part* part_of(const Pair& v) {
+  const Kind* p = as<Kind>(v);
+  return p && p->*part ? &*(p->*part) : nullptr;
 }
 
 template <class... Of>
@@ -39,10 +36,7 @@ auto by_kind(Of... of) {
   return [get = Overloaded{of...}](const Pair& v) { return v.visit(get); };
 }
 
-bool flanks_meet(const Pair& v) {
-  const InvolutePair* p = v.involute();
-  return p && p->flanks_meet();
-}
+bool flanks_meet(const Pair& v) { return v.contact_ratio() > 0.0; }
 
 // An angle of both gears in mesh with their common rack, in degrees.
 Value of_sides(const InvolutePair& p, double RackSide<double>::*angle) {
@@ -310,15 +304,14 @@ void add_clearances(Quantities<Pair>& q) {
 
 void add_sliding(Quantities<Pair>& q) {
   q.under(kContact);
-  add_sliding(q,
+  auto of_involutes = q.part(as<InvolutePair>);
+  add_sliding(of_involutes,
               "sliding distance [at A, at E] per mm that the contact travels on the flank. On "
               "parallel axes [T2.22], the value is negative where the mating gear drags the flank "
               "and null at and beyond a base tangent point. On crossed axes [T4.25], it is the "
               "ratio of the magnitudes of the velocities",
-              [](const Pair& v) -> std::optional<SlidingAtEnds> {
-                const InvolutePair* p = v.involute();
-                if (!p) return std::nullopt;
-                const auto &a = p->sliding_A, &e = p->sliding_E;
+              [](const InvolutePair& p) {
+                const auto &a = p.sliding_A, &e = p.sliding_E;
                 return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
               });
 }
@@ -365,7 +358,7 @@ void add_friction(Quantities<Pair>& q) {
           "[T4.24]")
       .doors(kJson)
       .when();
-  add_efficiency(q, efficiency_of);
+  add_efficiency(q, part_of<Efficiency, InvolutePair, &InvolutePair::efficiency>);
 }
 
 void add_pair(Quantities<Pair>& q) {
@@ -381,7 +374,7 @@ void add_pair(Quantities<Pair>& q) {
   q.record<backlash_quantities>(
       "backlash", "backlash of the flanks as cut, at this centre distance", backlash_of);
   q.under(kMargins);
-  q.part(margins_of)
+  q.part(part_of<InternalMargins, ParallelPair, &ParallelPair::margins>)
       .record<internal_quantities>("internal", "margins of internal pairs; absent for other pairs")
       .when();
   q.under("Point of contact");

@@ -22,11 +22,13 @@ std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& 
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
   const double a = setup.place().center_distance + errors.center_distance;
-  if (!setup.gear(2).internal() && a >= r1 + r2) {
+  const double apart = setup.gear(2).side() * (a - r2) - r1;  // of the two tip circles
+  if (apart >= 0.0) {
     return fmt::format(
-        "the axes are {:.6g} mm apart and the sum of the tip radii is {:.6g} mm, so the teeth do "
-        "not reach each other; reduce `errors.center_distance` or `pair.center_distance`",
-        a, r1 + r2);
+        "the axes are {:.6g} mm apart and the tip radii are {:.6g} mm and {:.6g} mm, so the tip "
+        "circles are {:.6g} mm apart and the teeth do not reach each other; change "
+        "`errors.center_distance` or `pair.center_distance`",
+        a, r1, r2, apart);
   }
   return fmt::format(
       "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance "

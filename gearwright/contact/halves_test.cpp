@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,7 +21,9 @@ namespace {
 
 using testing::SamplePair;
 
-SamplePair crowned_half(int z2 = 43) {
+constexpr std::array kWheelsOfHalves{43, -61};  // the second is an internal gear
+
+SamplePair crowned_half(int z2) {
   FlankModifications m;
   m.lead_crowning = 0.008;
   m.profile_crowning = 0.004;
@@ -43,20 +46,22 @@ struct Both {
 };
 
 TEST(Halves, AnInPlaneDeviationMovesAHalfByItsLever) {
-  for (const bool gear2_drives : {false, true}) {
-    SamplePair p = crowned_half();
-    p.place.gear2_drives = gear2_drives;
-    const double d = 0.002;  // rad
-    const double z = 25.0;
-    p.place.middle = {z, z};
-    p.place.errors.intersecting = Angle::radians(d);
-    const auto there = transmission_error(p.pair(), 16);
-    p.place.middle = {};
-    // Axis 1 at height z is nearer to axis 2 by z sin δ and lower by z (1 − cos δ).
-    p.place.errors.center_distance = -z * std::sin(d);
-    p.place.errors.axial = -z * (1 - std::cos(d));
-    const auto here = transmission_error(p.pair(), 16);
-    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i], here[i], 1e-13) << i;
+  for (const int z2 : kWheelsOfHalves) {
+    for (const bool gear2_drives : {false, true}) {
+      SamplePair p = crowned_half(z2);
+      p.place.gear2_drives = gear2_drives;
+      const double d = 0.002;  // rad
+      const double z = 25.0;
+      p.place.middle = {z, z};
+      p.place.errors.intersecting = Angle::radians(d);
+      const auto there = transmission_error(p.pair(), 16);
+      p.place.middle = {};
+      // Axis 1 at height z is nearer to axis 2 by z sin δ and lower by z (1 − cos δ).
+      p.place.errors.center_distance = -z * std::sin(d);
+      p.place.errors.axial = -z * (1 - std::cos(d));
+      const auto here = transmission_error(p.pair(), 16);
+      for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i], here[i], 1e-13) << i;
+    }
   }
 }
 
@@ -86,7 +91,7 @@ TEST(Halves, HalfAMayLieOnEitherSide) {
 }
 
 TEST(Halves, AnOutOfPlaneDeviationTurnsTheCentreLine) {
-  for (const int z2 : {43, -61}) {
+  for (const int z2 : kWheelsOfHalves) {
     SamplePair p = crowned_half(z2);
     const double g = 0.002;  // rad
     const double z = 25.0;
@@ -112,73 +117,82 @@ TEST(Halves, AnOutOfPlaneDeviationTurnsTheCentreLine) {
 }
 
 TEST(Halves, DerivativesAreThoseOfDifferences) {
-  SamplePair p = crowned_half();
-  p.place.middle = {25.0, 24.0};
-  p.place.errors = {.crossing = Angle::degrees(0.02), .intersecting = Angle::degrees(-0.03)};
-  const auto te_at = [&](double step, ErrorKind kind) {
-    SamplePair q = p;
-    ContactErrors& e = q.place.errors;
-    if (kind == ErrorKind::crossing) e.crossing += Angle::radians(step);
-    if (kind == ErrorKind::intersecting) e.intersecting += Angle::radians(step);
-    ContactRequest request;
-    request.rotations = {Angle::radians(0.03)};
-    request.influences = {{kind}};
-    const auto [a, b] = analyse_contact(Both(q, 0.25).mesh, request).half;
-    return std::array{a.positions[0].te.rad(), a.sensitivities[0][0].te, b.positions[0].te.rad(),
-                      b.sensitivities[0][0].te};
-  };
-  for (const ErrorKind kind : {ErrorKind::crossing, ErrorKind::intersecting}) {
-    constexpr double kStep = 1e-6;
-    const auto lo = te_at(-kStep, kind);
-    const auto at = te_at(0.0, kind);
-    const auto hi = te_at(kStep, kind);
-    EXPECT_NEAR(at[1], (hi[0] - lo[0]) / (2 * kStep), 1e-6 * std::abs(at[1]));
-    EXPECT_NEAR(at[3], (hi[2] - lo[2]) / (2 * kStep), 1e-6 * std::abs(at[3]));
-    EXPECT_GT(std::abs(at[1] - at[3]), 1e-3 * std::abs(at[1]));
+  for (const int z2 : kWheelsOfHalves) {
+    SamplePair p = crowned_half(z2);
+    p.place.middle = {25.0, 24.0};
+    p.place.errors = {.crossing = Angle::degrees(0.02), .intersecting = Angle::degrees(-0.03)};
+    const auto te_at = [&](double step, ErrorKind kind) {
+      SamplePair q = p;
+      ContactErrors& e = q.place.errors;
+      if (kind == ErrorKind::crossing) e.crossing += Angle::radians(step);
+      if (kind == ErrorKind::intersecting) e.intersecting += Angle::radians(step);
+      ContactRequest request;
+      request.rotations = {Angle::radians(0.03)};
+      request.influences = {{kind}};
+      const auto [a, b] = analyse_contact(Both(q, 0.25).mesh, request).half;
+      return std::array{a.positions[0].te.rad(), a.sensitivities[0][0].te, b.positions[0].te.rad(),
+                        b.sensitivities[0][0].te};
+    };
+    for (const ErrorKind kind : {ErrorKind::crossing, ErrorKind::intersecting}) {
+      constexpr double kStep = 1e-6;
+      const auto lo = te_at(-kStep, kind);
+      const auto at = te_at(0.0, kind);
+      const auto hi = te_at(kStep, kind);
+      EXPECT_NEAR(at[1], (hi[0] - lo[0]) / (2 * kStep), 1e-6 * std::abs(at[1]));
+      EXPECT_NEAR(at[3], (hi[2] - lo[2]) / (2 * kStep), 1e-6 * std::abs(at[3]));
+      EXPECT_GT(std::abs(at[1] - at[3]), 1e-3 * std::abs(at[1]));
+    }
   }
 }
 
 TEST(Halves, AStaggerChangesHarmonics) {
-  const SamplePair p = crowned_half();
-  for (const double s : {0.5, -0.25, 0.1}) {
-    const Both both(p, s);
-    const HalvesContact found = analyse_contact(both.mesh, {64});
-    for (std::size_t k = 1; k <= 4; ++k) {
-      const double share = std::abs(std::cos(std::numbers::pi * static_cast<double>(k) * s));
-      EXPECT_NEAR(found.whole.harmonics[k - 1].rad(), share * found.half[0].harmonics[k - 1].rad(),
-                  1e-3 * found.half[0].harmonics[0].rad())
-          << k << " " << s;
+  for (const int z2 : kWheelsOfHalves) {
+    const SamplePair p = crowned_half(z2);
+    for (const double s : {0.5, -0.25, 0.1}) {
+      const Both both(p, s);
+      const HalvesContact found = analyse_contact(both.mesh, {64});
+      for (std::size_t k = 1; k <= 4; ++k) {
+        const double share = std::abs(std::cos(std::numbers::pi * static_cast<double>(k) * s));
+        EXPECT_NEAR(found.whole.harmonics[k - 1].rad(),
+                    share * found.half[0].harmonics[k - 1].rad(),
+                    1e-3 * found.half[0].harmonics[0].rad())
+            << k << " " << s;
+      }
     }
   }
 }
 
 TEST(Halves, AFloatingGearTakesUpAnAxialShift) {
-  SamplePair p = crowned_half();
-  p.place.middle = {12.0, 12.0};
-  const Both still(p, 0.0);
-  const auto at_rest = analyse_contact(still.a, {32});
-  p.place.errors.axial = 1e-4;
-  const Both moved(p, 0.0);
-  const HalvesContact found = analyse_contact(moved.mesh, {32});
-  for (std::size_t i = 0; i < 32; ++i) {
-    EXPECT_NEAR(found.whole.positions[i].te.rad(), at_rest.positions[i].te.rad(), 1e-11);
-    EXPECT_NEAR(found.float_axial[i], -1e-4, 1e-8);
+  for (const int z2 : kWheelsOfHalves) {
+    SamplePair p = crowned_half(z2);
+    p.place.middle = {12.0, 12.0};
+    const Both still(p, 0.0);
+    const auto at_rest = analyse_contact(still.a, {32});
+    p.place.errors.axial = 1e-4;
+    const Both moved(p, 0.0);
+    const HalvesContact found = analyse_contact(moved.mesh, {32});
+    for (std::size_t i = 0; i < 32; ++i) {
+      EXPECT_NEAR(found.whole.positions[i].te.rad(), at_rest.positions[i].te.rad(), 1e-11);
+      EXPECT_NEAR(found.float_axial[i], -1e-4, 1e-8);
+    }
   }
 }
 
 TEST(Halves, TheSpanIsThatOfManyPositions) {
-  SamplePair p = crowned_half();
-  p.place.middle = {25.0, 25.0};
-  p.place.errors = {.crossing = Angle::degrees(0.02), .intersecting = Angle::degrees(0.01)};
-  for (const double s : {0.0, 0.3}) {
-    const Both both(p, s);
-    const auto span = continuous_span(both.mesh, 64);
-    ASSERT_TRUE(span.has_value());
-    constexpr int kMany = 2000;
-    const double comb = analyse_contact(both.mesh, {kMany}).whole.peak_to_peak.arcsec();
-    EXPECT_GE(span->arcsec(), comb - 1e-9);
-    EXPECT_LE(span->arcsec(), comb + 2e-3 * comb);
-    EXPECT_NEAR(span->arcsec(), continuous_span(both.mesh, 200)->arcsec(), 1e-7);
+  for (const int z2 : kWheelsOfHalves) {
+    SamplePair p = crowned_half(z2);
+    p.place.middle = {25.0, 25.0};
+    p.place.errors = {.crossing = Angle::degrees(0.02), .intersecting = Angle::degrees(0.01)};
+    for (const double s : {0.0, 0.3}) {
+      const Both both(p, s);
+      const auto span = continuous_span(both.mesh, 64);
+      ASSERT_TRUE(span.has_value());
+      constexpr int kMany = 2000;
+      const double comb = analyse_contact(both.mesh, {kMany}).whole.peak_to_peak.arcsec();
+      EXPECT_GE(span->arcsec(), comb - 1e-9);
+      EXPECT_LE(span->arcsec(), comb + 2e-3 * comb);
+      EXPECT_NEAR(span->arcsec(), continuous_span(both.mesh, 200)->arcsec(), 1e-7);
+    }
   }
 }
 

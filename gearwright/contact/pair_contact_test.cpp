@@ -1,9 +1,12 @@
 // The result of contact() outlives the pair. It equals the result for a ContactPair made directly.
 #include "gearwright/contact/pair_contact.hpp"
 
+#include <fmt/format.h>
+
 #include <type_traits>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
 
 namespace gearwright {
@@ -45,20 +48,23 @@ TEST(PairContact, equals_a_pair_by_hand_and_outlives_its_own) {
 // play of gear 2, found by turning its flanks, is j_t/r_w2. jams() compares the product
 // j_t cos β_w times r cos β/(r_w cos β_w) with its limit, and not j_bn = j_t cos α_wt cos β_b.
 TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
-  for (const double helix_deg : {0.0, 15.0, 30.0}) {
-    testing::SamplePair p = testing::involutes(20, 41, helix_deg);
+  for (const auto& [z2, helix_deg] :
+       {std::pair{41, 0.0}, {41, 15.0}, {41, 30.0}, {-61, 0.0}, {-61, 15.0}}) {
+    testing::SamplePair p = testing::involutes(20, z2, helix_deg);
+    const double side = side_of(z2), teeth_2 = std::abs(z2);
     const double beta = helix_deg * std::numbers::pi / 180;
     const double alpha_t = std::atan(std::tan(std::numbers::pi / 9) / std::cos(beta));
-    const double r_1 = 20 / std::cos(beta), r_2 = 41 / std::cos(beta);
-    p.place.center_distance += 0.7;
+    const double r_1 = 20 / std::cos(beta), r_2 = teeth_2 / std::cos(beta);
+    p.place.center_distance += side * 0.7;
     const double a = p.place.center_distance;
-    const double r_w1 = a * 20 / 61, r_w2 = a * 41 / 61;
-    const double alpha_wt = std::acos((r_1 + r_2) * std::cos(alpha_t) / a);
+    const double r_w1 = a * 20 / std::abs(20 + z2), r_w2 = a * teeth_2 / std::abs(20 + z2);
+    const double alpha_wt = std::acos((r_2 + side * r_1) * std::cos(alpha_t) / a);
     const auto inv = [](double angle) { return std::tan(angle) - angle; };
-    const auto thickness = [&](double r_w, int z) {
-      return r_w * (std::numbers::pi / z + 2 * (inv(alpha_t) - inv(alpha_wt)));
+    const auto thickness = [&](double r_w, double z, double sigma) {
+      return r_w * (std::numbers::pi / z + 2 * sigma * (inv(alpha_t) - inv(alpha_wt)));
     };
-    const double j_t = 2 * std::numbers::pi * r_w1 / 20 - thickness(r_w1, 20) - thickness(r_w2, 41);
+    const double j_t = 2 * std::numbers::pi * r_w1 / 20 - thickness(r_w1, 20, 1.0) -
+                       thickness(r_w2, teeth_2, side);
     const auto driving = analyse_contact(p.pair(), {});
     p.place.gear2_drives = true;
     const auto other = analyse_contact(p.pair(), {});
@@ -76,6 +82,21 @@ TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
     const double limit = -no_backlash(p.gears[1].spec.normal_module) / (r_2 * std::cos(beta));
     EXPECT_TRUE(jams(Angle::radians(limit * 1.001), p.gears[1]));
     EXPECT_FALSE(jams(Angle::radians(limit * 0.999), p.gears[1]));
+  }
+}
+
+// The message states the gap between the tip circles.
+TEST(PairContact, tips_out_of_reach_are_named) {
+  for (const auto& [z2, off, gap] : {std::tuple{41, 5.0, 1.0}, {-61, -5.0, 1.0}}) {
+    const testing::SamplePair p = testing::involutes(20, z2, 0);
+    const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
+    ASSERT_TRUE(pair);
+    const auto setup = ContactSetup::of(*pair, {.center_distance = off}, {});
+    ASSERT_TRUE(setup);
+    const std::string text = nothing_touches(*setup).message();
+    EXPECT_NE(text.find(fmt::format("tip circles are {} mm apart", gap)), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("errors.center_distance"), std::string::npos) << text;
   }
 }
 

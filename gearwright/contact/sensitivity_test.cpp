@@ -25,22 +25,25 @@ std::vector<Sensitivity> by(const testing::SamplePair& p, const std::vector<Infl
   return all;
 }
 
-// Gear 2 of a conjugate pair lags by tan α/r_w2 per mm of centre distance. Crowning and an axial
-// displacement have no effect if the pair touches in the middle of the face.
+// Gear 2 of a conjugate external pair lags by tan α/r_w2 per mm of centre distance; in an internal
+// pair it leads by this angle. Crowning and an axial displacement have no effect if the pair
+// touches in the middle of the face.
 TEST(Sensitivity, of_conjugate_gears) {
-  auto p = testing::involutes(20, 41, 0);
-  FlankModifications nothing;
-  nothing.lead_crowning = 1e-7;
-  p.modify(1, nothing);
-  p.modify(2, nothing);
-  const double alpha = 20 * std::numbers::pi / 180;
-  const auto s = by(p, {{ErrorKind::center_distance},
-                        {ErrorKind::center_distance, 1, P::lead_crowning},
-                        {ErrorKind::center_distance, 2, P::profile_slope},
-                        {ErrorKind::axial}});
-  EXPECT_NEAR(s[0].te, -std::tan(alpha) / 41.0, 1e-6);
-  EXPECT_NEAR(s[1].te, 0.0, 1e-9);
-  EXPECT_NEAR(s[3].te, 0.0, 1e-12);
+  for (const int z2 : {41, -61}) {
+    auto p = testing::involutes(20, z2, 0);
+    FlankModifications nothing;
+    nothing.lead_crowning = 1e-7;
+    p.modify(1, nothing);
+    p.modify(2, nothing);
+    const double alpha = 20 * std::numbers::pi / 180;
+    const auto s = by(p, {{ErrorKind::center_distance},
+                          {ErrorKind::center_distance, 1, P::lead_crowning},
+                          {ErrorKind::center_distance, 2, P::profile_slope},
+                          {ErrorKind::axial}});
+    EXPECT_NEAR(s[0].te, -std::tan(alpha) / z2, 1e-6);
+    EXPECT_NEAR(s[1].te, 0.0, 1e-9);
+    EXPECT_NEAR(s[3].te, 0.0, 1e-12);
+  }
 }
 
 // The pair touches at an end of the narrower face, the face of gear 2. f_Hβ of a gear tilts its
@@ -58,11 +61,13 @@ TEST(Sensitivity, helix_slopes_at_a_face) {
 
 // If gear 2 drives, the other flanks touch, and an error has the opposite effect on TE.
 TEST(Sensitivity, of_the_other_flanks) {
-  auto p = testing::involutes(20, 41, 0);
-  const auto one = by(p, {{ErrorKind::center_distance}});
-  p.place.gear2_drives = true;
-  const auto two = by(p, {{ErrorKind::center_distance}}, -0.05);
-  EXPECT_NEAR(one[0].te, -two[0].te, 1e-12);
+  for (const int z2 : {41, -61}) {
+    auto p = testing::involutes(20, z2, 0);
+    const auto one = by(p, {{ErrorKind::center_distance}});
+    p.place.gear2_drives = true;
+    const auto two = by(p, {{ErrorKind::center_distance}}, -0.05);
+    EXPECT_NEAR(one[0].te, -two[0].te, 1e-12);
+  }
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.tool.dedendum = rack.dedendum;
     g.tool.fillet =
         std::min(rack.root_fillet_radius, full_radius(rack, problem.normal_pressure_angle));
-    if (g.internal()) {
+    if (cut && i == 1) {
       g.tool.cutter_teeth = cut->cutter_teeth;
       g.bore = default_rim(g.root_diameter, m);
     }

@@ -26,7 +26,7 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {
-  if (problem_.rating && problem_.internal() && !problem_.rating->ring_cuts)
+  if (problem_.rating && !problem_.rating->ring_cuts)
     problem_.rating->ring_cuts = std::make_shared<RingCuts>();
 }
 

@@ -172,8 +172,8 @@ bool Gear::pointed() const {
 }
 
 double Gear::tip_form_radius() const {
-  if (tooth && tooth->tip_form_radius) return *tooth->tip_form_radius;
-  return internal() ? std::max(tip_diameter / 2, base_radius()) : tip_diameter / 2;
+  if (!tooth) return std::max(tip_diameter / 2, base_radius());
+  return tooth->tip_form_radius.value_or(tip_diameter / 2);
 }
 
 double Gear::actual_tip_radius() const {

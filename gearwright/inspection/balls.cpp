@@ -114,13 +114,8 @@ std::string sizes_text(const Gear& gear, const UsableFlank& flank) {
 
 Result<BallSeat> ball_in_space(const Gear& gear, double ball) {
   GW_EXPECTS(ball > 0.0);
-  if (!gear.involute())
-    return no_ball(ball,
-                   "balls are used on involute flanks only, and these flanks are circular arcs");
-  const auto flank = usable_flank(gear);
-  if (!flank)
-    return no_ball(ball,
-                   "there is no usable flank to measure, as the warnings of the gear explain");
+  const auto flank = measurable_flank(gear, "ball_diameter", ball);
+  if (!flank) return flank.error();
   if (std::abs(gear.spec.teeth) < 2)
     return no_ball(
         ball, "a gear with a single tooth space has no opposite tooth space for the second ball");
@@ -199,7 +194,7 @@ PinReading over_pins(const Gear& gear, const BallSeat& seat) {
     const double c = z % 2 == 0 ? 1.0 : std::cos(pi / (2 * z));
     return {both, both, seat.center_diameter * c * c + gear.side() * seat.ball_diameter, 0.0};
   }
-  if (gear.internal()) return {};
+  if (!straight_tools_fit(gear)) return {};
   const double delta = z % 2 == 0 ? 0.0 : pi / z;
   const double outermost = seat.center_diameter + seat.ball_diameter;
   const Across least = least_across(delta, tan_K * tan_K);

@@ -16,36 +16,6 @@ Error off_flank(double diameter, const std::string& why) {
   return refused("chord_diameter", diameter, why);
 }
 
-struct FlankRange {
-  double lo, hi;           // mm, diameters
-  const char* past_point;  // side of the pointed diameter on which there is no tooth
-  std::string ends;        // description of the two ends, for messages
-};
-
-// The range of diameters in which both flanks of the tooth are involutes.
-Result<FlankRange> flank_range(const Gear& gear, double diameter) {
-  const double d_b = gear.reference().base_diameter;
-  const double d_Fa = 2 * gear.tip_form_radius();
-  if (gear.internal()) {
-    return FlankRange{std::max(d_Fa, d_b), gear.root_diameter, "inside",
-                      fmt::format("at least the base diameter {} mm, and between d_Fa = {} mm and "
-                                  "the root diameter {} mm of the internal gear",
-                                  format_number(d_b, diameter), format_number(d_Fa, diameter),
-                                  format_number(gear.root_diameter, diameter))};
-  }
-  const auto form = gear.root_form_radius();
-  if (!gear.exists() || !form) {
-    return off_flank(
-        diameter,
-        "there is no usable flank to measure at any diameter, as the warnings of the gear explain");
-  }
-  return FlankRange{std::max(2 * *form, d_b), d_Fa, "beyond",
-                    fmt::format("at least the base diameter {} mm, on the usable flank from d_Ff = "
-                                "{} mm to d_Fa = {} mm",
-                                format_number(d_b, diameter), format_number(2 * *form, diameter),
-                                format_number(d_Fa, diameter))};
-}
-
 }  // namespace
 
 ToothArc<double> tooth_arc(const Gear& gear, double diameter) {
@@ -62,16 +32,20 @@ ToothArc<double> tooth_arc(const Gear& gear, double diameter) {
 }
 
 Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diameter) {
-  const auto range = flank_range(gear, diameter);
-  if (!range) return range.error();
-  if (!(diameter >= range->lo && diameter <= range->hi))  // true for NaN
-    return off_flank(diameter, "must be " + range->ends);
+  const auto flank = measurable_flank(gear, "chord_diameter", diameter);
+  if (!flank) return flank.error();
+  const auto shown = [diameter](double end) { return format_number(end, diameter); };
+  const std::string ends = fmt::format(
+      "at least the base diameter {} mm, on the usable flank from {} = {} mm to d_Fa = {} mm",
+      shown(gear.reference().base_diameter), gear.tooth ? "d_Ff" : "the root diameter",
+      shown(flank->root_end), shown(flank->tip_end));
+  if (!flank->contains(diameter)) return off_flank(diameter, "must be " + ends);  // true for NaN
   const ToothArc<double> arc = tooth_arc(gear, diameter);
   if (!(arc.half_angle >= kMinHalfAngle)) {
-    return off_flank(diameter, fmt::format("the two flanks meet at a diameter of {} mm, so there "
-                                           "is no tooth {} this diameter; the diameter must be {}",
-                                           format_number(gear.pointed_diameter.value_or(diameter)),
-                                           range->past_point, range->ends));
+    return off_flank(diameter,
+                     fmt::format("the two flanks meet at a diameter of {} mm, where the tooth "
+                                 "ends; the diameter must be {}",
+                                 format_number(gear.pointed_diameter.value_or(diameter)), ends));
   }
   if (arc.half_angle < std::numbers::pi) {
     const auto chord = shortest_chord(arc);
@@ -80,7 +54,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   return off_flank(diameter,
                    fmt::format("the tooth spans {} degrees about the axis, which is too much for a "
                                "calliper; use a greater diameter, which must be {}",
-                               format_number(2 * arc.half_angle * kDegPerRad), range->ends));
+                               format_number(2 * arc.half_angle * kDegPerRad), ends));
 }
 
 std::optional<ConstantChord> constant_chord(const Gear& gear) {

@@ -14,6 +14,7 @@
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/draw.hpp"
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/gear/testing/made.hpp"
 
 namespace gearwright {
@@ -339,6 +340,34 @@ TEST(ChordalThickness, holds_to_both_ends_of_the_flank) {
   EXPECT_TRUE(chordal_thickness(ring, ring.root_diameter));
   EXPECT_FALSE(chordal_thickness(ring, std::nextafter(ring.tip_diameter, 0.0)));
   EXPECT_FALSE(chordal_thickness(ring, std::nextafter(ring.root_diameter, 1e9)));
+}
+
+// Half the angle of the tooth at this radius, from its outline.
+double outline_half_angle(const Gear& gear, double radius) {
+  for (const Arc& arc : gear.tooth->outline.arcs) {
+    double lo = 0.0, hi = 1.0;
+    const auto above = [&](double u) { return gear.side() * (arc.point(u).norm() - radius) > 0.0; };
+    if (above(0.0) || !above(1.0)) continue;
+    while (hi - lo > 1e-14) (above((lo + hi) / 2) ? hi : lo) = (lo + hi) / 2;
+    const Vec2 p = arc.point(lo);
+    return std::atan2(p.y(), p.x());
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+// The tooth is an involute on the usable flank only, also if a pinion has cut an internal gear.
+TEST(ChordalThickness, ends_where_the_fillet_begins) {
+  const Gear ring = *cut_by_default(made(spec_of(-60, 2, 0, 0)));
+  for (const Gear& gear : {made(spec_of(24, 3, 0, 0.1)), ring}) {
+    const double form = 2 * *gear.root_form_radius();
+    for (const double d : {form + gear.side() * 1e-9, 0.5 * (form + gear.tip_diameter)})
+      EXPECT_NEAR(tooth_arc(gear, d).half_angle, outline_half_angle(gear, d / 2), 1e-10);
+    EXPECT_TRUE(chordal_thickness(gear, form));
+    const double fillet = form - gear.side() * 0.2;
+    EXPECT_GT(std::abs(outline_half_angle(gear, fillet / 2) - tooth_arc(gear, fillet).half_angle),
+              1e-5);
+    EXPECT_FALSE(chordal_thickness(gear, fillet)) << gear.spec.teeth;
+  }
 }
 
 void expect_refused(const Gear& gear, double diameter, const std::string& word) {

@@ -56,20 +56,27 @@ ContactPlace UsableFlank::place(double diameter) const {
 }
 
 std::optional<UsableFlank> usable_flank(const Gear& gear) {
-  if (!gear.involute() || !gear.exists()) return std::nullopt;
+  // Without a cutter, the fillet of an internal gear is not known.
+  const auto root = gear.tooth ? gear.tooth->form_radius : std::optional(gear.root_diameter / 2);
+  if (!gear.involute() || !gear.exists() || !root) return std::nullopt;
   const double d_b = gear.reference().base_diameter;
-  UsableFlank flank{0.0, 2 * gear.tip_form_radius(), 2 * gear.actual_tip_radius(), gear.side()};
-  if (gear.internal()) {
-    const bool cut = gear.tooth && gear.tooth->form_radius;
-    flank.root_end = cut ? 2 * *gear.tooth->form_radius : gear.root_diameter;
-    flank.tip_end = std::max(flank.tip_end, d_b);
-  } else {
-    const auto form = gear.root_form_radius();
-    if (!form) return std::nullopt;
-    flank.root_end = std::max(2 * *form, d_b);
-  }
+  const UsableFlank flank{std::max(2 * *root, d_b), std::max(2 * gear.tip_form_radius(), d_b),
+                          2 * gear.actual_tip_radius(), gear.side()};
   if (!(flank.least() < flank.greatest())) return std::nullopt;
   return flank;
+}
+
+Result<UsableFlank> measurable_flank(const Gear& gear, const char* field, double value) {
+  if (!gear.involute())
+    return refused(field, value,
+                   "can be measured on involute flanks only, and these flanks are circular arcs");
+  if (const auto flank = usable_flank(gear)) return *flank;
+  return refused(field, value,
+                 "there is no usable flank to measure, as the warnings of the gear explain");
+}
+
+bool straight_tools_fit(const Gear& gear) {
+  return !(gear.internal() && gear.spec.helix_angle != Angle());
 }
 
 double v_circle_diameter(const Gear& gear) {

@@ -43,6 +43,13 @@ struct UsableFlank {
 
 /// The usable flank of a gear; none if no flank is left or the teeth are not involutes.
 std::optional<UsableFlank> usable_flank(const Gear& gear);
+/// The usable flank, on which a tool with the input `field` = `value` measures.
+///
+/// Errors    `field` if the teeth are not involutes or no flank is left
+Result<UsableFlank> measurable_flank(const Gear& gear, const char* field, double value);
+/// True if plane anvils and straight pins fit into the tooth spaces. They do not fit into the
+/// spaces of an internal helical gear.
+bool straight_tools_fit(const Gear& gear);
 /// The diameter d_V of the V circle.
 ///
 /// Formula   d_V = d ± 2 x m_n, with d > 0 and with minus for an internal gear; [T10.1]

@@ -9,10 +9,6 @@ namespace gearwright {
 
 namespace {
 
-bool measurable(const Gear& gear) {
-  return gear.involute() && !(gear.internal() && gear.reference().base_helix_angle != 0.0);
-}
-
 // d_M = √(d_b² + (W cos β_b)²). [T10.3]
 double contact_diameter(const ReferenceGeometry<double>& g, double length) {
   return std::hypot(g.base_diameter, length * std::cos(g.base_helix_angle));
@@ -92,11 +88,9 @@ double practical_face_width(const Gear& gear, const Span& span) {
 
 Result<Span> span_over(const Gear& gear, int k) {
   const auto no = [&](const std::string& why) { return refused("span_teeth", k, why); };
-  if (!gear.involute())
-    return no("spans can be measured on involute flanks only, and these flanks are circular arcs");
-  if (!measurable(gear)) return no(kNoPlaneAnvils);
-  const auto flank = usable_flank(gear);
-  if (!flank) return no("there is no usable flank to measure, as the warnings of the gear explain");
+  if (!straight_tools_fit(gear)) return no(kNoPlaneAnvils);
+  const auto flank = measurable_flank(gear, "span_teeth", k);
+  if (!flank) return flank.error();
   const int z = std::abs(gear.spec.teeth);
   if (k < 1 || k > z)
     return no(fmt::format("must lie between 1 and {}; {}", z, range_text(gear, *flank)));
@@ -124,7 +118,7 @@ std::optional<Span> usual_span(const Gear& gear) {
 
 std::vector<Span> usable_spans(const Gear& gear, int most) {
   GW_EXPECTS(most >= 1);
-  if (!measurable(gear)) return {};
+  if (!straight_tools_fit(gear)) return {};
   const auto flank = usable_flank(gear);
   if (!flank) return {};
   const Teeth k = touching_teeth(gear, *flank, true);

@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "gearwright/base/units.hpp"
-#include "gearwright/contact/contact.hpp"
-#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/load/testing/drive.hpp"
 
 namespace gearwright {
@@ -17,30 +16,19 @@ namespace {
 using testing::Drive;
 using testing::kE;
 using testing::run;
+using testing::steel_drive;
 
 // An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
-Drive external_drive(double helix_deg, double face, double module = 3.0) {
-  const auto gear = [&](double hand) {
-    CylindricalSpec s = testing::plain_spec(
-        {.teeth = 25, .module = module, .beta_deg = hand * helix_deg, .face_width = face});
-    s.rack = *iso53_rack("ISO53-A");
-    return std::move(make_gear(s)).take();
-  };
-  Drive m{gear(1), gear(-1), {}};
-  m.mount.center_distance = m.one.reference_diameter;
-  return m;
+// Laws (1) to (6) hold for every number of teeth of gear 2, of which −65 is an internal gear.
+constexpr std::array kWheels{25, -65};
+
+Drive external_drive(double helix_deg, double face) {
+  return testing::steel_drive(25, helix_deg, face);
 }
 
-LoadRequest request_of(double module = 3.0, double e = kE) {
-  LoadRequest r;
-  r.bodies = {ElasticBody{12 * module, 0.3, e}, ElasticBody{12 * module, 0.3, e}};
-  r.accuracy = ComplianceAccuracy::draft;
-  r.slices = {12, 12};
-  r.positions = 8;
-  return r;
-}
+LoadRequest request_of(const Drive& d, double e = kE) { return testing::steel_request(d, e); }
 
 double moment_of(const LoadedPosition& p, double length, double arm) {
   double sum = 0.0;
@@ -55,7 +43,7 @@ double moment_of(const LoadedPosition& p, double length, double arm) {
 TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   const double face = 360.0;
   const Drive m = external_drive(0, face);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.accuracy = ComplianceAccuracy::full;
   r.slices = {24, 24};
   const double rb = m.one.base_radius();
@@ -82,21 +70,26 @@ TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   }
 }
 
-TEST(LoadedContact, CarriesTheTorque) {
-  for (const double helix : {0.0, 18.0}) {
-    const Drive m = external_drive(helix, 30);
-    LoadRequest r = request_of();
-    r.torques = {5e4, 3e5};
-    const LoadedContact answer = run(m, r);
-    const double sin_b = std::sin(helix * M_PI / 180) * std::cos(20 * M_PI / 180);
-    const double cos_b = std::sqrt(1 - sin_b * sin_b);
-    for (const LoadedTorque& t : answer.torques) {
-      for (const LoadedPosition& p : t.positions) {
-        EXPECT_NEAR(moment_of(p, 30.0 / 12 / cos_b, m.two.base_radius() * cos_b), t.torque,
-                    1e-11 * t.torque);
-        double sum = 0.0;
-        for (const LoadedPair& k : p.pairs) sum += k.share;
-        EXPECT_NEAR(sum, 1.0, 1e-14);
+TEST(LoadedContact, CarriesTheTorque) {  // (1)
+  for (const int z_2 : kWheels) {
+    for (const double helix : {0.0, 15.0}) {
+      const Drive d = steel_drive(z_2, helix);
+      LoadRequest r = request_of(d);
+      r.torques = {5e4, 3e5};
+      const LoadedContact answer = run(d, r);
+      EXPECT_FALSE(answer.slices_too_fine);
+      EXPECT_EQ(answer.unfinished, 0);
+      const double sin_b = std::sin(helix * M_PI / 180) * std::cos(20 * M_PI / 180);
+      const double cos_b = std::sqrt(1 - sin_b * sin_b);
+      for (const LoadedTorque& t : answer.torques) {
+        for (const LoadedPosition& p : t.positions) {
+          EXPECT_NEAR(moment_of(p, 30.0 / 12 / cos_b, d.one.base_radius() * cos_b), t.torque,
+                      1e-11 * t.torque);
+          double sum = 0.0;
+          for (const LoadedPair& k : p.pairs) sum += k.share;
+          EXPECT_NEAR(sum, 1.0, 1e-14);
+          for (const double stress : p.root_stress) EXPECT_GT(stress, 0.0);
+        }
       }
     }
   }
@@ -105,7 +98,7 @@ TEST(LoadedContact, CarriesTheTorque) {
 // As in the web page, the tables are reused, and positions are computed one at a time in any order.
 TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
   const Drive m = external_drive(12, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {2e5};
   r.deflection_slope = 0.004;
   const LoadedContact whole = run(m, r);
@@ -137,7 +130,7 @@ TEST(LoadedContact, InPiecesIsTheSameToTheLastBit) {
 
 TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
   const Drive m = external_drive(12, 30);
-  const LoadRequest r = request_of();
+  const LoadRequest r = request_of(m);
   const std::array<const Gear*, 2> gears{&m.one, &m.two};
   LoadRequest other = r;
   other.torques = {1e6};
@@ -156,75 +149,91 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
 }
 
 // Rigid teeth, and teeth with a very small load, give the results of unloaded contact.
-TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
-  const Drive m = external_drive(12, 30);
-  const auto rigid = analyse_contact(m.pair(), {.positions = 8});
-  for (const auto& [e, torque] : {std::pair(1e13, 1e5), std::pair(kE, 1e-3)}) {
-    LoadRequest r = request_of(3.0, e);
-    r.torques = {torque};
-    const LoadedContact answer = run(m, r);
-    for (int i = 0; i < 8; ++i)
-      EXPECT_NEAR(answer.torques[0].positions[i].te.rad(), rigid.positions[i].te.rad(), 1e-10);
+TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {  // (2)
+  for (const int z_2 : kWheels) {
+    for (const double helix : {0.0, 15.0}) {
+      const Drive d = steel_drive(z_2, helix);
+      const auto rigid = analyse_contact(d.pair(), {.positions = 8});
+      for (const auto& [e, torque] : {std::pair(1e13, 1e5), std::pair(kE, 1e-3)}) {
+        LoadRequest r = request_of(d, e);
+        r.torques = {torque};
+        const LoadedContact answer = run(d, r);
+        for (int i = 0; i < 8; ++i)
+          EXPECT_NEAR(answer.torques[0].positions[i].te.rad(), rigid.positions[i].te.rad(), 1e-10);
+      }
+    }
   }
 }
 
-TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {
-  const Drive m = external_drive(0, 30);
-  LoadRequest soft = request_of(3.0, kE);
-  LoadRequest hard = request_of(3.0, 4 * kE);
-  soft.torques = {1e5};
-  hard.torques = {4e5};
-  const LoadedContact a = run(m, soft);
-  const LoadedContact b = run(m, hard);
-  for (int i = 0; i < 8; ++i)
-    EXPECT_NEAR(a.torques[0].positions[i].approach, b.torques[0].positions[i].approach, 1e-15);
+TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {  // (3)
+  for (const int z_2 : kWheels) {
+    const Drive d = steel_drive(z_2, 0);
+    LoadRequest soft = request_of(d);
+    LoadRequest hard = request_of(d, 4 * kE);
+    soft.torques = {1e5};
+    hard.torques = {4e5};
+    const LoadedContact a = run(d, soft);
+    const LoadedContact b = run(d, hard);
+    for (int i = 0; i < 8; ++i)
+      EXPECT_NEAR(a.torques[0].positions[i].approach, b.torques[0].positions[i].approach, 1e-15);
+  }
 }
 
-TEST(LoadedContact, ScalesWithLength) {
-  const Drive small = external_drive(0, 30, 3);
-  const Drive large = external_drive(0, 60, 6);
-  LoadRequest a = request_of(3.0);
-  LoadRequest b = request_of(6.0);
-  a.torques = {1e5};
-  b.torques = {8e5};
-  const LoadedContact x = run(small, a);
-  const LoadedContact y = run(large, b);
-  for (int i = 0; i < 8; ++i) {
-    EXPECT_NEAR(2 * x.torques[0].positions[i].approach, y.torques[0].positions[i].approach, 1e-10);
-    EXPECT_NEAR(x.torques[0].positions[i].max_pressure, y.torques[0].positions[i].max_pressure,
-                1e-5);
+TEST(LoadedContact, ScalesWithLength) {  // (4)
+  for (const int z_2 : kWheels) {
+    const Drive small = steel_drive(z_2, 0, 30, 3);
+    const Drive large = steel_drive(z_2, 0, 60, 6);
+    LoadRequest a = request_of(small);
+    LoadRequest b = request_of(large);
+    a.torques = {1e5};
+    b.torques = {8e5};
+    const LoadedContact x = run(small, a);
+    const LoadedContact y = run(large, b);
+    for (int i = 0; i < 8; ++i) {
+      const LoadedPosition& p = x.torques[0].positions[i];
+      const LoadedPosition& q = y.torques[0].positions[i];
+      EXPECT_NEAR(2 * p.approach, q.approach, 1e-10);
+      EXPECT_NEAR(p.max_pressure, q.max_pressure, 1e-5);
+      for (int g = 0; g < 2; ++g) EXPECT_NEAR(p.root_stress[g], q.root_stress[g], 1e-5);
+    }
   }
 }
 
 // The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
-TEST(LoadedContact, TheOtherHandIsMirrored) {
-  const Drive right = external_drive(15, 30);
-  Drive left = external_drive(-15, 30);
-  LoadRequest r = request_of();
-  r.torques = {2e5};
-  r.deflection_slope = 0.004;
-  const LoadedContact a = run(right, r);
-  r.deflection_slope = -0.004;
-  const LoadedContact b = run(left, r);
-  for (int i = 0; i < 8; ++i) {
-    const LoadedPosition& p = a.torques[0].positions[i];
-    const LoadedPosition& q = b.torques[0].positions[i];
-    EXPECT_NEAR(p.approach, q.approach, 1e-7 * p.approach) << i;
-    EXPECT_NEAR(p.max_pressure, q.max_pressure, 1e-5 * p.max_pressure) << i;
+TEST(LoadedContact, TheOtherHandIsMirrored) {  // (5)
+  for (const int z_2 : kWheels) {
+    const Drive right = steel_drive(z_2, 15);
+    const Drive left = steel_drive(z_2, -15);
+    LoadRequest r = request_of(right);
+    r.torques = {2e5};
+    r.deflection_slope = 0.004;
+    const LoadedContact a = run(right, r);
+    r.deflection_slope = -0.004;
+    const LoadedContact b = run(left, r);
+    for (int i = 0; i < 8; ++i) {
+      const LoadedPosition& p = a.torques[0].positions[i];
+      const LoadedPosition& q = b.torques[0].positions[i];
+      EXPECT_NEAR(p.approach, q.approach, 1e-7 * p.approach) << i;
+      EXPECT_NEAR(p.max_pressure, q.max_pressure, 1e-5 * p.max_pressure) << i;
+      for (int g = 0; g < 2; ++g)
+        EXPECT_NEAR(p.root_stress[g], q.root_stress[g], 1e-5 * p.root_stress[g]) << i;
+    }
   }
 }
 
-TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
-  Drive m = external_drive(15, 30);
-  LoadRequest r = request_of();
-  r.torques = {2e5};
-  const LoadedContact a = run(m, r);
-  m.mount.gear2_drives = true;
-  const LoadedContact b = run(m, r);
-  EXPECT_NEAR(a.torques[0].stiffness.mean, b.torques[0].stiffness.mean,
-              1e-3 * a.torques[0].stiffness.mean);
-  EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 leads
-  EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
+TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {  // (6)
+  for (const int z_2 : kWheels) {
+    Drive d = steel_drive(z_2, 15);
+    LoadRequest r = request_of(d);
+    r.torques = {2e5};
+    const LoadedContact a = run(d, r);
+    d.mount.gear2_drives = true;
+    const LoadedContact b = run(d, r);
+    EXPECT_NEAR(a.torques[0].stiffness.mean, b.torques[0].stiffness.mean,
+                1e-3 * a.torques[0].stiffness.mean);
+    EXPECT_GT(b.torques[0].positions[0].te.rad(), 0.0);  // gear 2 leads
+    EXPECT_LT(a.torques[0].positions[0].te.rad(), 0.0);
+  }
 }
 
 // The reference FE2D-ROOT, a converged mesh of triangles with the load at the outer point of single
@@ -233,7 +242,7 @@ TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
 TEST(LoadedContact, RootStressAgreesWithTriangles) {
   const double face = 180.0;
   const Drive m = external_drive(0, face);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.accuracy = ComplianceAccuracy::full;
   r.slices = {12, 12};
   r.positions = 96;
@@ -247,7 +256,7 @@ TEST(LoadedContact, RootStressAgreesWithTriangles) {
 
 TEST(LoadedContact, ACornerCarriesWhenTheTorqueIsSmall) {
   const Drive m = external_drive(0, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {10.0, 1e5};
   r.deflection_slope = 0.03;
   const LoadedContact answer = run(m, r);
@@ -290,7 +299,7 @@ TEST(LoadedContact, OfHelicalTeethIsConverged) {
 // A deflection that closes the gap at one end loads that end, for either pair of flanks.
 TEST(LoadedContact, SlicesCountFromOneEndForBothDrivers) {
   Drive m = external_drive(0, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {1e5};
   r.deflection_slope = 0.02;
   auto c = pair_compliance(m.one, m.two, r);
@@ -323,7 +332,7 @@ double greatest_share(const LoadedTorque& t) {
 
 TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
   Drive m = external_drive(15, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {1e5, 3e5};
   const auto c = pair_compliance(m.one, m.two, r);
   ASSERT_TRUE(c);
@@ -346,7 +355,7 @@ TEST(LoadedContact, TransverseLoadFactorComparesWithThePairWithoutErrors) {
 // If a single pair carries the whole load at some positions, with errors and without, K_Hα is 1.
 TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
   Drive m = external_drive(0, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {1e5};
   const auto c = pair_compliance(m.one, m.two, r);
   ASSERT_TRUE(c);
@@ -362,7 +371,7 @@ TEST(LoadedContact, TransverseLoadFactorOfSingleContactIsOne) {
 TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
   for (const double helix : {0.0, 15.0}) {
     const Drive m = external_drive(helix, 30);
-    LoadRequest r = request_of();
+    LoadRequest r = request_of(m);
     r.torques = {2e5, 4e5};
     const LoadedContact answer = run(m, r);
     for (const LoadedTorque& t : answer.torques) {
@@ -378,7 +387,7 @@ TEST(LoadedContact, NeighboursThatBearPressTheFillet) {
 
 TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
   const Drive m = external_drive(0, 30);
-  LoadRequest r = request_of();
+  LoadRequest r = request_of(m);
   r.torques = {1e5};
   const LoadedContact with = run(m, r);
   r.root_stress = false;
@@ -391,7 +400,7 @@ TEST(LoadedContact, GoesWithoutRootStressWhereNobodyWantsIt) {
 
 TEST(LoadedContact, NarrowFacesHaveFewerSlices) {
   const auto found = [](const Drive& m, int slices) {
-    LoadRequest r = request_of();
+    LoadRequest r = request_of(m);
     r.torques = {2e4};
     r.slices = {slices, slices};
     return run(m, r);

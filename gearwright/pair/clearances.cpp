@@ -27,24 +27,20 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
 
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin) {
   const auto t = static_cast<std::size_t>(tip - 1);
-  const auto other = 1 - t;
-  const auto start = [&](std::size_t i) {
-    const auto form = pair.gears[i].root_form_radius();
-    const double base = pair.gears[i].base_radius();
-    return roll_length(std::max(form.value_or(base), base) + margin, base);
-  };
+  const Gear& mate = pair.gears[2 - static_cast<std::size_t>(tip)];
+  const auto form = mate.root_form_radius();
+  if (!form) return std::nullopt;
+  const double base = mate.base_radius();
+  const double start = roll_length(std::max(*form, base) + margin, base);
   const auto& mesh = pair.mesh;
-  const double rho = tip == 2 ? mesh.rho2(start(0))
+  const double rho = tip == 2 ? mesh.rho2(start)
                               : leaf::rho_1_where(mesh.base_tangent_distance, mesh.sigma,
-                                                  start(1) / mesh.base_cosine_ratio);
+                                                  start / mesh.base_cosine_ratio);
   if (!(rho > 0.0)) return std::nullopt;
   const double radius = std::hypot(pair.gears[t].base_radius(), rho);
   const double now = pair.gears[t].actual_tip_radius();
   const bool shorter = pair.gears[t].side() * (radius - now) < 0.0;
-  // An internal gear without an outline has no known start of its flank.
-  if (!shorter || (pair.gears[other].internal() && !pair.gears[other].root_form_radius()))
-    return std::nullopt;
-  return 2 * radius;
+  return shorter ? std::optional(2 * radius) : std::nullopt;
 }
 
 }  // namespace gearwright

@@ -30,9 +30,8 @@ std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>&
 
 /// The tip diameter with which gear `tip` (1 or 2) touches the mating gear down to a radius
 /// that is `margin` mm greater than the radius at which the usable flank of the mating gear
-/// starts. If this start is not known, the base circle of the mating gear is used. None if the
-/// present tip does not reach past this radius, or if the mating gear is an internal gear
-/// without a known start of its flank.
+/// starts. None if the present tip does not reach past this radius, or if the mating gear has no
+/// usable flank or no outline.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

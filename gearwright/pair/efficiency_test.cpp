@@ -30,23 +30,28 @@ MeshInput<double> screws(double beta_1, double beta_2, int z1, int z2) {
   return in;
 }
 
-// H_v = π (1/z1 + 1/z2)(1 − ε_α + ε_1² + ε_2²) is the loss to first order in μ.
+// H_v = π (1/z1 + 1/z2)(1 − ε_α + ε_1² + ε_2²) is the loss to first order in μ; z2 < 0 for an
+// internal gear.
 TEST(Efficiency, of_a_spur_pair_is_the_textbooks) {
-  const auto in = spur(20, 40);
-  const auto m = mesh_of(in);
-  const double e1 = (m.rho1_E - m.rho1_C) / m.step;
-  const double e2 = (m.rho1_C - m.rho1_A) / m.step;
-  const double loss = kPi * (1.0 / 20 + 1.0 / 40) * (1 - e1 - e2 + e1 * e1 + e2 * e2);
-  const SlidingShares s = sliding_shares(in, m);
-  EXPECT_NEAR(s.first - s.second, loss, 1e-14);
-  const auto e = efficiency(s, 1e-6);
-  EXPECT_NEAR(1 - *e.gear1_drives, 1e-6 * loss, 1e-11);
-  EXPECT_NEAR(1 - *e.gear2_drives, 1e-6 * loss, 1e-11);
-  EXPECT_EQ(*efficiency(s, 0.0).gear1_drives, 1.0);
+  for (const int z2 : {40, -60}) {
+    auto in = spur(20, z2);
+    if (z2 < 0) in.tip_form_radius[1] = 58.5;  // the formula requires ε_2 < 1
+    const auto m = mesh_of(in);
+    const double e1 = (m.rho1_E - m.rho1_C) / m.step;
+    const double e2 = (m.rho1_C - m.rho1_A) / m.step;
+    const double loss = kPi * (1.0 / 20 + 1.0 / z2) * (1 - e1 - e2 + e1 * e1 + e2 * e2);
+    const SlidingShares s = sliding_shares(in, m);
+    EXPECT_NEAR(s.first - s.second, loss, 1e-14);
+    const auto e = efficiency(s, 1e-6);
+    EXPECT_NEAR(1 - *e.gear1_drives, 1e-6 * loss, 1e-11);
+    EXPECT_NEAR(1 - *e.gear2_drives, 1e-6 * loss, 1e-11);
+    EXPECT_EQ(*efficiency(s, 0.0).gear1_drives, 1.0);
+  }
 }
 
 TEST(Efficiency, closed_integrals_are_the_integrals) {
-  for (const auto& in : {screws(0.9, 0.6, 9, 15), screws(0.3, 0.1, 17, 23), spur(17, 31)}) {
+  for (const auto& in :
+       {screws(0.9, 0.6, 9, 15), screws(0.3, 0.1, 17, 23), spur(17, 31), spur(17, -51)}) {
     const auto m = mesh_of(in);
     double weight = 0.0;
     std::array<double, 2> sum{};

@@ -24,7 +24,7 @@ const std::vector<ScatterTolerance>& housing_and_teeth() {
 }
 
 Pair pair_of(const testing::DrawnPair& drawn) {
-  auto made = mount(*make_gear(drawn.gears[0]), *make_gear(drawn.gears[1]),
+  auto made = mount(*make_gear(drawn.gears[0]), *make_gear_with_default_cutter(drawn.gears[1]),
                     {.center_distance = drawn.center_distance});
   EXPECT_TRUE(made) << made.error().message();
   return std::move(made).take();
@@ -36,23 +36,29 @@ TEST(MemberClearances, AreThoseOfAPairMadeAnew) {
   undercut.gears[0].profile_shift = 0.0;
   undercut.center_distance = 52.2;
   for (const auto& drawn : {testing::spur_pair(false), testing::crowned_helical_pair(),
-                            testing::plain_helical_pair(), undercut}) {
+                            testing::plain_helical_pair(), undercut, testing::ring_pair()}) {
     const ContactSetup setup = drawn.setup();
     const bool closed = drawn.gears[0].teeth != 12;
+    const bool ring = drawn.gears[1].teeth < 0;
     for (const auto& x :
          {std::vector{0.0, 0.0, 0.0, 0.0}, std::vector{0.03, 0.02, 0.0, 0.0},
           std::vector{-0.04, 0.01, 0.033, -0.05}, std::vector{0.05, -0.03, -0.04, 0.06}}) {
       auto made = drawn;
       made.center_distance += x[0];
       made.gears[0].thickness_allowance += x[2];
-      made.gears[1].thickness_allowance += x[3];
+      // The cutter of a ring follows from its thickness, so the root of a ring has no closed form.
+      if (!ring) made.gears[1].thickness_allowance += x[3];
       const Pair pair = pair_of(made);
       const auto c = clearances_of(setup, deviation_at(setup, housing_and_teeth(), x));
       for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_NEAR(*c.tip[i], pair.mounted().tip_clearance[i], 1e-12);
+        const bool changed_ring = ring && x[3] != 0.0;
+        ASSERT_EQ(c.tip[i].has_value(), !(changed_ring && i == 0));
+        if (c.tip[i]) {
+          EXPECT_NEAR(*c.tip[i], pair.mounted().tip_clearance[i], 1e-12);
+        }
         // Undercut teeth have a closed form for the thickness of the drawing only.
         const auto& form = pair.parallel()->form_clearance[i];
-        if (!form || (!closed && i == 0 && x[2] != 0.0)) {
+        if (!form || (!closed && i == 0 && x[2] != 0.0) || (changed_ring && i == 1)) {
           EXPECT_FALSE(c.form[i]);
         } else {
           EXPECT_NEAR(*c.form[i], *form, 1e-12) << i;

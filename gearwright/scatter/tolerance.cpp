@@ -176,7 +176,7 @@ std::optional<Error> check_ends(const ContactSetup& setup,
 
 std::optional<GradedFlank> graded_flank(const Gear& gear, FlankTolerances edition, int quality) {
   GW_EXPECTS(has_class(edition, quality));
-  const auto ranges = gear.involute() ? evaluation_ranges(gear) : std::nullopt;
+  const auto ranges = evaluation_ranges(gear);
   if (!ranges) return std::nullopt;
   const FlankToleranceValues t = flank_tolerances(edition, quality, tolerance_subject(gear));
   const double profile = std::abs((ranges->tip_form.length - ranges->root_form.length) /

@@ -203,16 +203,16 @@ std::vector<FindingValue> value_of(const Warning& w, const Judged& judged) {
     return {{"contact_ratio", judged.pair->contact_ratio_true(), false}};
   if (w.code == WarningCode::negative_backlash)
     return {{"backlash", judged.pair->stated_backlash().normal, true}};
+  for (const Collision& collision : mounted.beyond_flank) {
+    if (w.code == WarningCode::beyond_flank && collision.gear == w.gear)
+      return {{"early", -collision.depth, true}};
+  }
   const InvolutePair* p = judged.pair->involute();
   if (!p) return {};
   for (const Interference& found : p->interference) {
     const double* amount = std::get_if<double>(&found.amount);
     if (amount && found.code == w.code && found.gear == w.gear)
       return {{"clearance", *amount, true}};
-  }
-  for (const Collision& collision : p->beyond_flank) {
-    if (w.code == WarningCode::beyond_flank && collision.gear == w.gear)
-      return {{"early", -collision.depth, true}};
   }
   return {};
 }
@@ -263,9 +263,7 @@ std::vector<Finding> findings_of(const Judged& judged) {
   };
   if (judged.pair) {
     add(detail::margin_findings(*judged.pair));
-    const ArcPair* arcs = judged.pair->arcs();
-    if (!arcs || !arcs->contacts.empty())
-      add(detail::backlash_findings(judged.pair->stated_backlash()));
+    if (backlash_of(*judged.pair)) add(detail::backlash_findings(judged.pair->stated_backlash()));
   }
   if (judged.rack) add(detail::backlash_findings(judged.rack->stated_backlash()));
   if (judged.rating) add(detail::rating_findings(*judged.rating));

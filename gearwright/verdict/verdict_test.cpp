@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "gearwright/base/testing/taken.hpp"
-
+#include "gearwright/gear/testing/made.hpp"
+#include "gearwright/gear/testing/plain_spec.hpp"
 #include "gearwright/pair/drive.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 
@@ -231,6 +234,42 @@ TEST(Verdict, says_small_clearances_in_micrometres) {
   EXPECT_TRUE(finds_text(1e-6, "is 0.001 µm"));
   EXPECT_TRUE(finds_text(1e-8, "is less than 0.001 µm"));
   EXPECT_TRUE(finds_text(0.0, "is less than 0.001 µm"));
+}
+
+// The finding states by how much outlines with circular arcs meet before their flanks.
+TEST(Verdict, early_contact_has_its_amount) {
+  int early = 0;
+  for (double longer = 0.0; longer < 4.0; longer += 0.1) {
+    const auto gear = [&](int teeth, ArcRack::Cutter cutter) {
+      CylindricalSpec s = testing::plain_spec({.teeth = teeth,
+                                               .module = 4.0,
+                                               .beta_deg = teeth > 20 ? -15.0 : 15.0,
+                                               .face_width = 60.0});
+      const double l = cutter == ArcRack::Cutter::F ? 0.487786 : 0.637786;  // θ = 30°
+      ArcRack rack = default_arc_rack(cutter);
+      rack.arc_radius = cutter == ArcRack::Cutter::F ? 1.4 : 1.55;
+      rack.center_a = l * std::cos(std::numbers::pi / 6);
+      rack.center_b = l * std::sin(std::numbers::pi / 6);
+      s.rack = rack;
+      s.thickness_allowance = -0.3;
+      if (teeth < 20) s.tip_diameter = testing::made(s).tip_diameter + longer;
+      return testing::made(s);
+    };
+    const Pair pair =
+        testing::taken(mount(gear(12, ArcRack::Cutter::F), gear(40, ArcRack::Cutter::P)));
+    Judged input;
+    input.gears = {&pair.gear(1), &pair.gear(2)};
+    input.pair = &pair;
+    input.warnings = &pair.warnings();
+    for (const Finding& f : findings_of(input)) {
+      if (f.code != WarningCode::beyond_flank) continue;
+      ++early;
+      ASSERT_EQ(f.values.size(), 1u);
+      EXPECT_EQ(f.values[0].name, "early");
+      EXPECT_LT(f.values[0].value, 0.0);
+    }
+  }
+  EXPECT_GT(early, 0);
 }
 
 TEST(Verdict, edges_and_places_under_errors) {

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/contact_setup.hpp"
+#include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/scatter/tolerance.hpp"
 
 namespace gearwright::testing {
@@ -18,7 +19,7 @@ struct DrawnPair {
 
   ContactSetup setup() const {
     auto g1 = make_gear(gears[0]);
-    auto g2 = make_gear(gears[1]);
+    auto g2 = make_gear_with_default_cutter(gears[1]);
     EXPECT_TRUE(g1 && g2);
     Gear one = *g1, two = *g2;
     one.gap = two.gap = gap;
@@ -62,6 +63,10 @@ inline DrawnPair crowned_helical_pair() {
 
 inline DrawnPair plain_helical_pair() {
   return {{drawn_gear(23, 2, -20, 0.15, -0.05, 20), drawn_gear(61, 2, 20, 0, -0.05, 20)}, 89.8};
+}
+
+inline DrawnPair ring_pair() {
+  return {{drawn_gear(20, 2, 15, 0.2, -0.06, 20), drawn_gear(-61, 2, 15, -0.2, -0.06, 20)}, 42.44};
 }
 
 template <class Of>
