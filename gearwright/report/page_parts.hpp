@@ -48,7 +48,7 @@ std::string page_head(std::string_view title, std::string_view version,
 /// A page with all its parts. Title, version and spec are plain text, and all other texts are HTML.
 struct ReportPage {
   std::string title, version;
-  std::string kind;           ///< what the page describes, above the title
+  std::string kind;           ///< subject of the page, above the title
   std::string verdict;        ///< below the title
   std::string level{};        ///< level of the verdict, "green"; empty if there is none
   std::string head{};         ///< after the verdict
