@@ -31,30 +31,6 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
   return box;
 }
 
-/// Moves each bound at which no teeth exist towards 0 until teeth exist there with all other
-/// corrections at 0. With wider bounds, no teeth would exist for most trials of the search.
-inline CompensationTask within_teeth(CompensationTask task) {
-  constexpr int kHalvings = 12;
-  for (std::size_t k = 0; k < task.corrections.size(); ++k) {
-    for (double Correction::*end : {&Correction::lo, &Correction::hi}) {
-      const auto possible = [&](double x) {
-        std::vector<double> v(task.corrections.size(), 0.0);
-        v[k] = x;
-        return task.pair_at(v, 0) != nullptr;
-      };
-      double& bound = task.corrections[k].*end;
-      if (possible(bound)) continue;
-      double reached = 0.0, beyond = bound;
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (reached + beyond) / 2;
-        (possible(middle) ? reached : beyond) = middle;
-      }
-      if (reached != 0.0) bound = reached;
-    }
-  }
-  return task;
-}
-
 /// Returns the center at which the function is least. The first center is `center`. The search
 /// ends if a model promises a gain of at most `gain`, after kMostCenters models, or if the
 /// reach is below kLastReach.

@@ -8,7 +8,6 @@
 #include "gearwright/base/units.hpp"
 #include "gearwright/contact/center_search.hpp"
 #include "gearwright/contact/contact.hpp"
-#include "gearwright/contact/tangent_descent.hpp"
 #include "gearwright/math/decompositions.hpp"
 #include "gearwright/math/minimise.hpp"
 
@@ -31,17 +30,10 @@ constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
 // never better than no corrections, and f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
-// The tangents of an estimate of the aim; none if the pair has no result.
-using Tangents = std::optional<LinearSpreads>;
-
-double value_of(const Tangents& tangents, std::size_t variables) {
-  return tangents ? tangents->at(std::vector<double>(variables, 0.0)) : kInfinity;
-}
-
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
 class Judge {
  public:
-  using Model = std::function<Tangents(const std::vector<double>&)>;
+  using Model = std::function<double(const std::vector<double>&)>;
 
   Judge(const CompensationTask& task, int positions) : task_(task), positions_(positions) {
     const std::vector<double> zero(task.corrections.size(), 0.0);
@@ -70,29 +62,24 @@ class Judge {
     std::vector<CompensationAim::Nearby> all;
     for (int s = 0; s < task_.scenarios; ++s) {
       const auto pair = task_.pair_at(center, s);
-      if (!pair) return [](const auto&) { return Tangents(); };
+      if (!pair) return [](const auto&) { return kInfinity; };
       all.push_back(task_.aim->near(*pair, positions_));
     }
-    return [this, center, all = std::move(all)](std::vector<double> v) -> Tangents {
+    return [this, center, all = std::move(all)](std::vector<double> v) {
       count_step(task_.progress);
-      // The estimate is finite even if teeth with these corrections do not exist. Their existence
-      // does not depend on the scenario.
-      if (!task_.pair_at(v, 0)) return std::nullopt;
+      // The estimate is finite even if teeth with these corrections do not exist. Whether they
+      // exist does not depend on the scenario, so scenario 0 decides.
+      if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
-      LinearSpreads tangents;
-      for (const auto& of : all) {
-        const auto one = of(v);
-        if (!one) return std::nullopt;
-        tangents.append(*one);
-      }
-      return tangents;
+      double worst = 0.0;
+      for (const auto& of : all) worst = std::max(worst, of(v));
+      return worst;
     };
   }
   // All later calls of value() use this model. If the model is empty, value() is exact.
   void use(Model model) {
     model_ = std::move(model);
     known_.clear();
-    tangents_at_.clear();
   }
   bool uses_model() const { return static_cast<bool>(model_); }
 
@@ -101,14 +88,6 @@ class Judge {
     const auto [known, is_new] = known_.try_emplace(v, 0.0);
     if (is_new) known->second = computed(v);
     return known->second;
-  }
-
-  // The tangents of the model at v. The last ones are kept, because a descent needs them after the
-  // value.
-  const Tangents& tangents(const std::vector<double>& v) {
-    if (v != tangents_at_) tangents_ = model_(v);
-    tangents_at_ = v;
-    return tangents_;
   }
 
   int positions() const { return positions_; }
@@ -121,7 +100,7 @@ class Judge {
 
  private:
   double computed(const std::vector<double>& v) {
-    if (model_) return value_of(tangents(v), v.size());
+    if (model_) return model_(v);
     if (task_.aim) return aimed(v);
     const auto all = curves(v);
     if (all.empty()) return kInfinity;
@@ -158,8 +137,6 @@ class Judge {
   double limit_ = kInfinity;                      // limit of the peak to peak, rad
   double centering_ = 0.0, place_of_none_ = 0.0;  // rad: w; cost of the pattern at v = 0
   Model model_;
-  std::vector<double> tangents_at_;
-  Tangents tangents_;
   std::map<std::vector<double>, double> known_;
 };
 
@@ -219,28 +196,6 @@ std::vector<double> optimise(const std::vector<Correction>& box, Judge& judge, M
   return minimise(how, search, std::move(v));
 }
 
-// Descends from `v`, by tangents if the judge uses a model. Without a model, f has no derivatives.
-std::vector<double> descended(const std::vector<Correction>& box, Judge& judge, int evaluations,
-                              std::vector<double> v) {
-  if (!judge.uses_model())
-    return optimise(box, judge, Minimiser::downhill, evaluations, 1.0, std::move(v));
-  const auto finite = [&](double f) { return std::isfinite(f) ? f : judge.lost(); };
-  return detail::descend(
-      {box, judge.last_gain(), [&](const std::vector<double>& x) { return finite(judge.value(x)); },
-       [&](const std::vector<double>& at) {
-         return [&finite, at, tangents = judge.tangents(at)](std::vector<double> x) {
-           for (std::size_t k = 0; k < x.size(); ++k) x[k] -= at[k];
-           return finite(tangents ? tangents->at(x) : kInfinity);
-         };
-       }},
-      std::move(v));
-}
-
-// Reach of the last descent, which uses all positions, as a fraction of the distance between bounds.
-constexpr double kFineReach = 0.02;
-// Evaluations for each correction in a descent without derivatives after a descent by tangents.
-constexpr int kPolish = 15;
-
 // The fraction of the gain that may be lost when values are rounded or a value is set to 0.
 constexpr double kPartLost = 0.01;
 
@@ -278,13 +233,11 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
     for (std::size_t k = 0; k < start.size(); ++k)
       start[k] = std::clamp(start[k], task.corrections[k].lo, task.corrections[k].hi);
     best.take(start);
-    best.take(descended(task.corrections, judge, budget, start));
+    best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, 1.0, start));
   }
   // A crease of f may have stopped a search, so the search is repeated with smaller steps.
-  const bool tangents = judge.uses_model();
-  const int most = tangents ? std::min(budget, kPolish * n) : budget;
-  for (const double step : tangents ? std::vector{0.1} : std::vector{1.0, 0.1, 0.01})
-    best.take(optimise(task.corrections, judge, Minimiser::downhill, most, step, best.v));
+  for (const double step : {1.0, 0.1, 0.01})
+    best.take(optimise(task.corrections, judge, Minimiser::downhill, budget, step, best.v));
   return best.v;
 }
 
@@ -292,25 +245,19 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
 // repeated around the best corrections, with the estimate that is exact for these corrections.
 // If the value without corrections is not finite, no estimate is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
-  const std::size_t n = task.corrections.size();
-  const std::vector<double> zero(n, 0.0);
-  if (!judge.has_near()) return searched(task, judge);
-  const Judge::Model first = judge.near(zero);
-  if (!std::isfinite(value_of(first(zero), n))) return searched(task, judge);
+  const std::vector<double> zero(task.corrections.size(), 0.0);
+  if (!judge.has_near() || !std::isfinite(judge.value(zero))) return searched(task, judge);
   const auto found = detail::lowest_by_models(
-      zero, judge.same(),
-      [&](const std::vector<double>& at) { return at == zero ? first : judge.near(at); },
-      [&](const Judge::Model& model, const std::vector<double>& v) {
-        return value_of(model(v), n);
-      },
+      zero, judge.same(), [&](const std::vector<double>& at) { return judge.near(at); },
+      [](const Judge::Model& model, const std::vector<double>& v) { return model(v); },
       [&](const Judge::Model& model, const std::vector<double>& at, double reach) {
         judge.use(model);
         if (reach == 1.0) return searched(task, judge);
         const auto box = detail::around(task.corrections, reach, at);
         Best best(judge, at);
-        best.take(descended(box, judge, task.curves, at));
-        best.take(optimise(box, judge, Minimiser::downhill, kPolish * static_cast<int>(n),
-                           0.1 * reach / detail::kNextReach, best.v));
+        for (const double step : {1.0, 0.1, 0.01})
+          best.take(optimise(box, judge, Minimiser::downhill, task.curves,
+                             step * reach / detail::kNextReach, best.v));
         return best.v;
       });
   judge.use({});
@@ -324,21 +271,13 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   const std::vector<double> zero(task.corrections.size(), 0.0);
   Best best(fine, zero);
   const double none = best.least;
-  const std::vector<double> start =
-      fine.has_near() ? as_written(task.corrections, found, 1e4) : found;
-  double of_start = none;
-  if (start != zero) {
-    if (fine.has_near()) fine.use(fine.near(start));
-    of_start = fine.value(start);
-    best.take(start);
-    const int most = 60 * static_cast<int>(start.size());
+  if (found != zero) {
+    if (fine.has_near()) fine.use(fine.near(found));
+    best.take(found);
+    const int most = 60 * static_cast<int>(found.size());
     const int budget = std::clamp(task.curves / (6 * task.scenarios), 1, most);
-    if (fine.uses_model())
-      best.take(
-          descended(detail::around(task.corrections, kFineReach, start), fine, budget, start));
-    else
-      for (const double step : {0.3, 0.03})
-        best.take(optimise(task.corrections, fine, Minimiser::downhill, budget, step, best.v));
+    for (const double step : {0.3, 0.03})
+      best.take(optimise(task.corrections, fine, Minimiser::downhill, budget, step, best.v));
   }
   const double same = fine.same();
   if (!(best.least < none - same)) return zero;
@@ -359,11 +298,12 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // The last steps used an estimate that is exact at their start. Exact values now decide between
-  // the result of these steps, their start, and no corrections.
-  const double refined = fine.value(best.v);
-  if (!(std::min(refined, of_start) < none - same)) return zero;
-  return of_start < refined - same ? start : best.v;
+  // The last steps used estimates. Exact values now decide between the result of these steps,
+  // the result of the search, and no corrections.
+  const std::vector<double> written = as_written(task.corrections, found, 1e4);
+  const double refined = fine.value(best.v), searched = fine.value(written);
+  if (!(std::min(refined, searched) < none - same)) return zero;
+  return searched < refined - same ? written : best.v;
 }
 
 // Returns `found` without the corrections that are not needed. Beginning with the last one, the
@@ -407,10 +347,55 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
+// Moves each bound at which no teeth exist towards 0 until teeth exist there with all other
+// corrections at 0. With wider bounds, no teeth would exist for most trials of the search.
+CompensationTask within_teeth(CompensationTask task) {
+  constexpr int kHalvings = 12;
+  for (std::size_t k = 0; k < task.corrections.size(); ++k) {
+    for (double Correction::*end : {&Correction::lo, &Correction::hi}) {
+      const auto possible = [&](double x) {
+        std::vector<double> v(task.corrections.size(), 0.0);
+        v[k] = x;
+        return task.pair_at(v, 0) != nullptr;
+      };
+      double& bound = task.corrections[k].*end;
+      if (possible(bound)) continue;
+      double reached = 0.0, beyond = bound;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (reached + beyond) / 2;
+        (possible(middle) ? reached : beyond) = middle;
+      }
+      if (reached != 0.0) bound = reached;
+    }
+  }
+  return task;
+}
+
 }  // namespace
 
 bool Compensation::nothing_to_correct() const {
   return std::all_of(value.begin(), value.end(), [](double v) { return v == 0.0; });
+}
+
+Angle default_centering(Angle peak_to_peak) {
+  constexpr double kPart = 0.1;
+  constexpr Angle kLeast = Angle::arcseconds(0.1);
+  // If the peak to peak is NaN, the comparison is false and the result is kLeast.
+  return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
+}
+
+std::vector<double> as_written(const std::vector<Correction>& corrections,
+                               std::vector<double> values, double parts) {
+  GW_EXPECTS(values.size() == corrections.size() && parts > 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Correction& c = corrections[k];
+    const double per_unit = parts / c.step;
+    double n = std::round(values[k] * per_unit);
+    if (n / per_unit > c.hi) --n;
+    if (n / per_unit < c.lo) ++n;
+    values[k] = n == 0.0 ? 0.0 : n / per_unit;
+  }
+  return values;
 }
 
 Compensation compensate(const CompensationTask& given) {
@@ -418,7 +403,7 @@ Compensation compensate(const CompensationTask& given) {
   GW_EXPECTS(given.positions >= 2 && given.fine_positions >= 2);
   for (const Correction& c : given.corrections)
     GW_EXPECTS(c.lo <= 0.0 && c.hi >= 0.0 && c.lo < c.hi && c.step > 0.0);
-  const CompensationTask task = detail::within_teeth(given);
+  const CompensationTask task = within_teeth(given);
   const std::vector<double> zero(task.corrections.size(), 0.0);
   // The usual number of evaluations in one search of the box and a descent from every start. Most
   // descents end early.

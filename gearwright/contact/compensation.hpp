@@ -27,7 +27,6 @@
 
 #include "gearwright/base/progress.hpp"
 #include "gearwright/contact/contact_score.hpp"
-#include "gearwright/contact/linear_spreads.hpp"
 
 namespace gearwright {
 
@@ -46,10 +45,8 @@ struct CompensationAim {
   /// positions per pitch. Infinity means that the pair is worse than all others.
   std::function<double(const ContactPair&, int)> of;
   /// Returns a function that estimates the quantity of the pair after its corrections have changed
-  /// by `change`, with its tangents: the result is a function of a further change. The estimate is
-  /// exact if `change` is 0. It is none if the pair then has no result. `near` is empty if there is
-  /// no estimate.
-  using Nearby = std::function<std::optional<LinearSpreads>(const std::vector<double>& change)>;
+  /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
+  using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
   double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
 };

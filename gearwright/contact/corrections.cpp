@@ -1,7 +1,6 @@
 #include "gearwright/contact/corrections.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "gearwright/base/units.hpp"
 
@@ -78,27 +77,6 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup) {
   const WorkshopCorrection setting{CutterSetting::tool_setting, 0};
   if (can_take(setup, setting)) return {setting, {CutterSetting::cutter_lead, 1}};
   return {{Modification::lead_slope, 1}, {Modification::lead_crowning, 1}};
-}
-
-Angle default_centering(Angle peak_to_peak) {
-  constexpr double kPart = 0.1;
-  constexpr Angle kLeast = Angle::arcseconds(0.1);
-  // If the peak to peak is NaN, the comparison is false and the result is kLeast.
-  return peak_to_peak > kLeast / kPart ? kPart * peak_to_peak : kLeast;
-}
-
-std::vector<double> as_written(const std::vector<Correction>& corrections,
-                               std::vector<double> values, double parts) {
-  GW_EXPECTS(values.size() == corrections.size() && parts > 0.0);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const Correction& c = corrections[k];
-    const double per_unit = parts / c.step;
-    double n = std::round(values[k] * per_unit);
-    if (n / per_unit > c.hi) --n;
-    if (n / per_unit < c.lo) ++n;
-    values[k] = n == 0.0 ? 0.0 : n / per_unit;
-  }
-  return values;
 }
 
 CompensationTask compensation_task(const ContactSetup& setup,

@@ -320,7 +320,6 @@ Result<LoadedAim> LoadedAim::of(SolvedJob& job, Progress* progress) {
   if (!made) return made.error();
   Held held{std::move(made).take(), {}, job.spec.compensate.aim};
   LoadRequest& request = held.task.request;
-  held.task.with_errors = false;  // K_Hα is not computed, so no pair without errors is needed
   request.rotations.clear();
   request.root_stress = false;
   request.progress = progress;
@@ -364,10 +363,8 @@ CompensationAim LoadedAim::aim(const std::vector<WorkshopCorrection>& correction
         pair, task.setup.gear(1), task.setup.gear(2), self.held_->compliance, request, *influences);
     return [load, pressure](std::vector<double> change) {
       for (double& um : change) um *= kMmPerUm;
-      auto tangents = load->linear(
-          change, pressure ? NearbyLoad::Quantity::pressure : NearbyLoad::Quantity::peak_to_peak);
-      if (tangents) tangents->scale(kMmPerUm);
-      return tangents;
+      const NearbyLoad::Span span = load->span(change, false);
+      return !span.value ? kInfinity : pressure ? span.max_pressure : *span.value;
     };
   };
   return aim;

@@ -141,9 +141,7 @@ TEST(CompensateLoad, EstimatesAreExactAtTheirCenter) {
     for (const std::vector<double>& v : {std::vector{0.0, 0.0}, {15.0, 6.0}, {-30.0, 2.0}}) {
       const ContactSetup changed = setup.changed(change_of(which, v, false)).value();
       const double exact = aimed.of(changed.pair(false), 12);
-      EXPECT_NEAR(aimed.near(changed.pair(false), 12)({0.0, 0.0})->at({0.0, 0.0}), exact,
-                  1e-9 * exact)
-          << aim;
+      EXPECT_NEAR(aimed.near(changed.pair(false), 12)({0.0, 0.0}), exact, 1e-9 * exact) << aim;
     }
     EXPECT_FALSE(load->aim({{CutterSetting::cutter_lead, 1}}).near);
   }

@@ -117,12 +117,6 @@ ContactSolution solve_contact(const ContactProblem& q, const VectorXd& start) {
         std::max(kStill * greatest, std::min(kRounding * cancelling, kRough * greatest));
     if (!changed && (q.local == 0.0 || step <= still)) {
       x.stop = ContactSolution::Stop::converged;
-      if (q.gap_slope.size() == 0) return x;
-      // Differentiates  a p − arm Θ = right,  Δ armᵀ p = M2  with respect to e.
-      const MatrixXd fixed = -llt.solve(q.gap_slope(at, Eigen::all));
-      x.load_slope = MatrixXd::Zero(n, fixed.cols());
-      x.load_slope(at, Eigen::all) =
-          fixed - turned * (q.length / stiffness * (arm.transpose() * fixed));
       return x;
     }
   }

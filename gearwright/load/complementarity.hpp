@@ -31,8 +31,6 @@ struct ContactProblem {
   double local = 0.0;            ///< λ1/E1 + λ2/E2  mm²/N; 0 without a local term
   double half_width = 1.0;       ///< a0  mm, half width of the strip for which A is computed
   double reduced_modulus = 1.0;  ///< E*  N/mm²
-  /// ∂g/∂e  mm per unit of e, a row per place and a column per parameter e; may be empty
-  Eigen::MatrixXd gap_slope{};
 };
 
 struct ContactSolution {
@@ -50,7 +48,6 @@ struct ContactSolution {
   double yield_per_moment = 0.0;  ///< dΘ/dM2  rad/(N mm), tangent compliance
   /// ∂Θ/∂g_i  rad/mm, which equals ∂(p_i Δ)/∂M2; 0 at places without load.
   Eigen::VectorXd approach_per_gap;
-  Eigen::MatrixXd load_slope;  ///< ∂p/∂e  N/mm per unit of e, for each column of gap_slope
   int iterations = 0;
   bool found() const { return stop == Stop::converged; }
 };

@@ -8,18 +8,6 @@
 
 namespace gearwright {
 
-namespace {
-
-// Pressures below this fraction of the greatest one are omitted from LinearSpreads.
-constexpr double kSlightPressure = 0.5;
-
-// p_Hertz² at each place by [T12.12] and [T12.13]
-Eigen::ArrayXd squared_pressure(const ContactProblem& q, const ContactSolution& x) {
-  return (x.line_load.array() / q.radius.array()) * q.reduced_modulus / std::numbers::pi;
-}
-
-}  // namespace
-
 NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& gear_2,
                        const PairCompliance& compliance, const LoadRequest& request,
                        std::span<const Influence> influences) {
@@ -34,7 +22,7 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
       complete_ = false;
       return;
     }
-    Position at{found.te, std::move(found.problem), {}, {}, {}};
+    Position at{found.te, std::move(found.problem), {}, {}};
     at.turn.resize(static_cast<Eigen::Index>(found.rows.size()),
                    static_cast<Eigen::Index>(influences.size()));
     for (Eigen::Index row = 0; row < at.turn.rows(); ++row) {
@@ -43,7 +31,6 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
         at.turn(row, k) = solver.slope(found.pairs[static_cast<std::size_t>(place.pair)],
                                        place.slice, influences[static_cast<std::size_t>(k)]);
     }
-    at.gap_slope = -(at.turn.array().colwise() * at.problem.arm.array()).matrix();
     // The iteration starts without load at places with a wide gap, as in loaded_contact().
     // These places carry no load in the solution either. If all places were loaded at the
     // start, the matrix of a helical pair could be indefinite.
@@ -61,65 +48,23 @@ NearbyLoad::NearbyLoad(const ContactPair& pair, const Gear& gear_1, const Gear& 
   }
 }
 
-std::optional<ContactSolution> NearbyLoad::solved(const Position& at, std::size_t torque,
-                                                  std::span<const double> change,
-                                                  bool load_slopes) const {
+std::optional<NearbyLoad::Loaded> NearbyLoad::loaded(std::size_t position, std::size_t torque,
+                                                     std::span<const double> change,
+                                                     bool slopes) const {
+  const Position& at = positions_[position];
   ContactProblem q = at.problem;
   q.moment = moments_[torque];
   const Eigen::Map<const Eigen::VectorXd> e(change.data(),
                                             static_cast<Eigen::Index>(change.size()));
   q.gap.array() -= (at.turn * e).array() * q.arm.array();
-  if (load_slopes) q.gap_slope = at.gap_slope;
-  ContactSolution x = solve_contact(q, at.start[torque]);
+  const ContactSolution x = solve_contact(q, at.start[torque]);
   if (!x.found()) return std::nullopt;
-  return x;
-}
-
-std::optional<NearbyLoad::Loaded> NearbyLoad::loaded(std::size_t position, std::size_t torque,
-                                                     std::span<const double> change,
-                                                     bool slopes) const {
-  const Position& at = positions_[position];
-  const auto x = solved(at, torque, change, false);
-  if (!x) return std::nullopt;
-  const double square = squared_pressure(at.problem, *x).maxCoeff();
-  Loaded found{at.te - x->approach, std::sqrt(square), {}};
-  if (slopes) found.slope = at.turn.transpose() * x->approach_per_gap.cwiseProduct(at.problem.arm);
+  // The square of the greatest Hertz pressure, by [T12.12] and [T12.13].
+  const double square =
+      (x.line_load.array() / q.radius.array()).maxCoeff() * q.reduced_modulus / std::numbers::pi;
+  Loaded found{at.te - x.approach, std::sqrt(square), {}};
+  if (slopes) found.slope = at.turn.transpose() * x.approach_per_gap.cwiseProduct(q.arm);
   return found;
-}
-
-std::optional<LinearSpreads> NearbyLoad::linear(std::span<const double> change,
-                                                Quantity quantity) const {
-  if (!complete_) return std::nullopt;
-  const bool pressure = quantity == Quantity::pressure;
-  LinearSpreads all;
-  for (std::size_t k = 0; k < moments_.size(); ++k) {
-    std::vector<ContactSolution> found;
-    double greatest = 0.0;
-    for (const Position& at : positions_) {
-      auto x = solved(at, k, change, pressure);
-      if (!x) return std::nullopt;
-      greatest = std::max(greatest, squared_pressure(at.problem, *x).maxCoeff());
-      found.push_back(*std::move(x));
-    }
-    all.begin_group();
-    if (pressure) all.add(0.0, std::vector<double>(change.size(), 0.0));
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      const Position& at = positions_[i];
-      const ContactSolution& x = found[i];
-      if (!pressure) {
-        all.add(at.te - x.approach,
-                Eigen::VectorXd(-at.gap_slope.transpose() * x.approach_per_gap));
-        continue;
-      }
-      const Eigen::ArrayXd square = squared_pressure(at.problem, x);
-      for (Eigen::Index row = 0; row < square.size(); ++row) {
-        if (square[row] < kSlightPressure * kSlightPressure * greatest) continue;
-        const double p = std::sqrt(square[row]);
-        all.add(p, Eigen::VectorXd(p / (2 * x.line_load[row]) * x.load_slope.row(row).transpose()));
-      }
-    }
-  }
-  return all;
 }
 
 NearbyLoad::Span NearbyLoad::span(std::span<const NearbyLoad> halves,

@@ -15,7 +15,6 @@
 #include <span>
 #include <vector>
 
-#include "gearwright/contact/linear_spreads.hpp"
 #include "gearwright/contact/sensitivity.hpp"
 #include "gearwright/load/complementarity.hpp"
 #include "gearwright/load/loaded_contact.hpp"
@@ -50,18 +49,7 @@ class NearbyLoad {
   Span span(std::span<const double> change, bool slopes) const {
     return span({this, 1}, change, slopes);
   }
-  /// The quantity for which linear() is computed: the peak to peak of the loaded TE, rad, or the
-  /// pressure, MPa.
-  enum class Quantity { peak_to_peak, pressure };
-  /// The greatest value of the quantity over the torques after these changes, as spreads that are
-  /// linear in further changes, mm. None if a position has no solution.
-  ///
-  /// Domain    one change for each influence (contract)
-  /// Accuracy  as span(); the terms are tangents, and pressures below half of the greatest are
-  ///           omitted
-  /// Laws      (3) without further changes, the result equals `value` or `max_pressure` of span()
-  std::optional<LinearSpreads> linear(std::span<const double> change, Quantity quantity) const;
-  /// span() for the mean TE of both halves of a double-helical pair.
+  /// The same for the mean TE of both halves of a double-helical pair.
   ///
   /// Domain    one half or two, with the same numbers of positions and torques (contract)
   static Span span(std::span<const NearbyLoad> halves, std::span<const double> change, bool slopes);
@@ -71,7 +59,6 @@ class NearbyLoad {
     double te;                           // rad, TE without load at e = 0
     ContactProblem problem;              // at e = 0; its moment is set for each torque
     Eigen::MatrixXd turn;                // ∂T_i/∂e, a row per place, a column per influence
-    Eigen::MatrixXd gap_slope;           // ∂g_i/∂e
     std::vector<Eigen::VectorXd> start;  // loads at e = 0, one vector for each torque
   };
   struct Loaded {
@@ -79,9 +66,7 @@ class NearbyLoad {
     double pressure;  // MPa
     Eigen::VectorXd slope;
   };
-  // None without a solution.
-  std::optional<ContactSolution> solved(const Position& at, std::size_t torque,
-                                        std::span<const double> change, bool load_slopes) const;
+  // The result at one position under one torque; none if the forces have no solution.
   std::optional<Loaded> loaded(std::size_t position, std::size_t torque,
                                std::span<const double> change, bool slopes) const;
 

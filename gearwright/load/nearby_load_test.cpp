@@ -1,7 +1,6 @@
 // Laws: (1) without a change, `value` and `max_pressure` equal the results of loaded_contact()
 // (2) `slope` is the derivative of `value`   (3) for a small change, `value` agrees with
 // loaded_contact() for the changed pair within a few percent of the effect.
-// (4) the tangents of linear() have the value and the derivative of the quantity.
 #include "gearwright/load/nearby_load.hpp"
 
 #include <gtest/gtest.h>
@@ -133,39 +132,6 @@ TEST_F(NearbyLoads, SlopesAreThoseOfDifferences) {
       const double difference =
           (*near.span(above, false).value - *near.span(below, false).value) / (2 * kStep);
       EXPECT_NEAR(slope[i], difference, 1e-5 * steepest) << t.name << ", correction " << i;
-    }
-  }
-}
-
-// Laws (3) and (4): the tangents have the value of the quantity, and its derivative.
-TEST_F(NearbyLoads, TangentsAreThoseOfDifferences) {
-  constexpr double kStep = 1e-6;  // mm
-  const std::vector<double> um{2, 3, -2, 1.5, 4, -3};
-  std::vector<double> change;
-  for (const double v : um) change.push_back(v * kMmPerUm);
-  for (const Teeth& t : all()) {
-    const NearbyLoad near = nearby(t, t.setup);
-    for (const auto quantity :
-         {NearbyLoad::Quantity::peak_to_peak, NearbyLoad::Quantity::pressure}) {
-      const auto value = [&](const std::vector<double>& at) {
-        const NearbyLoad::Span span = near.span(at, false);
-        return quantity == NearbyLoad::Quantity::pressure ? span.max_pressure : *span.value;
-      };
-      const auto tangents = near.linear(change, quantity);
-      ASSERT_TRUE(tangents);
-      EXPECT_DOUBLE_EQ(tangents->at(none_), value(change)) << t.name;
-      for (std::size_t i = 0; i < kAll.size(); ++i) {
-        std::vector<double> above = change, below = change, step = none_;
-        above[i] += kStep;
-        below[i] -= kStep;
-        step[i] = kStep;
-        const double difference = value(above) - value(below);
-        std::vector<double> back = none_;
-        back[i] = -kStep;
-        EXPECT_NEAR(tangents->at(step) - tangents->at(back), difference,
-                    1e-5 * std::abs(difference) + 1e-9 * value(change))
-            << t.name << ", correction " << i;
-      }
     }
   }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "gearwright/contact/tangent_descent.hpp"
 #include "gearwright/math/minimise.hpp"
 #include "gearwright/math/statistics.hpp"
 
@@ -11,7 +10,9 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kBoxStep = 0.25;  // first step in the box, relative to its width
+constexpr double kFirstRadius = 0.25;  // first trust radius, relative to the width of the box
+constexpr double kLastRadius = 1e-3;   // the descent ends below this radius
+constexpr int kMostSteps = 20;         // greatest number of steps of a descent
 
 // The mean of f over the worst fraction 1 − p of the samples. If a sample belongs only partly to
 // this fraction, it is weighted with that part.   [T14.17]
@@ -37,19 +38,38 @@ MinimiserTask task_of(const RobustSearch& s, int evaluations, double step,
   return search;
 }
 
-// Minimises the CVaR by descent.   [T14.18]
-std::vector<double> descend(const RobustSearch& s, const std::vector<double>& start) {
-  detail::DescentTask task{s.box, s.gain};
-  task.f = [&](const std::vector<double>& v) { return mean_of_worst(s.fine.at(v, false).f, s.p); };
-  task.model_at = [&](const std::vector<double>& at) {
-    return [&s, at, here = s.fine.at(at, true)](const std::vector<double>& v) {
-      std::vector<double> f = here.f;
-      for (std::size_t k = 0; k < f.size(); ++k)
-        for (std::size_t i = 0; i < v.size(); ++i) f[k] += here.slope[k][i] * (v[i] - at[i]);
-      return mean_of_worst(std::move(f), s.p);
-    };
-  };
-  return detail::descend(task, start);
+// Minimises the CVaR by descent. Each step goes to the minimum of the linearised problem within a
+// radius, which grows after a success and shrinks after a failure.   [T14.18]
+std::vector<double> descend(const RobustSearch& s, std::vector<double> v) {
+  double radius = kFirstRadius;
+  CorrectedFamily::Values here = s.fine.at(v, true);
+  double worth = mean_of_worst(here.f, s.p);
+  for (int step = 0; step < kMostSteps && radius >= kLastRadius; ++step) {
+    MinimiserTask model = task_of(s, 200 * static_cast<int>(v.size()), 0.5 * radius,
+                                  [&](const std::vector<double>& w) {
+                                    std::vector<double> f = here.f;
+                                    for (std::size_t k = 0; k < f.size(); ++k)
+                                      for (std::size_t i = 0; i < v.size(); ++i)
+                                        f[k] += here.slope[k][i] * (w[i] - v[i]);
+                                    return mean_of_worst(std::move(f), s.p);
+                                  });
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const double reach = radius * (model.hi[i] - model.lo[i]);
+      model.lo[i] = std::max(model.lo[i], v[i] - reach);
+      model.hi[i] = std::min(model.hi[i], v[i] + reach);
+    }
+    const std::vector<double> next = minimise(Minimiser::downhill, model, v);
+    const double promised = worth - model.f(next);
+    if (!(promised > s.gain)) break;
+    const double gained = worth - mean_of_worst(s.fine.at(next, false).f, s.p);
+    if (gained < 0.25 * promised) radius *= 0.35;
+    if (gained > 0.75 * promised) radius = std::min(1.0, 2.0 * radius);
+    if (!(gained > 0.0)) continue;
+    v = next;
+    here = s.fine.at(v, true);
+    worth = mean_of_worst(here.f, s.p);
+  }
+  return v;
 }
 
 }  // namespace
@@ -82,7 +102,7 @@ std::vector<double> lowest_percentile(const RobustSearch& s, const std::vector<d
   };
   take(descend(s, start));
   if (s.whole_box) {
-    const auto box = task_of(s, 40 * n, kBoxStep, [&](const std::vector<double>& v) {
+    const auto box = task_of(s, 40 * n, kFirstRadius, [&](const std::vector<double>& v) {
       return s.coarse.percentile(v, s.p);
     });
     const std::vector<double> of_box = minimise(Minimiser::whole_box, box, start);
