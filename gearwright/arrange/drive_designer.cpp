@@ -3,6 +3,7 @@
 
 #include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/arrange/judge.hpp"
+#include "gearwright/design/design_strength.hpp"
 #include "gearwright/drive/drive_rating.hpp"
 #include "gearwright/drive/windup.hpp"
 
@@ -26,6 +27,35 @@ bool is_safe(const Drive& drive, const Safeties& required) {
     return !own || *own >= least;
   };
   return holds(&Rating::S_H, required.flank) && holds(&Rating::S_F, required.root);
+}
+
+// The least overlap ratio of the meshes; infinite if no mesh has involute teeth.
+double least_overlap(const DriveGeometry& geometry) {
+  double least = kInfinity;
+  for (std::size_t m = 0; m < geometry.pairs.size(); ++m)
+    if (const ParallelPair* pair = geometry.involutes(m))
+      least = std::min(least, pair->mesh.overlap_ratio);
+  return least;
+}
+
+// The mass of all gears with all copies of the planets, kg.
+double mass_of(const DriveSearchProblem& problem, const Drive& drive) {
+  const std::vector<std::string> members = set_member_names();
+  double sum = 0.0;
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    const DriveGear& named = drive.graph.gears[g];
+    const Gear& gear = *drive.geometry.gears[g];
+    const auto member = std::find(members.begin(), members.end(), named.name);
+    const double density =
+        problem
+            .density[member == members.end() ? 0
+                                             : static_cast<std::size_t>(member - members.begin())];
+    sum += drive.graph.body(named).count *
+           GearBody{density,           gear.spec.face_width, gear.spec.teeth,
+                    gear.tip_diameter, gear.root_diameter,   gear.spec.normal_module}
+               .mass();
+  }
+  return sum;
 }
 
 Result<DriveInput> train(const DriveSearchProblem& problem, const DriveCandidate& c) {
@@ -73,7 +103,8 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
   const bool same_cost = !problem_.module_per_stage && !problem_.asks(DriveObjective::efficiency) &&
                          !problem_.asks(DriveObjective::efficiency_backward) &&
                          !problem_.asks(DriveObjective::clearance) &&
-                         !problem_.asks(DriveObjective::noise);
+                         !problem_.asks(DriveObjective::noise) &&
+                         !problem_.asks(DriveObjective::mass);
   std::optional<DriveOutcome> best;
   for (GearShifts& shifts : trials(candidate)) {
     if (best && same_cost && std::holds_alternative<FoundDrive>(*best)) break;
@@ -303,8 +334,10 @@ DriveOutcome DriveDesigner::with_widths(DriveCandidate candidate) const {
     if (candidate.clearance < problem_.neighbour_clearance) return DriveFault::neighbours;
   }
   if (greatest_sliding(drive.geometry).value_or(0.0) > problem_.sliding) return DriveFault::sliding;
+  if (least_overlap(drive.geometry) < problem_.overlap) return DriveFault::overlap;
   if (task_.rate) {
-    if (drive.flow && drive.flow->self_locking()) return DriveFault::safety;
+    if (!drive.flow) return DriveFault::verdict;  // teeth that do not mesh have no efficiency
+    if (drive.flow->self_locking()) return DriveFault::safety;
     if (auto error = task_.rate(drive)) return *error;
     if (!is_safe(drive, task_.required)) return DriveFault::safety;
   }
@@ -314,6 +347,7 @@ DriveOutcome DriveDesigner::with_widths(DriveCandidate candidate) const {
   if (drive.backward) candidate.efficiency_backward = drive.backward->efficiency;
   if (problem_.asks(DriveObjective::noise) && !problem_.modules.empty())
     candidate.noise = windup_variation(drive);
+  if (candidate.mass) candidate.mass = mass_of(problem_, drive);
   return FoundDrive{std::move(candidate), std::move(drive)};
 }
 

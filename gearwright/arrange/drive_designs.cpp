@@ -82,6 +82,7 @@ class Candidates {
       } else {
         is_rated_ = true;
         made_[which[i]] = State::listed;
+        ++designs.green;
         designs.list.push_back(std::get<FoundDrive>(std::move(*outcomes[i])));
       }
     }
@@ -187,11 +188,13 @@ class Candidates {
       if (chosen.size > problem_.size_max) continue;
       std::vector<double> other = modules_of(train, probable);
       other.resize(modules.size(), problem_.modules.back());
-      chosen.size = with_modules(problem_, train, other).size;
+      const DriveCandidate estimated = with_modules(problem_, train, other);
+      chosen.size = estimated.size;
+      chosen.mass = estimated.mass;
       kept.push_back(std::move(chosen));
     }
     const std::size_t hopeless = all_->size() - kept.size();
-    sort_by_objective(
+    sort_by_objective<DriveCandidate>(
         problem_, kept, [](const auto& c) -> const auto& { return c; });
     chosen_ = std::move(kept);
     all_ = &chosen_;
@@ -247,9 +250,16 @@ class Candidates {
   int threads_;
 };
 
-void sort_designs(const DriveSearchProblem& problem, std::vector<FoundDrive>& list) {
+void sort_designs(const DriveSearchProblem& problem, std::span<FoundDrive> list) {
   sort_by_objective(
       problem, list, [](const FoundDrive& f) -> const auto& { return f.candidate; });
+}
+
+// True if the candidates have the exact values of the first objective before their teeth are computed.
+bool has_exact_order(const DriveSearchProblem& problem) {
+  const DriveObjective first = problem.objectives.front();
+  return first == DriveObjective::ratio || first == DriveObjective::planets ||
+         (first == DriveObjective::size && !problem.module_per_stage);
 }
 
 std::vector<std::size_t> front_of(const DriveSearchProblem& problem,
@@ -275,22 +285,23 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
   DriveDesigns designs;
   Candidates candidates(task, result.found, threads);
   designs.hopeless = candidates.leave_out_hopeless();
-  while (designs.list.size() < top) {
-    const auto which = candidates.next(top - designs.list.size(), designs);
-    if (which.empty()) break;
-    if (auto error = candidates.compute(which, designs)) return *error;
+  const std::size_t group = has_exact_order(problem) ? top : kRankedDrives;
+  bool is_open = true;
+  for (std::size_t begin = 0; begin < top && is_open; begin += group) {
+    constexpr std::size_t kBatch = 64;
+    const std::size_t end = begin + group;
+    while (is_open && (designs.list.size() < end ||
+                       candidates.may_improve(designs.list[end - 1].candidate.size))) {
+      const std::size_t own = designs.list.size();
+      const auto which = candidates.next(own < end ? end - own : kBatch, designs);
+      is_open = !which.empty();
+      if (auto error = candidates.compute(which, designs)) return *error;
+      sort_designs(problem, std::span(designs.list).subspan(begin));
+    }
   }
   const bool is_short = designs.list.size() < top;
   std::size_t more = top;  // greatest number of further designs from the Pareto front
-  if (!is_short && top > 0) {
-    constexpr std::size_t kBatch = 64;
-    sort_designs(problem, designs.list);
-    while (candidates.may_improve(designs.list[top - 1].candidate.size)) {
-      const auto which = candidates.next(kBatch, designs);
-      if (which.empty()) break;
-      if (auto error = candidates.compute(which, designs)) return *error;
-      sort_designs(problem, designs.list);
-    }
+  if (!is_short) {
     keep_best(problem, top, designs.list);
     more -= designs.list.size() - top;
   }
@@ -302,7 +313,7 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
     more -= designs.list.size() - before;
   }
   if (is_short) designs.beyond_limit = candidates.open();
-  sort_designs(problem, designs.list);
+  if (!is_short) sort_designs(problem, std::span(designs.list).subspan(top));
   designs.pareto = front_of(problem, designs.list);
   return designs;
 }

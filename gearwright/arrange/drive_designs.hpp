@@ -25,14 +25,15 @@ struct FoundDrive {
 };
 
 /// The reasons why a computed candidate is left out.
-enum class DriveFault { no_teeth, neighbours, sliding, safety, verdict };
-inline constexpr std::array<std::string_view, 5> kDriveFaultNames{"no_teeth", "neighbours",
-                                                                  "sliding", "safety", "verdict"};
+enum class DriveFault { no_teeth, neighbours, sliding, overlap, safety, verdict };
+inline constexpr std::array<std::string_view, 6> kDriveFaultNames{
+    "no_teeth", "neighbours", "sliding", "overlap", "safety", "verdict"};
 
 struct DriveDesigns {
-  std::vector<FoundDrive> list;     ///< sorted by the first objective, the best drive first
+  std::vector<FoundDrive> list;     ///< in the order of drive_designs()
   std::vector<std::size_t> pareto;  ///< indices in `list`
   std::size_t computed = 0;
+  std::size_t green = 0;         ///< computed candidates that can be listed
   std::size_t hopeless = 0;      ///< trains that were left out because their estimated safeties are
                                  ///< too small
   std::size_t beyond_limit = 0;  ///< candidates that were not computed because of the limit
@@ -49,19 +50,25 @@ struct DriveDesignTask {
   Progress* progress = nullptr;
 };
 
-/// The candidates that the result lists: the `top` best by the first objective and, if there are
-/// several objectives, up to `top` more from the Pareto front. The next candidate replaces a
-/// candidate without a green verdict, until kMostComputedDrives candidates of the same module have
-/// been computed. Trains are left out if, by the estimate of design/train_strength.hpp, they cannot
-/// have the required safeties, or if the sliding of one stage exceeds the limit. If each stage may
-/// have its own module, it gets the least one with which it has the required safeties.
+/// The candidates that the result lists: the `top` best and, if there are several objectives, up to
+/// `top` more from the Pareto front. They are computed in the order of the candidates. If the first
+/// objective is only estimated before, every kRankedDrives green drives are sorted by its exact
+/// values. The next candidate replaces a candidate without a green verdict, until
+/// kMostComputedDrives candidates of the same module have been computed. Trains are left out if, by
+/// the estimate of design/train_strength.hpp, they cannot have the required safeties, or if the
+/// sliding of one stage exceeds the limit. If each stage may have its own module, it gets the least
+/// one with which it has the required safeties.
 ///
-/// Law       a search over a list of modules finds a drive if a search with one of these modules
+/// Laws      (1) a search over a list of modules finds a drive if a search with one of these modules
 ///           alone finds a drive
+///           (2) the first `top` drives are the first drives of every longer list
 /// Errors    the errors of `rate`, if no drive can be rated
 Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearchResult& result,
                                    std::size_t top, int threads);
 
+/// Number of drives that are sorted together by their exact values. It does not depend on `top`,
+/// because the order must not.
+inline constexpr std::size_t kRankedDrives = 100;
 /// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;
 

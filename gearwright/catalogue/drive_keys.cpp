@@ -1,6 +1,7 @@
 #include "gearwright/catalogue/drive_keys.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/catalogue/search_keys.hpp"
@@ -58,18 +59,41 @@ Key fixed_key(KeyPlace place) {
   return bodies_key("fixed", std::move(place), "the ring", "fixed body or list of fixed bodies");
 }
 
-constexpr const char* kByInput = "a number, or a list in the order of the inputs";
-
 Key speed_key(KeyPlace place) {
   return Key::number("speed_rpm", "n", {}, std::move(place), "", "speed of the input")
       .with_list({.most = kMostBodies, .single = true})
-      .with_form(kByInput);
+      .with_form("a number, or a list in the order of the inputs");
 }
 Key torque_key(KeyPlace place) {
-  return Key::number("torque_Nm", "T", {}, std::move(place), "", "torque on the input")
+  return Key::number("torque_Nm", "T", {}, std::move(place), "",
+                     "torque on the first input, which determines the torques of the other bodies")
       .with_list({.single = true,
                   .must = "must be one torque, which determines the torques of the other bodies"})
-      .with_form(kByInput);
+      .with_form("a number");
+}
+
+// Sets the torque P/ω. The speed is read first, because its key precedes that of the power.
+std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
+                      std::optional<double>& torque_Nm) {
+  if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
+    return "needs the speed of the input, which must not be 0; give speed_rpm, or give torque_Nm "
+           "in "
+           "place of the power";
+  constexpr double kWattsPerKilowatt = 1e3, kSecondsPerMinute = 60.0;
+  torque_Nm = power_kW * kWattsPerKilowatt * kSecondsPerMinute /
+              (2 * std::numbers::pi * speeds_rpm.front());
+  return "";
+}
+
+// T has the speeds and the torque of the input in a part, which `part` returns.
+template <class T, class Part>
+Key power_key(Part part) {
+  const auto set = [part](T& input, double power) {
+    return set_power(part(input).speeds_rpm, power, part(input).torque_Nm);
+  };
+  return Key::number("power_kW", "P", {}, KeyPlace::by<T, double>(set), "",
+                     "power of the first input, in place of its torque; needs `speed_rpm`")
+      .with_excludes({"torque_Nm"});
 }
 
 constexpr KeyList kOneOrTwo{.most = 2, .single = true};
@@ -100,8 +124,8 @@ Key backlash_key(KeyPlace place, const char* form) {
 }
 
 Key friction_key(KeyPlace place, std::string_view fallback = "0.05") {
-  return Key::not_negative("friction_coefficient", "μ", std::move(place), fallback,
-                           "coefficient of friction of the flanks");
+  return Key::number("friction_coefficient", "μ", friction_range(), std::move(place), fallback,
+                     "coefficient of friction of the flanks");
 }
 
 Key spacing_key(KeyPlace place, std::string_view fallback = "\"nearest\"") {
@@ -130,6 +154,7 @@ Key bore_key() {
              "outside diameter of its rim")
           .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"});
   key.range = KeyRange::positive();
+  key.list = KeyList{.most = 2, .single = true};
   return key;
 }
 
@@ -144,7 +169,10 @@ const KeyTable& planetary_keys() {
        member(SetMember::sun2,
               "number of teeth of a second sun, which meshes with `planet2` or, without it, with "
               "`planet`"),
-       member(SetMember::planet, "number of teeth of the planet"),
+       member(
+           SetMember::planet,
+           "number of teeth of the planet; for a set of a sun and a ring, the default is half the "
+           "difference of their numbers of teeth"),
        member(SetMember::planet2, "number of teeth of the second gear of a stepped planet"),
        member(SetMember::ring, "number of teeth of the ring, with either sign", true),
        member(SetMember::ring2,
@@ -197,6 +225,7 @@ const KeyTable& planetary_keys() {
        Key::text("output", &P::output, "the carrier", "body that is driven"),
        speed_key(&P::speeds_rpm),
        torque_key(&P::torque_Nm),
+       power_key<P>([](P & p) -> auto& { return p; }),
        spacing_key(&P::spacing),
        Key::number(
            "positions_deg", "", {}, &P::positions_deg, "determined by `spacing`",
@@ -217,6 +246,7 @@ Key stage_angle() {
       "direction from the axis of the first gear of a pair to the axis of the second, "
       "counter-clockwise; 0 for the first stage. `\"coaxial\"` leads back to the axis of the "
       "input; if the stage before has no angle, it gets the angle that permits this");
+  key.kind = KeyKind::number;
   key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};
   key.fields = {"angle"};
@@ -271,6 +301,7 @@ const KeyTable& stage_keys() {
        friction_key({&S::stage, &StageSpec::friction}),
        speed_key({&S::stage, &StageSpec::speeds_rpm}),
        torque_key({&S::stage, &StageSpec::torque_Nm}),
+       power_key<S>([](S & s) -> auto& { return s.stage; }),
        formed("material", "a name, or a table with the keys of [gear1.material]",
               "material of `[rating]`", "material of the teeth of both gears")}};
   return table;
@@ -301,6 +332,7 @@ const KeyTable& drive_keys() {
            .with_form("a body"),
        speed_key({&I::graph, &DriveGraph::speeds_rpm}),
        torque_key({&I::graph, &DriveGraph::torque_Nm}),
+       power_key<I>([](I & i) -> auto& { return i.graph; }),
        Key::number("speed_m_per_s", "v", {}, &I::speed_m_per_s, "",
                    "speed of the input if it is a rack, in place of `speed_rpm`")
            .with_form("a number"),
@@ -352,7 +384,10 @@ const KeyTable& drive_gear_keys() {
                    "`\"rack\"` makes the gear a rack, whose body moves along a line"),
          Key::positive("height_mm", "", KeyPlace::unused(), "3 modules below the roots",
                        "height of a rack from its back to its datum line")
-             .with_also({"height", "back"})}};
+             .with_also({"height", "back"}),
+         Key::positive("length_mm", "", KeyPlace::unused(), "determined by `teeth`",
+                       "space for the teeth of a rack along the travel, in place of `teeth`")
+             .with_also({"length"})}};
     for (const Key& key : stage_gear_keys().keys)
       if (!t.find(key.key)) t.keys.push_back(key);
     return t;

@@ -119,6 +119,9 @@ const KeyTable& drive_search_keys() {
            "greatest difference between the sums of teeth of meshes with a common centre "
            "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
            "for this difference"),
+       Key::flag("coprime", &Problem::coprime, "false",
+                 "true: only gears whose numbers of teeth have no common factor mesh, so that all "
+                 "their teeth meet; others are not counted as tested"),
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
@@ -126,6 +129,8 @@ const KeyTable& drive_search_keys() {
                    "3 for a rated train without profile_shift, otherwise no limit",
                    "greatest permitted specific sliding at both ends of the path of contact of "
                    "every mesh; a small set without undercut has about 3 to 5"),
+       Key::not_negative("overlap_ratio_min", "ε_β", &Problem::overlap, "no limit",
+                         "least overlap ratio of every mesh; needs `normal_module_mm`"),
        Key::word("phasing", {"in_phase", "sequential", "counter", "mixed"}, &Problem::phasing,
                  "all",
                  "allowed classes of phasing; with `sequential` and `counter` there is no torque "
@@ -135,8 +140,9 @@ const KeyTable& drive_search_keys() {
                  &Problem::objectives, "\"efficiency\"",
                  "criterion of the ranking: `efficiency` (greatest), `ratio` (nearest to "
                  "`target_ratio`), `size` (least), `efficiency_backward` (greatest), `clearance` "
-                 "(greatest), `planets` (most) or `noise` (least variation of the elastic rotation "
-                 "under load); a list of criteria gives a Pareto front")
+                 "(greatest), `planets` (most), `noise` (least variation of the elastic rotation "
+                 "under load) or `mass` (least mass of all gears, needs `normal_module_mm`); a "
+                 "list of criteria gives a Pareto front")
            .with_list({.least = 1,
                        .most = kDriveObjectiveNames.size(),
                        .single = true,
@@ -173,6 +179,7 @@ const KeyTable& drive_search_keys() {
        of_set("friction_coefficient"),
        of_set("speed_rpm"),
        of_set("torque_Nm"),
+       of_set("power_kW"),
        of_set("material")}};
   return table;
 }

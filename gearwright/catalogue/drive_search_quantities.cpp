@@ -51,9 +51,10 @@ void add_found(Quantities<F>& q) {
           stages_of)
       .list({0, 2})
       .doors(kJson);
-  q.whole("planets", "number of planets", "N", "", [](const F& f) {
-     return f.candidate.planets;
-   }).shown([](const F& f) { return f.candidate.stages.empty(); });
+  q.whole("planets", "number of planets", "N", "null for a train", [](const F& f) {
+    return f.candidate.stages.empty() ? Value(static_cast<long long>(f.candidate.planets))
+                                      : Value();
+  });
   q.number("ratio", "ratio", "i", "n_in/n_out", [](const F& f) {
      return of_drive(f, "ratio");
    }).always();
@@ -77,6 +78,11 @@ void add_found(Quantities<F>& q) {
            "the rings, without profile shifts and without the rims of the rings; for a train, sum "
            "of the centre distances",
            [](const F& f) { return f.candidate.size; });
+  q.number("mass_kg", "mass", "m",
+           "mass of all gears with all planets, as solid cylinders with the mean diameter (d_a + "
+           "d_f)/2; a ring extends from the mean diameter to the diameter d_f + 5 m_n; only with "
+           "`objective` = `mass`",
+           [](const F& f) { return f.candidate.mass; });
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
   q.add(Type::map, "profile_shift", "profile shifts", "x", "per gear; null without geometry",
@@ -180,8 +186,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
         "mounted), `neighbours` (planets too close to each other with their profile shifts), "
-        "`sliding`, "
-        "`safety`, `verdict` (amber or red)",
+        "`sliding`, `overlap`, `safety`, `verdict` (amber or red)",
         [](const S& s) { return counts(kDriveFaultNames, s.designs->left_out); })
       .doors(kJson);
   q.number("face_load_factor", "face load factor", "K_Hβ",

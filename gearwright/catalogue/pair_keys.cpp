@@ -1,4 +1,5 @@
 #include "gearwright/catalogue/gear_keys.hpp"
+#include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
@@ -71,10 +72,8 @@ const KeyTable& pair_keys() {
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
                  "if true, tips without a given `tip_diameter_mm` are shortened by k m_n, which "
                  "keeps the clearance of the racks"),
-       Key::number("friction_coefficient", "μ",
-                   KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
-                   &PairInput::friction_coefficient, "no efficiency",
-                   "coefficient of friction of the flanks, for the efficiency")
+       Key::number("friction_coefficient", "μ", friction_range(), &PairInput::friction_coefficient,
+                   "no efficiency", "coefficient of friction of the flanks, for the efficiency")
            .with_also({"friction"}),
        Key::positive(
            "bearing_span_mm", "L", &PairInput::bearing_span,
@@ -96,7 +95,12 @@ const KeyTable& rack_bar_keys() {
        Key::number("teeth", "z", KeyRange::between(1, 100'000), &RackBar::teeth,
                    "not limited; pictures and files contain at least one turn of the pinion",
                    "number of teeth, which determines the length of the rack")
-           .with_also({"number_of_teeth", "length"}),
+           .with_also({"number_of_teeth"}),
+       Key::positive("length_mm", "", KeyPlace::unused(), "determined by `teeth`",
+                     "space for the teeth of the rack along the travel, in place of `teeth`; the "
+                     "rack has as many whole teeth as fit")
+           .with_excludes({"teeth"})
+           .with_also({"length"}),
        Key::positive("face_width_mm", "b", &RackBar::face_width, "face width of gear 1",
                      "face width")
            .with_also({"width", "face"}),

@@ -1,5 +1,8 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
 
@@ -25,6 +28,13 @@ const Quantities<RackPair>& rack_backlash_quantities() {
   });
 }
 
+std::optional<double> usable_travel(const RackPair& v) {
+  const auto length = v.rack.length();
+  if (!length || v.approach + v.recess <= 0.0) return std::nullopt;
+  const double cos_alpha = std::cos(v.pinion.reference().transverse_pressure_angle);
+  return std::max(0.0, *length - 2 * std::max(v.approach, v.recess) * cos_alpha);
+}
+
 void add_rack_mounting(Quantities<RackPair>& q) {
   q.under(kMounting);
   q.word("kind", "kind of pair", "for a pinion and a rack",
@@ -44,6 +54,11 @@ void add_rack_mounting(Quantities<RackPair>& q) {
   q.number("travel_mm_per_turn", "travel per turn of the pinion", "", "π m_t z",
            &RackPair::travel_per_turn)
       .unit(Unit::mm);
+  q.number("usable_travel_mm", "usable travel", "",
+           "n p_t − 2 max(g_a, g_f) cos α_t: travel over which the whole path of contact of both "
+           "flanks lies on the rack; 0 if the rack is too short; null without contact, "
+           "and without `teeth` and `length_mm`",
+           usable_travel);
   q.term("working_normal_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
          [](const RackPair& v) { return v.pinion.spec.normal_pressure_angle; });
@@ -114,7 +129,9 @@ const Quantities<RackGeometry>& rack_quantities() {
            [](const R&) { return "rack"; })
         .one_of({"rack"})
         .doors(kJson);
-    q.term("teeth", "number of teeth of the rack; null for a rack of unlimited length",
+    q.term("teeth",
+           "number of teeth of the rack; null for a rack of unlimited length; with `length_mm`, "
+           "the whole teeth that fit",
            [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",
@@ -124,8 +141,10 @@ const Quantities<RackGeometry>& rack_quantities() {
     q.number("normal_pitch_mm", "normal pitch", "p_n", "π m_n", &R::normal_pitch);
     q.number("transverse_pitch_mm", "transverse pitch", "p_t",
              "in the direction of travel, π m_n/cos β", &R::transverse_pitch);
-    q.number("length_mm", "length", "",
-             "length n p_t, with half a tooth space at each end; null without `teeth`", &R::length);
+    q.number(
+        "length_mm", "length", "",
+        "length n p_t, with half a tooth space at each end; null without `teeth` and `length_mm`",
+        &R::length);
     q.number("height_mm", "height", "", "height from the back of the rack to the datum line",
              &R::height);
     q.number("addendum_mm", "addendum", "h_a", "height above the datum line", &R::addendum);

@@ -99,6 +99,10 @@ std::string series_fault(const std::string& series) {
   return ends ? std::string() : ends.error().rule;
 }
 
+KeyRange friction_range() {
+  return {.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"};
+}
+
 std::string_view objective_called(std::string_view word) {
   const auto row =
       std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.word == word; });
@@ -376,9 +380,7 @@ std::vector<Key> design_keys() {
           .with_fields({"objectives"}),
       Key::number("target_ratio", "", {}, &SearchProblem::target_ratio,
                   "the middle of the band `ratio`", "target of the objective `ratio`"),
-      Key::number("friction_coefficient", "μ",
-                  KeyRange{.lo = 0, .hi = 1, .hi_open = true, .reason = ", usually 0.03 to 0.1"},
-                  &SearchProblem::friction,
+      Key::number("friction_coefficient", "μ", friction_range(), &SearchProblem::friction,
                   "0.05 for the objective `efficiency`, otherwise no efficiency",
                   "coefficient of friction of the flanks, for the efficiency")
           .with_also({"friction"}),

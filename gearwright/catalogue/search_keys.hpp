@@ -20,6 +20,9 @@ inline constexpr std::string_view kNoAllowances = "none";
 /// text is empty for such a series, for kNoAllowances and for an empty name.
 std::string series_fault(const std::string& series);
 
+/// The coefficients of friction that are allowed for flanks.
+KeyRange friction_range();
+
 /// One number, or the least and the greatest number of a band.
 inline constexpr KeyList kBand{
     .most = 2,

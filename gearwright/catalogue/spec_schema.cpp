@@ -71,10 +71,8 @@ std::vector<Json> element_schemas(const Key& key) {
     case KeyKind::any: break;
   }
   if (!key.range.limited()) return {};
-  const Json number = number_schema(key);  // a number, a list of them, or numbers by name
-  return {number,
-          {{"type", "array"}, {"items", number}, {"minItems", 1}},
-          {{"type", "object"}, {"additionalProperties", number}}};
+  const Json number = number_schema(key);  // a number, or numbers by name
+  return {number, {{"type", "object"}, {"additionalProperties", number}}};
 }
 
 Json any_of(const std::vector<Json>& list) {
@@ -89,7 +87,9 @@ Json value_schema(const Key& key) {
   if (key.list) {
     if (key.list->single) list.insert(list.end(), elements.begin(), elements.end());
     Json array{{"type", "array"},
-               {"items", key.list->numbers ? Json{{"type", "number"}} : any_of(elements)},
+               {"items", key.list->numbers          ? Json{{"type", "number"}}
+                         : key.kind == KeyKind::any ? elements.front()
+                                                    : any_of(elements)},
                {"minItems", key.list->least},
                {"maxItems", key.list->most}};
     if (key.kind == KeyKind::word) array["uniqueItems"] = true;

@@ -279,16 +279,20 @@ std::optional<double> least_safety(const SearchProblem& problem, const DesignRow
   return least;
 }
 
+double GearBody::mass() const {
+  const double d_m = (tip_diameter + root_diameter) / 2;
+  const double outside = root_diameter + 5 * normal_module;
+  const double area = teeth > 0 ? d_m * d_m : outside * outside - d_m * d_m;
+  return density * face_width * std::numbers::pi / 4 * area;
+}
+
 double mass_of(const ShiftGraph& graph, const DesignRow& row) {
-  const double m = row.trial.module;
   double mass = 0.0;
-  for (const std::size_t i : {0, 1}) {
-    const double d_f = root_diameter(graph, row, i);
-    const double d_m = (tip_diameter(graph, row, i) + d_f) / 2;
-    const double outside = d_f + 5 * m;
-    const double area = graph.gears()[i].teeth > 0 ? d_m * d_m : outside * outside - d_m * d_m;
-    mass += graph.problem().density[i] * row.face_width * std::numbers::pi / 4 * area;
-  }
+  for (const std::size_t i : {0, 1})
+    mass += GearBody{graph.problem().density[i],   row.face_width,
+                     graph.gears()[i].teeth,       tip_diameter(graph, row, i),
+                     root_diameter(graph, row, i), row.trial.module}
+                .mass();
   return mass;
 }
 

@@ -38,9 +38,18 @@ std::optional<Limit> short_of(const SearchProblem& problem, const DesignRow& row
 /// The smallest of S_H/S_Hmin and S_F/S_Fmin of both gears. A limit that is not given counts as 1.
 /// Absent if the row has no safety factors.
 std::optional<double> least_safety(const SearchProblem& problem, const DesignRow& row);
-/// Mass of both gears, kg. An external gear is a full cylinder of the mean diameter (d_a + d_f)/2,
-/// as for the reduced mass of ISO 6336-1. An internal gear extends from the mean diameter to 2.5
-/// m_n outside its root circle. [T9.12]
+/// The body of a gear for its mass, with the density in kg/mm³ and lengths in mm.
+struct GearBody {
+  double density, face_width;
+  int teeth;  ///< < 0 for an internal gear
+  double tip_diameter, root_diameter, normal_module;
+
+  /// Mass, kg. An external gear is a full cylinder of the mean diameter (d_a + d_f)/2, as for the
+  /// reduced mass of ISO 6336-1. An internal gear extends from the mean diameter to 2.5 m_n outside
+  /// its root circle. [T9.12]
+  double mass() const;
+};
+/// Mass of the bodies of both gears, kg.
 double mass_of(const ShiftGraph& graph, const DesignRow& row);
 
 // Stores the pinion cutters chosen for the internal gears of a search.

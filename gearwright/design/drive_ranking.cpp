@@ -4,7 +4,8 @@
 #include <functional>
 #include <numeric>
 
-#include "gearwright/design/drive_search.hpp"
+#include "gearwright/design/design_strength.hpp"
+#include "gearwright/design/drive_space.hpp"
 
 namespace gearwright {
 
@@ -18,8 +19,47 @@ double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidat
     case DriveObjective::clearance: return -candidate.clearance;
     case DriveObjective::planets: return -candidate.planets;
     case DriveObjective::noise: return candidate.noise.value_or(kInfinity);
+    case DriveObjective::mass: return candidate.mass.value_or(kInfinity);
   }
   return 0.0;
+}
+
+std::optional<double> estimated_mass(const DriveSearchProblem& problem,
+                                     const DriveCandidate& candidate) {
+  if (!problem.asks(DriveObjective::mass) || problem.modules.empty()) return std::nullopt;
+  const PerMember& helix = problem.base.helix_deg;
+  const double transverse =
+      1.0 / std::cos(Angle::degrees(helix.each[0].value_or(helix.all.value_or(0.0))).rad());
+  // σ is 1 for an external gear and −1 for a ring.
+  const auto mass = [&](int teeth, int sigma, double module, double width, double density) {
+    const double d = module * teeth * transverse;
+    return GearBody{density, width, sigma * teeth, d + 2 * sigma * module, d - 2.5 * sigma * module,
+                    module}
+        .mass();
+  };
+  constexpr double kDefaultFace = 10.0;  // modules, as in a drive without face_width
+  const auto& given = problem.base.face_width;
+  const DriveCandidate sized = widest(problem, candidate);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < sized.stages.size(); ++k) {
+    const double module = sized.stage_module(k);
+    const double width = sized.face_widths.empty() ? given.all.value_or(kDefaultFace * module)
+                                                   : sized.face_widths[k];
+    for (const int teeth : sized.stages[k])
+      sum += mass(teeth, 1, module, width, problem.density[0]);
+  }
+  const PerMember widths = member_face_widths(sized);
+  for (std::size_t m = 0; m < kSetMembers; ++m) {
+    if (sized.teeth[m] == 0) continue;
+    const auto member = static_cast<SetMember>(m);
+    const bool ring = member == SetMember::ring || member == SetMember::ring2;
+    const bool rides = member == SetMember::planet || member == SetMember::planet2;
+    const double width =
+        widths.each[m].value_or(given.of(member).value_or(kDefaultFace * sized.module));
+    sum += (rides ? sized.planets : 1) *
+           mass(sized.teeth[m], ring ? -1 : 1, sized.module, width, problem.density[m]);
+  }
+  return sum;
 }
 
 std::vector<std::size_t> pareto_front(const DriveSearchProblem& problem,

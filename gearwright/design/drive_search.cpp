@@ -70,6 +70,12 @@ struct SetMeshes {
   std::array<M, 4> members{};  // the central gears
   std::size_t count = 0;
 
+  bool are_coprime() const {
+    return std::all_of(list.begin(), list.begin() + count, [](const CentralTeeth& mesh) {
+      return std::gcd(mesh.rider, mesh.central) == 1;
+    });
+  }
+
   explicit SetMeshes(const TeethOfSet& z) {
     for (const M central : {M::sun, M::sun2, M::ring, M::ring2}) {
       const int teeth = z[at(central)];
@@ -116,6 +122,8 @@ class SetSearch {
   }
 
   void consider(const TeethOfSet& z, DriveSearchResult& result) const {
+    const SetMeshes meshes(z);
+    if (problem_.coprime && !meshes.are_coprime()) return;
     const int kinds = problem_.planets[1] - problem_.planets[0] + 1;
     result.tested += kinds;
     const auto reject = [&](DriveLimit limit, int n) {
@@ -124,7 +132,6 @@ class SetSearch {
     const double ratio = ratio_of(z, ends_);
     if (ratio == 0.0 || !(ratio >= problem_.ratio[0] && ratio <= problem_.ratio[1]))
       return reject(DriveLimit::ratio, kinds);
-    const SetMeshes meshes(z);
     const long long places = places_of(meshes);
     for (int n = problem_.planets[0]; n <= problem_.planets[1]; ++n) {
       const auto step = spacing(n, places);
@@ -307,6 +314,7 @@ void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) 
       each.back().module = m;
       each.back().size *= m;
       if (problem.module_per_stage) each.back().stage_modules.assign(one.stages.size(), m);
+      each.back().mass = estimated_mass(problem, each.back());
     }
   result.found = std::move(each);
 }
@@ -419,7 +427,7 @@ Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int t
   }
   if (problem.asks(DriveObjective::noise)) estimate_noise(problem, result.found, threads);
   give_modules(problem, result);
-  sort_by_objective(
+  sort_by_objective<DriveCandidate>(
       problem, result.found, [](const auto& c) -> const auto& { return c; });
   return result;
 }

@@ -18,12 +18,14 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/design/drive_shifts.hpp"
+#include "gearwright/design/search_problem.hpp"
 #include "gearwright/drive/phasing.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
@@ -40,10 +42,11 @@ enum class DriveObjective {
   efficiency_backward,  ///< greatest efficiency with the output driving
   clearance,            ///< greatest clearance between neighbouring planets
   planets,              ///< greatest number of planets
-  noise                 ///< least variation of the elastic rotation under load (drive/windup.hpp)
+  noise,                ///< least variation of the elastic rotation under load (drive/windup.hpp)
+  mass                  ///< least DriveCandidate::mass; requires modules
 };
-inline constexpr std::array<std::string_view, 7> kDriveObjectiveNames{
-    "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets", "noise"};
+inline constexpr std::array<std::string_view, 8> kDriveObjectiveNames{
+    "efficiency", "ratio", "size", "efficiency_backward", "clearance", "planets", "noise", "mass"};
 
 using TeethBand = std::array<int, 2>;  ///< both ends included
 
@@ -60,8 +63,10 @@ struct DriveSearchProblem {
   /// distance. The default is 1, or the number of planets if two rings mesh with one planet gear.
   /// For a train, the default is no limit.
   std::optional<int> coaxial_teeth;
-  double neighbour_clearance = 1.0;   ///< lower limit of c  modules
-  double sliding = kInfinity;         ///< upper limit of |ζ| of every mesh; requires modules
+  bool coprime = false;              ///< true if the gears of every mesh must have no common factor
+  double neighbour_clearance = 1.0;  ///< lower limit of c  modules
+  double sliding = kInfinity;        ///< upper limit of |ζ| of every mesh; requires modules
+  double overlap = 0.0;              ///< lower limit of ε_β of every mesh; requires modules
   std::vector<PhasingClass> phasing;  ///< allowed classes; all if empty
   std::vector<DriveObjective> objectives{DriveObjective::efficiency};
   /// m_n of all meshes  mm; each set is tried with every module. If the list is empty, no tooth
@@ -77,6 +82,12 @@ struct DriveSearchProblem {
   double face_diameters = 1.2;  ///< greatest b/d of the smaller gear of a mesh, if the search
                                 ///< chooses the face widths
   std::optional<double> safety_flank, safety_root;  ///< lower limits of S_H and S_F of every mesh
+  /// ρ of each member  kg/mm³. All gears of a train have the first value.
+  std::array<double, kSetMembers> density = [] {
+    std::array<double, kSetMembers> steel{};
+    steel.fill(kSteelDensity);
+    return steel;
+  }();
   /// Helix angle, losses, allowances, backlash, spacing, and the fixed and driving members. Numbers
   /// of teeth in `base` are ignored.
   PlanetarySpec base;
@@ -116,6 +127,9 @@ struct DriveCandidate {
   /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
   /// not requested, or if a mesh loses contact.
   std::optional<double> noise{};
+  /// Mass of all gears  kg, with the bodies of GearBody. Absent if not requested. Until the teeth
+  /// are computed, it is an estimate for gears without profile shift.
+  std::optional<double> mass{};
 
   double stage_module(std::size_t stage) const {
     return stage_modules.empty() ? module : stage_modules[stage];
@@ -163,7 +177,7 @@ double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
 /// True if the output of this train gets the axis of its input: `coaxial_teeth` is given, all stages
 /// have one module, and the search chooses the profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
-/// The train with these modules of its stages, and with the size that follows from them.
+/// The train with these modules of its stages, and with the size and the mass that follow from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);
 /// The candidate with the greatest face widths that the search may choose. They are limited by the band
@@ -184,7 +198,7 @@ inline constexpr double kSameEfficiency = 1e-4;
 /// objective is an efficiency, candidates that are at most kSameEfficiency worse than the best of
 /// them are sorted by size, and likewise the candidates after them.
 template <class T, class CandidateOf>
-void sort_by_objective(const DriveSearchProblem& problem, std::vector<T>& list,
+void sort_by_objective(const DriveSearchProblem& problem, std::span<T> list,
                        const CandidateOf& candidate_of) {
   const DriveObjective first = problem.objectives.front();
   const auto cost = [&](const T& t) { return cost_of(problem, candidate_of(t), first); };

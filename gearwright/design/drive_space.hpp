@@ -28,6 +28,12 @@ double estimated_efficiency(int z1, int z2, double friction);
 void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
                     int threads);
 
+/// The mass of a candidate for gears without profile shift, kg; none if it is not requested or
+/// without modules. Faces that the search sizes have their greatest width. The estimate is used
+/// for ranking until the teeth are computed.
+std::optional<double> estimated_mass(const DriveSearchProblem& problem,
+                                     const DriveCandidate& candidate);
+
 /// Adds all trains of the problem to the result. The numbers of teeth of the last wheel follow from
 /// the ratio.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);

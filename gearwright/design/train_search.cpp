@@ -1,6 +1,7 @@
 // Searches for trains. A train is a series of pairs of gears.
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/design/drive_space.hpp"
@@ -13,7 +14,13 @@ namespace {
 class TrainSearch {
  public:
   TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)
-      : problem_(problem), result_(result) {}
+      : problem_(problem), result_(result) {
+    for (int z1 = problem.pinion[0]; z1 <= problem.pinion[1]; ++z1) {
+      wheels_.push_back(0);
+      for (int z2 = problem.wheel[0]; z2 <= problem.wheel[1]; ++z2)
+        wheels_.back() += may_mesh(z1, z2) ? 1 : 0;
+    }
+  }
 
   void visit(int stages) {
     stages_.clear();
@@ -21,6 +28,8 @@ class TrainSearch {
   }
 
  private:
+  bool may_mesh(int z1, int z2) const { return !problem_.coprime || std::gcd(z1, z2) == 1; }
+
   void next(int left, double ratio) {
     for (int z1 = problem_.pinion[0]; z1 <= problem_.pinion[1] && result_.is_complete; ++z1) {
       if (left == 1) {
@@ -28,6 +37,7 @@ class TrainSearch {
         continue;
       }
       for (int z2 = problem_.wheel[0]; z2 <= problem_.wheel[1]; ++z2) {
+        if (!may_mesh(z1, z2)) continue;
         stages_.push_back({z1, z2});
         next(left - 1, -ratio * z2 / z1);
         stages_.pop_back();
@@ -45,10 +55,11 @@ class TrainSearch {
     // int.
     const double least = std::max<double>(problem_.wheel[0], std::floor(lo));
     const double most = std::min<double>(problem_.wheel[1], std::ceil(hi));
-    const int band = problem_.wheel[1] - problem_.wheel[0] + 1;
+    const int band = wheels_[static_cast<std::size_t>(z1 - problem_.pinion[0])];
     result_.tested += band;
     int kept = 0;
     for (int z2 = static_cast<int>(least); z2 <= most; ++z2) {
+      if (!may_mesh(z1, z2)) continue;
       stages_.push_back({z1, z2});
       kept += keep();
       stages_.pop_back();
@@ -85,6 +96,7 @@ class TrainSearch {
   const DriveSearchProblem& problem_;
   DriveSearchResult& result_;
   std::vector<std::array<int, 2>> stages_;
+  std::vector<int> wheels_;  // number of wheels that may mesh with each pinion
   std::int64_t trials_ = 0;
 };
 
@@ -118,6 +130,7 @@ DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate tr
   for (std::size_t k = 0; k < modules.size(); ++k)
     train.size += modules[k] * (train.stages[k][0] + train.stages[k][1]) / 2;
   train.size /= std::cos(Angle::degrees(problem.base.helix_deg.all.value_or(0.0)).rad());
+  train.mass = estimated_mass(problem, train);
   return train;
 }
 

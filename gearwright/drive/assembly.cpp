@@ -118,7 +118,7 @@ std::string counts_that_assemble(long long places, long long count) {
 Result<std::vector<Rational>> given_places(const std::vector<double>& degrees, long long places,
                                            int count) {
   if (degrees.size() != static_cast<std::size_t>(count))
-    return Error{"drive.positions", std::to_string(degrees.size()),
+    return Error{"drive.positions", fmt::format("{} angles", degrees.size()),
                  fmt::format("must contain one angle for each of the {} planets", count)};
   std::vector<Rational> turns;
   for (const double given : degrees) {

@@ -43,10 +43,6 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
     return wrong(fmt::format("both gears are on body {}, but a mesh needs gears on two bodies",
                              graph.body(a).name));
   if (a.rack) return wrong("names the rack first; the pinion must come first");
-  if (b.rack && mesh.backlash)
-    return refused("drive.mesh.backlash", *mesh.backlash,
-                   "is not available for a rack; give the centre distance of the mesh or a "
-                   "thickness allowance of the pinion");
   if (a.is_ring() && b.factor() < 0)
     return wrong(
         "neither gear is external, but a ring or a rack can mesh only with an external gear");

@@ -285,7 +285,7 @@ TEST(DriveLayout, ACoaxialTrainClosesByItself) {
     open.back().pair.coaxial = true;
     const auto made = train_of(open);
     ASSERT_FALSE(made);
-    EXPECT_EQ(made.error().field, "drive.angle");
+    EXPECT_EQ(made.error().field, "stage[" + std::to_string(open.size()) + "].angle");
     EXPECT_NE(made.error().rule.find(words), std::string::npos) << made.error().rule;
   }
 }

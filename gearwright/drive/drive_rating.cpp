@@ -122,8 +122,11 @@ Result<std::vector<std::optional<MeshRating>>> rate_meshes(const Drive& drive,
     if (!one) return of_mesh(one.error());
     if (!two) return of_mesh(two.error());
     made.rating = joined(std::move(one).take(), *two);
-    if (load.factor_origin && drive.graph.copies(drive.graph.meshes[m]) > 1)
-      made.rating.K_gamma.branch = load.factor_origin;
+    if (drive.graph.copies(drive.graph.meshes[m]) > 1) {
+      if (load.factor_origin) made.rating.K_gamma.branch = load.factor_origin;
+      if (!load.factor_origin && made.input.mesh_load_factor == 1.0)
+        made.rating.K_gamma.branch = "planets that carry equal loads";
+    }
     made.engagements = {use[0].engagements, use[1].engagements};
     ratings[m] = std::move(made);
   }

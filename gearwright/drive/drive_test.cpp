@@ -418,6 +418,15 @@ TEST(Drive, BacklashOfARackIsTheTravelBetweenItsFlanks) {
     EXPECT_GT(rack.circumferential_backlash(), 0.03);
     EXPECT_NEAR(rack_drives ? play.output : play.input, at_wheel, 1e-13);
     EXPECT_NEAR(lever * (rack_drives ? play.input : play.output), travel, 1e-13);
+
+    // With a given backlash, pinion and rack get half of the thinning each.
+    graph.meshes[1].backlash = 0.15;
+    const auto thinned = make_drive({graph, {}});
+    ASSERT_TRUE(thinned) << thinned.error().message();
+    const RackPair& play_rack = *thinned->geometry.racks[1];
+    EXPECT_NEAR(play_rack.normal_backlash(), 0.15, 1e-12);
+    EXPECT_NEAR(play_rack.rack.bar.thickness_allowance, -0.075, 1e-12);
+    EXPECT_NEAR(play_rack.pinion.spec.thickness_allowance, -0.075, 1e-12);
   }
 }
 

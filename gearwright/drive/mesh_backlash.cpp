@@ -18,20 +18,26 @@ struct MeshThinning {
   double thinning;  // t  mm
 };
 
+double& allowance(DriveGear& gear) {
+  return gear.rack ? gear.rack->thickness_allowance : gear.spec->thickness_allowance;
+}
+
 // The t with which the mesh has its required backlash. None if no backlash is required or if the
 // gears are not mounted. For circular arcs, dt/dj_n differs slightly from 1.
-std::optional<MeshThinning> needed_thinning(const DriveGraph& graph, const DriveGeometry& made,
+std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeometry& made,
                                             std::size_t m) {
   const auto& wanted = graph.meshes[m].backlash;
-  const auto now = made.pairs[m] ? backlash_of(*made.pairs[m]) : std::nullopt;
+  std::optional<double> now;
+  if (const auto& rack = made.racks[m]) now = rack->normal_backlash();
+  if (const auto& pair = made.pairs[m])
+    if (const auto backlash = backlash_of(*pair)) now = backlash->normal;
   if (!wanted || !now) return std::nullopt;
   double per_backlash = 1.0;  // dt/dj_n = cos α_wn/cos α_n
   if (const ParallelPair* pair = made.involutes(m))
     per_backlash = pair->mesh.rack.angles.cos_alpha /
                    std::cos(pair->gears[0].spec.normal_pressure_angle.rad());
-  double thinning = (*wanted - now->normal) * per_backlash;
-  for (const std::size_t g : graph.meshes[m].gears)
-    thinning -= graph.gears[g].spec->thickness_allowance;
+  double thinning = (*wanted - *now) * per_backlash;
+  for (const std::size_t g : graph.meshes[m].gears) thinning -= allowance(graph.gears[g]);
   return MeshThinning{m, thinning};
 }
 
@@ -76,9 +82,9 @@ DriveGraph with_backlash(DriveGraph graph) {
     change = 0.0;
     for (std::size_t g = 0; g < thinning.size(); ++g) {
       if (!thinning[g]) continue;
-      double& allowance = graph.gears[g].spec->thickness_allowance;
-      change = std::max(change, std::abs(-*thinning[g] - allowance));
-      allowance = -*thinning[g];
+      double& own = allowance(graph.gears[g]);
+      change = std::max(change, std::abs(-*thinning[g] - own));
+      own = -*thinning[g];
     }
   }
   return graph;

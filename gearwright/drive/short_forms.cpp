@@ -81,9 +81,6 @@ CylindricalSpec teeth_of(const PlanetarySpec& spec, M member) {
 
 std::optional<Error> check_set(const PlanetarySpec& spec) {
   const auto has = [&](M m) { return spec.z(m).has_value(); };
-  if (!has(M::planet))
-    return absent_input("planetary.planet",
-                        "; a planetary set needs planets, for example planet = 20");
   if (has(M::idler) && !has(M::sun))
     return Error{"planetary.idler", std::to_string(*spec.z(M::idler)),
                  "needs a sun, because an idler is between the sun and the planet"};
@@ -123,6 +120,33 @@ std::optional<Error> find_bodies(const DriveGraph& graph, const std::vector<std:
     bodies.push_back(*body);
   }
   return std::nullopt;
+}
+
+// Gives a set of a sun and a ring a planet that fits between them: z_p = (|z_r| − z_s)/2.
+std::optional<Error> add_planet(PlanetarySpec& spec) {
+  if (spec.z(M::planet)) return std::nullopt;
+  const char* const kField = "planetary.planet";
+  const auto has = [&](M m) { return spec.z(m).has_value(); };
+  if (!has(M::sun) || *spec.z(M::sun) < 1 || !has(M::ring) || has(M::sun2) || has(M::ring2) ||
+      has(M::idler) || has(M::planet2))
+    return absent_input(kField, "; a planetary set needs planets, for example planet = 20");
+  const int sun = *spec.z(M::sun), ring = std::abs(*spec.z(M::ring)), both = ring - sun;
+  if (both >= 2 && both % 2 == 0) {
+    spec.z(M::planet) = both / 2;
+    return std::nullopt;
+  }
+  if (both < 3)
+    return refused(
+        "planetary.ring", ring,
+        fmt::format("must have at least {} teeth, because the planets are between it and "
+                    "the sun = {}",
+                    sun + 2, sun));
+  return absent_input(
+      kField,
+      fmt::format("; it is (ring − sun)/2 only if this is whole, but (ring − sun)/2 = {}. "
+                  "Give planet = {} or {}, whose profile shifts then follow from the common "
+                  "centre distance, or ring = {} or {}",
+                  both / 2.0, both / 2, both / 2 + 1, ring - 1, ring + 1));
 }
 
 // Sets the fixed bodies, the inputs and the output of the graph. The values that are not given
@@ -222,8 +246,8 @@ struct Side {
 // the axis of the input.
 std::optional<Error> close_train(DriveInput& train) {
   constexpr double kCloses = 1e-6;  // mm; far below the play of any bearing
-  const auto fails = [](const std::string& rule) {
-    return Error{"drive.angle", "\"coaxial\"", rule};
+  const auto fails = [&train](const std::string& rule) {
+    return Error{fmt::format("stage[{}].angle", train.stages.size()), "\"coaxial\"", rule};
   };
   if (auto error = check_graph(train.graph)) return error;
   const DriveGeometry geometry = drive_geometry(train.graph);
@@ -285,11 +309,6 @@ std::optional<Error> close_train(DriveInput& train) {
 
 }  // namespace
 
-const char* to_string(SetMember member) {
-  constexpr const char* kNames[] = {"sun", "sun2", "idler", "planet", "planet2", "ring", "ring2"};
-  return kNames[static_cast<std::size_t>(member)];
-}
-
 double mean_allowance(const std::string& series, double reference_diameter) {
   const auto ends = thickness_allowances(series, reference_diameter);
   return ends ? ((*ends)[0] + (*ends)[1]) / 2 : 0.0;
@@ -317,29 +336,6 @@ void PairStage::set_allowances(const std::string& series) {
   }
 }
 
-std::vector<std::string> set_member_names() {
-  std::vector<std::string> names;
-  for (const SetMember member : kMembers) names.emplace_back(to_string(member));
-  return names;
-}
-
-void PerMember::set(const std::string& member, double number) {
-  const std::vector<std::string> known = names();
-  const auto it = std::find(known.begin(), known.end(), member);
-  GW_EXPECTS(it != known.end());
-  each[static_cast<std::size_t>(it - known.begin())] = number;
-}
-
-std::vector<std::string> PerMesh::names() {
-  return {"sun_planet", "sun_idler", "idler_planet", "sun2_planet", "planet_ring", "planet_ring2"};
-}
-
-std::optional<double> PerMesh::of(const std::string& mesh) const {
-  for (const auto& [name, value] : each)
-    if (name == mesh) return value;
-  return all;
-}
-
 Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
                               const std::string& field) {
   std::vector<std::string> known;
@@ -351,7 +347,9 @@ Result<std::size_t> find_body(const DriveGraph& graph, const std::string& name,
                fmt::format("there is no such body; the bodies are {}", fmt::join(known, ", "))};
 }
 
-Result<DriveGraph> graph_of(const PlanetarySpec& spec) {
+Result<DriveGraph> graph_of(const PlanetarySpec& given) {
+  PlanetarySpec spec = given;
+  if (auto error = add_planet(spec)) return *error;
   if (auto error = check_set(spec)) return *error;
   DriveGraph graph;
   std::array<std::size_t, kSetMembers> gear_of{};

@@ -217,18 +217,19 @@ namespace {
 // The tables of a drive's spec that also apply to each of its meshes.
 constexpr const char* kShared[] = {"errors", "contact", "drawing", "scatter"};
 
-// The series of DIN 3967 whose mean allowance a gear has; empty if there is none.
-std::string series_of(const Json& tables, const CylindricalSpec& gear) {
+// The series of DIN 3967 whose mean allowance a gear has; empty if there is none. `name` is the name
+// of the gear in the graph, "s2_gear1" for a gear of stage 2.
+std::string series_of(const Json& tables, const std::string& name, const CylindricalSpec& gear) {
   std::vector<const Json*> forms;
-  const auto add = [&](const Json& table, const char* name) {
-    if (table.contains(name) && table[name].is_object()) forms.push_back(&table[name]);
+  const auto add = [&](const Json& table, const char* key) {
+    if (table.contains(key) && table[key].is_object()) forms.push_back(&table[key]);
   };
   add(tables, "planetary");
-  if (tables.contains("stage"))
-    for (const Json& stage : tables["stage"]) {
-      forms.push_back(&stage);
-      add(stage, "planetary");
-    }
+  for (std::size_t k = 0; tables.contains("stage") && k < tables["stage"].size(); ++k) {
+    if (!name.starts_with(fmt::format("s{}_", k + 1))) continue;
+    forms.push_back(&tables["stage"][k]);
+    add(tables["stage"][k], "planetary");
+  }
   const double diameter =
       gear.normal_module * std::abs(gear.teeth) / std::cos(gear.helix_angle.rad());
   for (const Json* form : forms) {
@@ -244,10 +245,11 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   Json table = expanded["drive"]["gear"][gear];
   table.erase("name");
   table.erase("body");
-  if (job.drive.graph.gears[gear].rack) {  // the teeth are in the table of its pinion
-    Json bar = Json::object();
+  if (const auto& rack = job.drive.graph.gears[gear].rack) {
+    Json bar = Json::object();  // the teeth are in the table of its pinion
     for (const auto& [key, value] : table.items())
       if (rack_bar_keys().find(key)) bar[key] = value;
+    if (rack->thickness_allowance != 0.0) bar["thickness_allowance_mm"] = rack->thickness_allowance;
     return bar;
   }
   // The addition replaces −0 by 0.
@@ -257,9 +259,10 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   const auto& given = job.spec.drive->graph.gears[gear].spec;
   if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
     table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
-  // An allowance that is the mean of a series is replaced by the name of the series, so that the
-  // drawing has the limits of the series.
-  const std::string series = solved ? series_of(job.spec.tree->tables, solved->spec) : "";
+  // The mean of a series becomes the series again, so that the drawing has its limits.
+  const std::string series =
+      solved ? series_of(job.spec.tree->tables, job.drive.graph.gears[gear].name, solved->spec)
+             : "";
   if (!series.empty()) {
     table.erase("thickness_allowance_mm");
     table["tolerance"]["thickness_series"] = series;

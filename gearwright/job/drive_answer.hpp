@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gearwright/design/drive_search.hpp"
+#include "gearwright/arrange/drive_designs.hpp"
 #include "gearwright/drive/drive.hpp"
 #include "gearwright/job/drive_job.hpp"
 #include "gearwright/job/verbs.hpp"
@@ -27,7 +27,7 @@ Result<Answer> answer_drive(const JobSpec& spec, Progress* progress = nullptr);
 ///           rate_meshes() and material_of()
 Result<Answer> answer_drive_rating(const JobSpec& spec, Progress* progress = nullptr);
 
-inline constexpr std::size_t kDefaultDrives = 100;
+inline constexpr std::size_t kDefaultDrives = kRankedDrives;
 
 bool searches_drives(const JobSpec& spec);
 

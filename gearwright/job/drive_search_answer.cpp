@@ -65,6 +65,9 @@ std::string advice(const FoundDrives& f) {
     case DriveFault::sliding:
       return "No drive has a specific sliding below sliding_max. Try greater numbers of teeth, or "
              "give profile_shift.";
+    case DriveFault::overlap:
+      return "No drive has the overlap ratio overlap_ratio_min. Try a greater helix_angle_deg or a "
+             "greater face_width_mm.";
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
@@ -91,11 +94,14 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
       text += fmt::format("  ruled out by {}: {}\n", kWords[i], f.result.rejected[i]);
   if (designs.computed > 0)
     text += fmt::format("The teeth of {} sets were computed, and {} of these sets can be used.\n",
-                        designs.computed, designs.list.size());
+                        designs.computed, designs.green);
   constexpr const char* kFaults[] = {
       "teeth that cannot be made or mounted",
       "planets that are too close to each other with their profile shifts",
-      "the greatest specific sliding", "the safeties", "the verdict"};
+      "the greatest specific sliding",
+      "the least overlap ratio",
+      "the safeties",
+      "the verdict"};
   for (std::size_t i = 0; i < std::size(kFaults); ++i)
     if (designs.left_out[i] > 0)
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
@@ -131,11 +137,11 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
     records.push_back(found_drive_quantities().of(designs.list[i]));
   }
   std::vector<ListingColumn> columns{ranks, teeth};
-  for (ListingColumn& column :
-       listing_columns(units, records,
-                       {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
-                        "efficiency_backward", "noise", "size_mm", "neighbour_clearance_mm",
-                        "safety_flank", "safety_root", "phasing", "profile_shift"}))
+  for (ListingColumn& column : listing_columns(
+           units, records,
+           {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
+            "efficiency_backward", "noise", "size_mm", "mass_kg", "neighbour_clearance_mm",
+            "safety_flank", "safety_root", "phasing", "profile_shift"}))
     columns.push_back(std::move(column));
   text += "\n" + design_listing(columns);
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
@@ -148,16 +154,17 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
 }
 
 std::string drives_csv(const FoundDrives& f, UnitSystem units) {
-  constexpr const char* kColumns[] = {"ratio",        "efficiency",       "efficiency_backward",
-                                      "size_mm",      "normal_module_mm", "face_width_mm",
-                                      "safety_flank", "safety_root",      "noise"};
+  constexpr const char* kColumns[] = {
+      "ratio",         "efficiency",   "efficiency_backward", "size_mm", "normal_module_mm",
+      "face_width_mm", "safety_flank", "safety_root",         "noise",   "mass_kg"};
   std::string out = "teeth,planets,profile_shift";
   for (const char* key : kColumns) out += "," + key_in(units, key);
   out += "\r\n";
   for (const FoundDrive& d : f.designs.list) {
     const Json row = in_units(units, to_json(found_drive_quantities().of(d)));
-    out += fmt::format("{},{},{}", csv_cell(Value(teeth_text(d.candidate))), d.candidate.planets,
-                       shifts_text(d));
+    out += csv_cell(Value(teeth_text(d.candidate))) + ",";
+    if (d.candidate.stages.empty()) out += std::to_string(d.candidate.planets);
+    out += "," + shifts_text(d);
     for (const char* key : kColumns) {
       const Json& value = row[key_in(units, key)];
       out += "," + (value.is_null() ? "" : json_text(value));
@@ -165,6 +172,25 @@ std::string drives_csv(const FoundDrives& f, UnitSystem units) {
     out += "\r\n";
   }
   return out;
+}
+
+// Sets the densities of the gears if the search needs them.
+std::optional<Error> set_densities(const JobSpec& spec, DriveSearchProblem& problem) {
+  if (!problem.asks(DriveObjective::mass)) return std::nullopt;
+  const auto materials = drive_materials(spec.tree->tables);
+  const bool train = problem.kind == DriveKind::train;
+  for (const SetMember member : train ? std::vector{SetMember::sun} : members_of(problem)) {
+    const auto own = materials.find(train ? "s1_gear1" : to_string(member));
+    if (own == materials.end() && !spec.rating.material) continue;
+    const auto density = density_of(own != materials.end() ? own->second : *spec.rating.material);
+    if (!density)
+      return absent_input(fmt::format("{}.material.density_kg_per_m3",
+                                      own != materials.end() ? "search" : "rating"),
+                          fmt::format("; the mass of a plastic gear ({}) needs its density",
+                                      train ? "of the train" : to_string(member)));
+    problem.density[static_cast<std::size_t>(member)] = *density;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -181,9 +207,9 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
                        default_face_step(spec.units())};
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
-  // If a search rates trains and chooses their profile shifts, it limits the specific sliding in
-  // the same way as a search for rated pairs. Planetary sets have no such limit, because no profile
-  // shifts of a small set satisfy it.
+  if (auto error = set_densities(spec, problem)) return *error;
+  // Rated trains whose shifts the search chooses have the same limit as rated pairs. In small
+  // planetary sets, no shifts satisfy it.
   const PerMember& shift = problem.base.profile_shift;
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())

@@ -37,7 +37,7 @@ Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const Dr
   if (train) {
     for (std::size_t k = 0; k < c.stages.size(); ++k) {
       Json stage = shared;
-      for (const char* key : {"speed_rpm", "torque_Nm"})
+      for (const char* key : {"speed_rpm", "torque_Nm", "power_kW"})
         if (k > 0) stage.erase(key);
       stage["teeth"] = c.stages[k];
       if (!problem.modules.empty()) stage["normal_module_mm"] = c.stage_module(k);

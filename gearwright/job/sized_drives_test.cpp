@@ -86,6 +86,36 @@ TEST(SizedDrives, EveryMeshOfASetHasItsLeastWidth) {
   }
 }
 
+// A sun drives a planet that meshes with two rings (3K). The planet spans both rings, and each mesh has
+// its least width: with one millimetre less, the mesh of the ring or of the sun lacks a safety.
+TEST(SizedDrives, ThePlanetOfTwoRingsSpansTheirLeastWidths) {
+  const Answer answer = sized_search(
+      "kind = \"wolfrom\"\nratio = [-95, 95]\nsun_teeth = [14, 16]\nplanet_teeth = [18, 19]\n"
+      "normal_module_mm = [4, 5]\nface_width_mm = [8, 90]\nobjective = \"size\"\n");
+  const Json& designs = answer.record["search"]["designs"];
+  ASSERT_GE(designs.size(), 2u);
+  for (std::size_t i = 0; i < std::min<std::size_t>(designs.size(), 3); ++i) {
+    Json taken = answer.specs[i];
+    Json& widths = taken["planetary"]["face_width_mm"];
+    const Json chosen = widths;
+    EXPECT_EQ(designs[i]["face_widths_mm"], chosen);
+    EXPECT_EQ(chosen["planet"].get<double>(), chosen["ring"].get<double>() +
+                                                  chosen["ring2"].get<double>() +
+                                                  2 * designs[i]["normal_module_mm"].get<double>());
+    const Answer rated = sized_rating(taken);
+    EXPECT_EQ(rated.verdict->level, Level::green) << rated.verdict->headline;
+    EXPECT_EQ(weak_meshes(rated), std::vector<std::string>());
+    for (const char* central : {"sun", "ring", "ring2"}) {
+      if (chosen[central] <= 8) continue;
+      widths = chosen;
+      widths[central] = chosen[central].get<double>() - 1;
+      const auto weak = weak_meshes(sized_rating(taken));
+      ASSERT_FALSE(weak.empty()) << i << central;
+      EXPECT_NE(weak.front().find(central), std::string::npos);
+    }
+  }
+}
+
 // Oracle: all pairs of widths of the two stages are rated, and the narrowest train with the required
 // safeties has the widths of the search.
 TEST(SizedDrives, ATrainIsTheNarrowestOfAllWidths) {

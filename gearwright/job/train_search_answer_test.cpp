@@ -187,10 +187,7 @@ TEST(TrainSearchAnswerTest, AStageHasItsLeastModuleBesideAStageWithTheGreatestOn
   }
 }
 
-// Law (5). If each stage has its own module, the trains are sorted by their estimated sizes, so
-// more than two are computed for the list of two, and some of these are on the front. If all
-// stages have one module, only two are computed for the list, and the rest of the front is computed
-// afterwards.
+// Law (5).
 TEST(TrainSearchAnswerTest, AShortListContainsTheParetoFront) {
   StageSearch search(
       "objective = [\"size\", \"ratio\"]\nnormal_module_mm = [1.5, 2, 2.5, 3, 4, 5]\n"

@@ -43,9 +43,10 @@ namespace {
 // stage.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
-  for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
-                          "face_width_mm", "center_distance_mm", "mesh_efficiency", "bore_mm",
-                          "friction_coefficient", "speed_rpm", "torque_Nm", "material"}) {
+  for (const char* key :
+       {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
+        "center_distance_mm", "mesh_efficiency", "bore_mm", "friction_coefficient", "speed_rpm",
+        "torque_Nm", "power_kW", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
   constexpr std::array kPlay{"thickness_allowance_mm", "thickness_series", "backlash_mm"};

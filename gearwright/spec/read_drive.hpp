@@ -59,6 +59,10 @@ void refuse_in_drive(const Json& node, const std::string& path);
 /// Rejects a double-helical gear without a face width.
 void need_whole_face(const GearInput& gear, const std::string& path);
 
+/// Sets the number of whole teeth that fit into the length of a rack, if the table `t` gives it. The
+/// transverse pitch is none if it is not known.
+void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar);
+
 /// The graph of the table [drive]. File names of its gears are relative to `folder`.
 DriveGraph read_graph(const Json& node, const std::filesystem::path& folder);
 

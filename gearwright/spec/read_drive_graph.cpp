@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -68,8 +69,9 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   if (own.word("form").value_or("gear") == "rack") gear.rack = read_bar(node, path);
   if (!gear.rack && !own.has("teeth"))
     own.fail_absent("teeth", "; give the number of teeth, which is negative for a ring");
-  if (!gear.rack)
-    own.refuse("height_mm", "is a key of a rack; add form = \"rack\" if the gear is a rack");
+  for (const char* key : {"height_mm", "length_mm"})
+    if (!gear.rack)
+      own.refuse(key, "is a key of a rack; add form = \"rack\" if the gear is a rack");
   own.refuse_unknown();
   for (const auto& [key, value] : node.items())
     if (gear.rack && key != "name" && key != "body" && !rack_bar_keys().find(key))
@@ -133,7 +135,31 @@ void set_rack_loads(TableReader& t, const GraphInput& in, DriveGraph& graph) {
   if (in.force_N) graph.torque_Nm = *in.force_N * *pitch / kMmPerM / (2 * std::numbers::pi);
 }
 
+void set_rack_lengths(TableReader& t, DriveGraph& graph) {
+  std::size_t g = 0;
+  for (const auto& [path, node] : t.tables("gear")) {
+    DriveGear& gear = graph.gears[g++];
+    TableReader own(drive_gear_keys(), *node, path);
+    if (gear.rack) set_rack_length(own, rack_pitch(graph, gear.body), *gear.rack);
+  }
+}
+
 }  // namespace
+
+void set_rack_length(TableReader& t, std::optional<double> pitch, RackBar& bar) {
+  constexpr const char* kKey = "length_mm";
+  const auto length = t.number(kKey);
+  if (!length) return;
+  if (!pitch) t.fail(kKey, "needs the pitch of the rack; give normal_module_mm of its pinion");
+  constexpr double kMost = 100'000;   // teeth
+  constexpr double kRounding = 1e-9;  // pitches, of the product n p_t
+  const double teeth = std::floor(*length / *pitch + kRounding);
+  if (teeth < 1 || teeth > kMost)
+    t.fail(kKey,
+           fmt::format("must be between {} mm and {} mm, the lengths of 1 and of 100 000 teeth",
+                       format_number(*pitch), format_number(kMost * *pitch)));
+  bar.teeth = static_cast<int>(teeth);
+}
 
 void refuse_in_drive(const Json& node, const std::string& path) {
   const auto refuse = [&](const std::string& key, const char* why) {
@@ -157,12 +183,16 @@ void need_whole_face(const GearInput& gear, const std::string& path) {
 
 DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   TableReader t(drive_keys(), node, "drive");
+  for (const auto& [path, gear] : t.tables("gear"))
+    if (is_rack(*gear) && gear->value("body", Json()) == node.value("input", Json()))
+      t.refuse("power_kW", "applies to a body that turns, but the input is a rack; give force_N");
   GraphInput in;
   t.read(in);
   DriveGraph graph = in.graph;
   const std::vector<std::string> bodies = add_bodies(in, graph);
   read_gears(t, graph, bodies, folder);
   add_meshes(in, graph);
+  set_rack_lengths(t, graph);
   const auto places = [&](const char* key, const std::vector<std::string>& names) {
     std::vector<std::size_t> list;
     for (const std::string& name : names)

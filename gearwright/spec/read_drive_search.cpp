@@ -70,9 +70,11 @@ DriveSearchProblem read_drive_search(const Json& search) {
   if (p.modules.empty() && p.size_max < kInfinity)
     t.fail("size_max_mm",
            "needs normal_module_mm, because without a module all sizes are in modules");
-  if (p.modules.empty() && t.given("sliding_max"))
-    t.fail("sliding_max", "needs normal_module_mm, because without a module no teeth are computed");
-  for (const char* key : {"thickness_series", "backlash_mm"})
+  if (p.modules.empty() && p.asks(DriveObjective::mass))
+    t.fail("objective",
+           "contains mass, which needs normal_module_mm, because without a module all sizes are in "
+           "modules");
+  for (const char* key : {"sliding_max", "overlap_ratio_min", "thickness_series", "backlash_mm"})
     if (p.modules.empty() && search.contains(key))
       t.fail(key, "needs normal_module_mm, because without a module no teeth are computed");
   if (!search.contains("spacing")) p.base.spacing = Spacing::equal;

@@ -66,6 +66,59 @@ TEST(ReadForms, a_number_for_each_input_and_one_torque) {
             "planetary.fixed = 3: must be the name of a body, or a list of names");
 }
 
+// The torque of a power is P/ω. The oracle is P n = T n² 2π/60 for 11 kW and 1450/min.
+TEST(ReadForms, a_power_gives_the_torque) {
+  constexpr double kTorque = 11e3 * 60 / (2 * 3.14159265358979323846 * 1450);
+  const std::string power = "speed_rpm = 1450\npower_kW = 11\n";
+  const std::string second = "[[stage]]\nteeth = [17, 61]\n";
+  for (const std::string& spec :
+       {kSet + power, kStage + power, "[[stage]]\nplanetary = { sun = 20, ring = 80 }\n" + power,
+        "[drive]\ninput = \"a\"\noutput = \"b\"\n" + power +
+            "[[drive.body]]\nname = \"a\"\n[[drive.body]]\nname = \"b\"\n"
+            "[[drive.gear]]\nname = \"one\"\nbody = \"a\"\nteeth = 20\n"
+            "[[drive.gear]]\nname = \"two\"\nbody = \"b\"\nteeth = 40\n"
+            "[[drive.mesh]]\ngears = [\"one\", \"two\"]\n"})
+    EXPECT_NEAR(read_form(spec).drive->graph.torque_Nm.value(), kTorque, 1e-12) << spec;
+  EXPECT_EQ(read_form(kSet + "speed_rpm = -1450\npower_kW = 11\n").drive->graph.torque_Nm,
+            -*read_form(kSet + power).drive->graph.torque_Nm);
+  const std::string needs =
+      "power_kW = 11: needs the speed of the input, which must not be 0; give speed_rpm, or give "
+      "torque_Nm in place of the power";
+  EXPECT_EQ(refused_form(kSet + "power_kW = 11\n"), "planetary." + needs);
+  EXPECT_EQ(refused_form(kSet + "power_kW = 11\nspeed_rpm = 0\n"), "planetary." + needs);
+  EXPECT_EQ(refused_form(kStage + "power_kW = 11\n" + second), "stage[1]." + needs);
+  EXPECT_NE(refused_form(kSet + power + "torque_Nm = 72\n").find("power_kW"), std::string::npos);
+  EXPECT_TRUE(refused_form(kStage + second + power)
+                  .starts_with("stage.speed_rpm = 1450: must not be given for stage 2"));
+}
+
+TEST(ReadForms, a_planet_follows_from_sun_and_ring) {
+  const auto planet = [](const std::string& keys) {
+    return read_form("[planetary]\n" + keys).drive->graph.gears[1].teeth;
+  };
+  EXPECT_EQ(planet("sun = 20\nring = 80\n"), 30);
+  EXPECT_EQ(planet("sun = 19\nring = -57\n"), 19);
+  EXPECT_EQ(planet("sun = 20\nplanet = 29\nring = 80\n"), 29);
+  EXPECT_EQ(
+      refused_form("[planetary]\nsun = 20\nring = 79\n"),
+      "planetary.planet: is missing; it is (ring − sun)/2 only if this is whole, but (ring − "
+      "sun)/2 = 29.5. Give planet = 29 or 30, whose profile shifts then follow from the common "
+      "centre distance, or ring = 78 or 80");
+  EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 21\n"),
+            "planetary.ring = 21: must have at least 22 teeth, because the planets are between it "
+            "and the sun = 20");
+  EXPECT_NE(refused_form("[planetary]\nsun = 20\nring2 = 80\n").find("planet = 20"),
+            std::string::npos);
+}
+
+TEST(ReadForms, a_coaxial_output_names_its_stage) {
+  const std::string stages =
+      "[[stage]]\nteeth = [20, 60]\nnormal_module_mm = 2\n[[stage]]\n"
+      "teeth = [20, 61]\nnormal_module_mm = 2\nangle_deg = \"coaxial\"\n";
+  EXPECT_TRUE(refused_form(stages).starts_with("stage[2].angle_deg = \"coaxial\": is impossible"))
+      << refused_form(stages);
+}
+
 TEST(ReadForms, a_range_or_a_table_with_a_distribution) {
   const JobSpec spec = read_form(kScatter +
                                  "crossing_deg = [-0.1, 0.2]\naxial_mm = { range = [-1, 1], "

@@ -1,10 +1,12 @@
 #include "gearwright/spec/spec.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/number_text.hpp"
@@ -194,27 +196,32 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] or [drive])"}};
 }
 
-// Reads a rack as gear 2. [pair] may then contain only the centre distance, the speed and the
-// friction.
-RackBar read_rack_bar(const Json& rack, const Json& tree) {
+// Reads a rack as gear 2. [pair] may then contain only the keys that apply to a rack.
+RackBar read_rack_bar(const Json& rack, const Json& tree, const std::optional<GearInput>& pinion) {
   TableReader t(rack_bar_keys(), rack, "gear2");
   for (const auto& [key, value] : rack.items())
     if (gear_keys().find(key) && !rack_bar_keys().find(key)) t.fail(key, std::string(kNotOfRack));
   RackBar bar;
   t.read(bar);
+  if (pinion) {
+    const CylindricalSpec& teeth = pinion->cylindrical;
+    set_rack_length(t, std::numbers::pi * teeth.normal_module / std::cos(teeth.helix_angle.rad()),
+                    bar);
+  }
   t.finish();
   const auto pair = tree.find("pair");
   if (pair == tree.end() || !pair->is_object()) return bar;
-  constexpr std::array kOfRacks{"center_distance_mm", "speed_rpm", "friction_coefficient"};
+  constexpr std::array kOfRacks{
+      "center_distance_mm",          "speed_rpm",    "friction_coefficient", "backlash_mm",
+      "backlash_circumferential_mm", "backlash_deg", "backlash_split"};
   for (const auto& [key, value] : pair->items()) {
     if (std::find(kOfRacks.begin(), kOfRacks.end(), key) != kOfRacks.end() ||
         !pair_keys().find(key))
       continue;
     throw SpecError{
         {"pair." + key, shown(value),
-         "does not apply to a rack and pinion, for which only center_distance_mm, speed_rpm and "
-         "friction_coefficient are allowed. The centre distance and the thickness allowances "
-         "determine the backlash"}};
+         fmt::format("does not apply to a rack and pinion, for which only {} are allowed",
+                     fmt::join(kOfRacks, ", "))}};
   }
   return bar;
 }
@@ -226,7 +233,10 @@ void refuse_halves(const Json* gear, const std::string& path, const Json& tree) 
   if (tree.contains("search") || tree.contains("fit") || is_unknown_gear(*gear))
     t.fail("double_helical", "is not supported in a search, a fit or an identification");
   if (is_rack(tree.value("gear2", Json::object())))
-    t.fail("double_helical", "does not apply to the pinion of a rack");
+    t.fail("double_helical",
+           "is not supported for the pinion of a rack; give the gears of one half, with the face "
+           "width of the half. The other half has the same numbers with the opposite hand, and the "
+           "halves share the force on the rack");
 }
 
 // Checks the modifications in the table of a gear without teeth. The designs of a search have these
@@ -279,7 +289,8 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
     lacks.of([&] { spec.gears[0] = read_gear(gear_keys(), *gear_1, "gear1", gear_2, folder); });
   if (is_gear(gear_2))
     lacks.of([&] { spec.gears[1] = read_gear(gear_keys(), *gear_2, "gear2", gear_1, folder); });
-  if (gear_2 && is_rack(*gear_2)) lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree); });
+  if (gear_2 && is_rack(*gear_2))
+    lacks.of([&] { spec.rack = read_rack_bar(*gear_2, tree, spec.gears[0]); });
   refuse_halves(gear_1, "gear1", tree);
   refuse_halves(gear_2, "gear2", tree);
   if (lacks.has("gear1.normal_module_mm")) lacks.explain(missing_module(tree));

@@ -110,7 +110,12 @@ class ARack(unittest.TestCase):
                  "gear2.thickness_allowance_mm", "closes at the root"),
                 ("export --gear 2 --drawing rack.pdf", "teeth = 9\nheight_mm = 9\n", "gear2.form", "--dxf"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
-                ("pair", "[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm", "thickness allowances"),
+                ("pair", "[pair]\nshaft_angle_deg = 0\n", "pair.shaft_angle_deg", "backlash_mm"),
+                ("pair", "thickness_allowance_mm = -0.1\n[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm",
+                 "gear2.thickness_allowance_mm"),
+                ("pair", "teeth = 9\nlength_mm = 90\n", "length_mm", "teeth"),
+                ("pair", "length_mm = 6.28\n", "gear2.length_mm = 6.28", "between 6.28319 mm", "1 and of 100 000 teeth"),
+                ("pair", "length_mm = 1e8\n", "gear2.length_mm", "628319", "100 000 teeth"),
                 ("pair", "profile_shift = 0.2\n", "gear2.profile_shift", "does not apply to a rack"),
                 ("pair", "tip_relief = 9\n", "gear2.tip_relief", "unknown key"),
                 ("pair", "teeth = 0\n", "gear2.teeth", "1")):
@@ -123,6 +128,44 @@ class ARack(unittest.TestCase):
         r = Run("pair", RACK.replace("teeth = 20", "teeth = -60"))
         self.assertEqual(r.status, 1)
         self.assertIn("gear1.teeth = -60: the pinion of a rack must be an external gear", r.err)
+
+    def test_a_length_gives_the_whole_teeth_that_fit(self):
+        pitch = 2 * math.pi
+        for length, teeth in ((100, 15), (repr(15 * pitch), 15), (15 * pitch - 1e-6, 14), (16 * pitch + 0.01, 16)):
+            answer = json.loads(Run("pair", RACK + f"length_mm = {length}\n", "--json").out)
+            rack, pair = answer["gears"][1], answer["pair"]
+            self.assertEqual(rack["teeth"], teeth)
+            self.assertAlmostEqual(rack["length_mm"], teeth * pitch, 12)
+            self.assertFalse([w for w in answer["warnings"] if "number of teeth of the rack" in w["message"]])
+            # The path of contact from A to E, computed from the tip circle and the tip line, lies between the
+            # ends of the rack at both ends of the usable travel.
+            alpha = math.radians(20)
+            r_b = 20 * math.cos(alpha)
+            recess = math.sqrt(22**2 - r_b**2) - 20 * math.sin(alpha)
+            reach = max(recess, 2 / math.sin(alpha)) * math.cos(alpha)
+            self.assertAlmostEqual(pair["usable_travel_mm"], teeth * pitch - 2 * reach, 9)
+        self.assertEqual(json.loads(Run("pair", RACK + "teeth = 1\n", "--json").out)["pair"]["usable_travel_mm"], 0)
+        self.assertIsNone(json.loads(Run("pair", RACK, "--json").out)["pair"]["usable_travel_mm"])
+        self.assertIn("usable travel", Run("pair", RACK + "length_mm = 100\n").out)
+
+    def test_a_backlash_thins_pinion_and_rack(self):
+        helical = RACK.replace("[gear2]", "helix_angle_deg = 20\nprofile_shift = 0.2\n[gear2]")
+        for where in ("", "center_distance_mm = 21.8\n"):
+            for key, of in (("backlash_mm = 0.12", lambda b, r: b["normal_mm"]),
+                            ("backlash_circumferential_mm = 0.12", lambda b, r: b["circumferential_mm"][0]),
+                            ("backlash_deg = 0.12", lambda b, r: b["rotation_deg"])):
+                answer = json.loads(Run("pair", helical + "[pair]\n" + where + key + "\n", "--json").out)
+                pair, gears = answer["pair"], answer["gears"]
+                self.assertAlmostEqual(of(pair["backlash"], gears), 0.12, 10)
+                # Both teeth have the same thinning, which is measured at the reference circle and the datum line.
+                nominal = math.pi + 2 * 0.2 * 2 * math.tan(math.radians(20))
+                first = gears[0]["reference_tooth_thickness_normal_mm"] - nominal
+                second = gears[1]["reference_tooth_thickness_normal_mm"] - math.pi
+                self.assertAlmostEqual(first, second, 10)
+        split = json.loads(Run("pair", RACK + "[pair]\nbacklash_mm = 0.12\nbacklash_split = 1\n", "--json").out)
+        self.assertAlmostEqual(split["gears"][1]["reference_tooth_thickness_normal_mm"], math.pi, 12)
+        thick = Run("pair", RACK + "[pair]\nbacklash_mm = 0.1\ncenter_distance_mm = 20.5\n")
+        self.assertIn("made thicker by 0.263", " ".join((thick.out + thick.err).split()))
 
     def test_the_section_is_that_of_the_basic_rack(self):
         r = Run("outline", RACK + "teeth = 9\nheight_mm = 12\n", "--gear", "2", "--json")

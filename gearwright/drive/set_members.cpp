@@ -1,0 +1,38 @@
+// The members and meshes of planetary sets by their names.
+#include <algorithm>
+
+#include "gearwright/base/contract.hpp"
+#include "gearwright/drive/short_forms.hpp"
+
+namespace gearwright {
+
+const char* to_string(SetMember member) {
+  constexpr const char* kNames[] = {"sun", "sun2", "idler", "planet", "planet2", "ring", "ring2"};
+  return kNames[static_cast<std::size_t>(member)];
+}
+
+std::vector<std::string> set_member_names() {
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < kSetMembers; ++m)
+    names.emplace_back(to_string(static_cast<SetMember>(m)));
+  return names;
+}
+
+void PerMember::set(const std::string& member, double number) {
+  const std::vector<std::string> known = names();
+  const auto it = std::find(known.begin(), known.end(), member);
+  GW_EXPECTS(it != known.end());
+  each[static_cast<std::size_t>(it - known.begin())] = number;
+}
+
+std::vector<std::string> PerMesh::names() {
+  return {"sun_planet", "sun_idler", "idler_planet", "sun2_planet", "planet_ring", "planet_ring2"};
+}
+
+std::optional<double> PerMesh::of(const std::string& mesh) const {
+  for (const auto& [name, value] : each)
+    if (name == mesh) return value;
+  return all;
+}
+
+}  // namespace gearwright
