@@ -79,6 +79,17 @@ TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
   }
 }
 
+TEST(PairContact, RequestsWithoutPositionsAreErrors) {
+  const auto field = [](const ContactRequest& request) {
+    const auto found = of_a_pair_that_is_gone({}, {.request = request});
+    return found ? std::string() : found.error().field;
+  };
+  EXPECT_EQ(field({.positions = 1}), "contact.positions");
+  EXPECT_EQ(field({.pitches = 0}), "contact.pitches");
+  EXPECT_EQ(field({.marking = 0.0}), "contact.marking");
+  EXPECT_EQ(field({.positions = 2}), "");
+}
+
 TEST(PairContact, asks_for_a_lead_that_can_change) {
   const testing::SamplePair p = testing::involutes(20, 41, 0);
   const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
