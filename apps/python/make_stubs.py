@@ -17,9 +17,10 @@ PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "wor
 
 
 def class_of(table):
-    """Returns the name of the class for a table: _PairBacklash for "pair.backlash"."""
-    words = table.replace(".", " ").replace("_", " ").split()
-    return "_" + "".join(word[0].upper() + word[1:] for word in words)
+    """Returns the name of the class for a table: _PairBacklash for "pair.backlash", _Scatter_Probability for
+    "scatter probability", because there is a table "scatter.probability" too."""
+    parts = [part.replace(".", " ").replace("_", " ").split() for part in table.split(" ")]
+    return "_" + "_".join("".join(word[0].upper() + word[1:] for word in words) for words in parts)
 
 
 def type_of(entry):
