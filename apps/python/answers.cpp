@@ -86,17 +86,21 @@ py::object load_positions_of(const LoadedValue& loaded) {
       .attr("reshape")(torques.size(), all.size() / torques.size());
 }
 
-// Returns one quantity of all positions, converted to mm and rad.
-py::object column(const ContactValue& c, const QuantityInfo& info) {
-  const py::object one = positions_of(c).attr("__getitem__")(info.key);
-  const double unit = house_unit(info.unit);
+// Returns the quantity with this name for all positions, converted to mm and rad. `info` describes
+// it if no position has it.
+py::object column(const ContactValue& c, const std::string& name, const QuantityInfo* info) {
+  for (const Value& position : *quantity(c.record(), "positions").list())
+    if (const Member* found = member_of(*position.record(), name)) info = found->info;
+  const py::object one = positions_of(c).attr("__getitem__")(info->key);
+  const double unit = house_unit(info->unit);
   return unit == 1.0 ? one : one.attr("__mul__")(unit);
 }
 
 std::string repr_of(const ContactValue& c) {
-  return fmt::format("Contact({} positions, peak_to_peak_arcsec={:.4g})",
-                     quantity(c.record(), "positions").list()->size(),
-                     quantity(c.record(), "peak_to_peak_arcsec").number().value_or(kNoNumber));
+  const Member& span = *member_of(c.record(), "peak_to_peak");
+  return fmt::format("Contact({} positions, {}={:.4g})",
+                     quantity(c.record(), "positions").list()->size(), span.info->key,
+                     span.value.number().value_or(kNoNumber));
 }
 
 std::string repr_of(const RatingValue& r) {
@@ -123,8 +127,9 @@ void bind_answer(py::class_<Self>& type, const QuantityTable& table, Self (*of)(
   type.def_property_readonly("pair", [](const Self& s) { return PairValue{s.model}; })
       .def("__repr__", [](const Self& s) { return repr_of(s); });
   for (const QuantityInfo* info : table.list)
-    bind_quantity(type, *info, [info](const Self& s) -> const Value& {
-      return quantity(s.record(), info->key);
+    bind_quantity(type, table, *info, [name = name_of(*info)](const Self& s) -> py::object {
+      const Member* found = member_of(s.record(), name);
+      return found ? by_name(*found->info, found->value) : py::none();
     });
 }
 
@@ -142,18 +147,19 @@ std::pair<Json, std::filesystem::path> spec_and_folder(const py::object& spec) {
     tree["gear1"] = gear.spec();
     return {tree, gear.model->folder};
   }
-  return {spec_with_keys(tree_of(spec, "")), {}};
+  return read_tree(spec);
 }
 
-JobSpec read_spec_of(const py::object& given) {
-  const auto [tree, folder] = spec_and_folder(given);
+JobSpec read_spec_of(const py::object& given, const py::object& own_folder = py::none()) {
+  auto [tree, folder] = spec_and_folder(given);
+  if (const auto other = path_or_none(own_folder, "folder")) folder = *other;
   return value_or_raise(read_spec_tree(tree, folder));
 }
 
-py::object solve_spec(const py::object& given, const std::string& verb) {
+py::object solve_spec(const py::object& given, const std::string& verb, const py::object& folder) {
   if (!verb.empty() && find_verb(verb) == nullptr)
     raise({"verb", verb, "must be one of " + verb_names()});
-  const JobSpec spec = read_spec_of(given);
+  const JobSpec spec = read_spec_of(given, folder);
   return to_python(watched_result(
       spec.given, [&](Progress* progress) { return answer_json(verb, spec, progress); }));
 }
@@ -279,13 +285,14 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return contact_of(p, py::none(), py::none(), {});
   });
   for (const Quantity<ContactPoint>& q : position_quantities().list()) {
-    // The table contains the transmission error twice, as an angle and as the displacement of a
-    // rack, with the same name. The attribute with this name is the angle.
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(
-        name.c_str(), [&info = q.info](const ContactValue& c) { return column(c, info); },
-        (docstring(q.info) + " The array has one value for each position.").c_str());
+        name.c_str(),
+        [name, info = &q.info](const ContactValue& c) { return column(c, name, info); },
+        (docstring(position_quantities().table(), name) +
+         " The array has one value for each position.")
+            .c_str());
   }
   py::class_<RatingValue> rating(m, "Rating", "The strength of a pair by the standard");
   bind_answer<RatingValue>(rating, rating_quantities().table(),
@@ -316,11 +323,16 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
            "Computes the pair under torque. Arguments are keys of [load], for example "
            "torque_Nm=[100, 200], positions, slices; errors and modifications have the form that "
            "contact() accepts. Absent values are taken from the pair's spec");
-  m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "",
+  m.def("solve", &solve_spec, py::arg("spec"), py::arg("verb") = "", py::arg("folder") = py::none(),
         ("Returns the program's JSON answer as a dict. `spec` is a dict with the tables of a spec "
-         "file, a Pair or a Gear; `verb` is one of " +
-         verb_names() + "; the default is pair for two gears")
+         "file, the path of such a file, a Pair or a Gear; `verb` is one of " +
+         verb_names() +
+         "; the default is pair for two gears. Relative file names in a dict start at `folder`")
             .c_str());
+  m.def("_read", [](const py::object& path) {
+    const auto [tree, folder] = read_tree(path);
+    return py::make_tuple(to_python(tree), folder);
+  });
   m.def("fit", &fit, py::arg("spec"),
         "Computes the values that are absent in the gears and in [pair] of the spec and returns a "
         "Record with branches, reason and nearest; load(branch.spec) returns the Pair of a branch");

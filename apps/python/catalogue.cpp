@@ -25,7 +25,7 @@ py::list quantity_list(const QuantityTable& table) {
     one["list"] = info->list;
     one["always"] = info->always && !info->optional_key;
     one["of"] = info->of ? info->of().name : "";
-    one["doc"] = docstring(*info);
+    one["doc"] = docstring(table, name_of(*info));
     list.append(one);
   }
   return list;

@@ -135,11 +135,19 @@ py::object bytes_or_file(const JobFile& file, const std::optional<fs::path>& pat
 
 // Makes one file with these gears. If there are two gears, they are in their mounted positions.
 py::object exported(FileKind kind, const std::vector<int>& gears, const Model& model,
-                    const std::optional<fs::path>& path, double tolerance, bool splines) {
+                    const std::optional<fs::path>& path, std::optional<double> tolerance,
+                    bool splines) {
   FileOptions options;
-  const bool drawn = kind == FileKind::dxf || kind == FileKind::svg;
-  const ToleranceRange& range = drawn ? kDrawingTolerances : kMeshTolerances;
-  options.mesh_tolerance_mm = options.drawing_tolerance_mm = tolerance_in_range(tolerance, range);
+  const bool drawn = kind == FileKind::dxf;
+  if (tolerance && (kind == FileKind::step || kind == FileKind::svg))
+    raise(refused(
+        "tolerance", *tolerance,
+        "has no effect on STEP and SVG files; leave it out, or write STL, 3MF, GLB or DXF"));
+  if (splines && !drawn)
+    raise({"splines", "True", "has an effect on DXF files only; leave it out, or write DXF"});
+  if (tolerance)
+    (drawn ? options.drawing_tolerance_mm : options.mesh_tolerance_mm) =
+        tolerance_in_range(*tolerance, drawn ? kDrawingTolerances : kMeshTolerances);
   options.drawing_splines = splines;
   const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
   std::vector<ToothedBody> bodies;
@@ -175,18 +183,18 @@ py::object drawing(const std::vector<int>& gears, const Model& model,
 struct Export {
   const char* name;
   FileKind kind;
-  double tolerance;  // mm, the default
+  std::optional<double> tolerance;  // mm, the default; none if the file has no tolerance
   const char* doc;
 };
 constexpr Export kExports[] = {
-    {"step", FileKind::step, 0.001, "STEP AP242 solid"},
+    {"step", FileKind::step, {}, "STEP AP242 solid"},
     {"stl", FileKind::stl, 0.005, "Binary STL mesh, within tolerance of the exact surface"},
     {"threemf", FileKind::threemf, 0.005, "3MF mesh, within tolerance of the exact surface"},
     {"glb", FileKind::glb, 0.005, "GLB mesh, within tolerance of the exact surface"},
     {"dxf", FileKind::dxf, 0.001,
      "DXF of the section as arcs within tolerance of the exact outline, or as splines if "
      "splines=True"},
-    {"svg", FileKind::svg, 0.001, "SVG of the section"}};
+    {"svg", FileKind::svg, {}, "SVG of the section"}};
 
 template <class Class>
 void bind_exports(Class& type) {
@@ -194,7 +202,8 @@ void bind_exports(Class& type) {
   for (const Export& e : kExports) {
     type.def(
         e.name,
-        [kind = e.kind](const Self& self, const py::object& path, double tolerance, bool splines) {
+        [kind = e.kind](const Self& self, const py::object& path, std::optional<double> tolerance,
+                        bool splines) {
           return exported(kind, self.gears(), *self.model, path_or_none(path, "path"), tolerance,
                           splines);
         },

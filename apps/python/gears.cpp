@@ -78,15 +78,8 @@ PairValue replaced(const PairValue& pair, const py::kwargs& kwargs) {
 }
 
 py::object load(const py::object& given) {
-  Json spec;
-  fs::path folder;
-  if (is_path(given)) {
-    const SpecText text = value_or_raise(read_spec_text(path_of(given, "spec")));
-    spec = inherit(value_or_raise(parse_spec(text.text, text.format))).tree;
-    folder = text.folder;
-  } else {
-    spec = spec_with_keys(tree_of(given, ""));
-  }
+  auto [spec, folder] = read_tree(given);
+  if (is_path(given)) spec = inherit(spec).tree;
   if (spec.contains("gear2")) return py::cast(pair_value(std::move(spec), folder));
   return py::cast(GearValue{make_model(std::move(spec), folder, Scope::gears), 1});
 }
@@ -101,7 +94,8 @@ template <class Self, class S, class GetValue>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const GetValue& value) {
   for (const Quantity<S>& q : quantities.list())
-    bind_quantity(type, q.info, [&q, value](const Self& self) { return value(self, q); });
+    bind_quantity(type, quantities.table(), q.info,
+                  [&q, value](const Self& self) { return by_name(q.info, value(self, q)); });
 }
 
 // The quantity of a gear. For a double-helical gear, it is the quantity of the whole gear.

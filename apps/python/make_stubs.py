@@ -17,9 +17,10 @@ PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "wor
 
 
 def class_of(table):
-    """Returns the name of the class for a table: _PairBacklash for "pair.backlash"."""
-    words = table.replace(".", " ").replace("_", " ").split()
-    return "_" + "".join(word[0].upper() + word[1:] for word in words)
+    """Returns the name of the class for a table: _PairBacklash for "pair.backlash", _Scatter_Probability for
+    "scatter probability", because there is a table "scatter.probability" too."""
+    parts = [part.replace(".", " ").replace("_", " ").split() for part in table.split(" ")]
+    return "_" + "_".join("".join(word[0].upper() + word[1:] for word in words) for words in parts)
 
 
 def type_of(entry):
@@ -35,8 +36,23 @@ def type_of(entry):
     return text if entry["always"] else f"{text} | None"
 
 
-def attribute(entry):
-    return f'    @property\n    def {entry["name"]}(self) -> {type_of(entry)}:\n        {quoted(entry["doc"])}\n'
+def attributes(entries):
+    """Returns a property for each name. Two keys with the same name in different units have the same docstring."""
+    one_each = {entry["name"]: entry for entry in entries}
+    return "".join(f'    @property\n    def {name}(self) -> {type_of(entry)}:\n        {quoted(entry["doc"])}\n'
+                   for name, entry in one_each.items())
+
+
+def records_of(text, tables):
+    """Returns the classes of the tables that the text or one of these classes uses."""
+    made = {}
+    while True:
+        used = text + "".join(made.values())
+        missing = [name for name in tables if name not in made and re.search(rf"\b{class_of(name)}\b", used)]
+        if not missing:
+            return "".join(made[name] for name in tables if name in made)
+        for name in missing:
+            made[name] = f"class {class_of(name)}(Record):\n" + attributes(tables[name]) + "\n"
 
 
 def keywords(keys):
@@ -94,18 +110,14 @@ def main():
     of_racks = [dict(entry, always=False) for entry in tables["rack_pair"] if entry["name"] not in names]
     for name, entries in (("gear", tables["gear"]), ("pair", tables["pair"] + of_racks), ("contact", contact + columns),
                           ("rating", tables["rating"]), ("loaded", tables["load"])):
-        made[f"{name} attributes"] = "".join(map(attribute, entries))
+        made[f"{name} attributes"] = attributes(entries)
     for name in ("gear", "pair", "compensate", "scatter", "rating", "load", "contact"):
         made[f"{name} keywords"] = keywords(keys[name])
     made["sweep keywords"] = made["pair keywords"].replace("float | None", "ArrayLike")
     for mark, body in made.items():
         text, count = re.subn(rf"^ *# {mark}\n", lambda _, body=body: body, text, flags=re.M)
         assert count, f"core.pyi.in has no {mark}"
-    records = ""
-    for name, entries in tables.items():  # a table is written before the tables of its records
-        if re.search(rf"\b{class_of(name)}\b", text + records):
-            records += f"class {class_of(name)}(Record):\n" + "".join(map(attribute, entries)) + "\n"
-    text = with_docs(text.replace("# records\n", records))
+    text = with_docs(text.replace("# records\n", records_of(text, tables)))
     Path(sys.argv[1], "_core.pyi").write_text(text, encoding="utf-8")
 
 

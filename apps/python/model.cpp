@@ -1,6 +1,6 @@
 #include "apps/python/model.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
@@ -28,9 +28,25 @@ void scale(Json& value, double factor) {
   }
 }
 
-bool has(const std::vector<const KeyTable*>& tables, const std::string& key) {
-  return std::any_of(tables.begin(), tables.end(),
-                     [&](const KeyTable* table) { return table->find(key) != nullptr; });
+const Key* find(const std::vector<const KeyTable*>& tables, const std::string& key) {
+  for (const KeyTable* table : tables)
+    if (const Key* found = table->find(key)) return found;
+  return nullptr;
+}
+
+// Raises SpecError if only the number without conversion is allowed for the key. The caller has
+// probably forgotten the unit, such as helix_angle = 15 for helix_angle_deg = 15.
+void check_unit(const Key& key, const std::string& name, const Json& given, const Json& converted) {
+  if (!given.is_number() || !key.range.limited()) return;
+  const auto x = given.get<double>();
+  if (key.range.contains(converted.get<double>()) || !key.range.contains(x)) return;
+  const bool angle = key.key.ends_with("_deg") || key.key.ends_with("_arcsec");
+  raise(refused(
+      name, x,
+      fmt::format(
+          "is outside the allowed range, because a value without a unit in its key is in {}; use "
+          "{} = {:g} for a value in the unit of that key",
+          angle ? "rad" : "mm", key.key, x)));
 }
 
 std::vector<const KeyTable*> tables_under(const std::vector<const KeyTable*>& tables,
@@ -53,12 +69,14 @@ const NamedUnit* unit_of(std::string_view key) {
 Json with_keys(Json tree, const std::vector<const KeyTable*>& tables, const std::string& path) {
   Json made = Json::object();
   for (auto& [name, value] : tree.items()) {
-    const NamedUnit* unit = has(tables, name) ? std::end(kNamed) : std::begin(kNamed);
-    while (unit != std::end(kNamed) && !has(tables, name + std::string(unit->suffix))) ++unit;
+    const NamedUnit* unit = find(tables, name) ? std::end(kNamed) : std::begin(kNamed);
+    while (unit != std::end(kNamed) && !find(tables, name + std::string(unit->suffix))) ++unit;
     std::string key = name;
     if (unit != std::end(kNamed)) {
       key += unit->suffix;
+      const Json given = value;
       scale(value, unit->per_house);
+      check_unit(*find(tables, key), path.empty() ? name : path + "." + name, given, value);
     }
     const std::string here = path.empty() ? key : path + "." + key;
     if (made.contains(key))
@@ -85,6 +103,12 @@ double units_per_house(const Key& key) {
 
 Json spec_with_keys(Json tree) {
   return tree.is_object() ? with_keys(std::move(tree), {&spec_keys()}) : tree;
+}
+
+std::pair<Json, std::filesystem::path> read_tree(const py::object& given) {
+  if (!is_path(given)) return {spec_with_keys(tree_of(given, "")), {}};
+  const SpecText text = value_or_raise(read_spec_text(path_of(given, "spec")));
+  return {value_or_raise(parse_spec(text.text, text.format)), text.folder};
 }
 
 void change(Json& tree, const Json& changes) {
@@ -117,6 +141,12 @@ const Value& quantity(const ValueRecord& record, std::string_view key) {
   for (const Member& member : record)
     if (member.info->key == key) return member.value;
   return kNothing;
+}
+
+const Member* member_of(const ValueRecord& record, const std::string& name) {
+  for (const Member& member : record)
+    if (name_of(*member.info) == name) return &member;
+  return nullptr;
 }
 
 ModelPtr with_two_gears(ModelPtr model) {

@@ -53,8 +53,16 @@ double units_per_house(const Key& key);
 /// Applies with_keys to all tables of a spec.
 Json spec_with_keys(Json tree);
 
+/// The spec of a TOML or JSON file or of a dict, and the folder in which its relative file names
+/// start. A dict has no folder.   Throws  FileError, SpecError
+std::pair<Json, std::filesystem::path> read_tree(const py::object& given);
+
 /// The quantity with this key, or an empty value if the record does not have this key.
 const Value& quantity(const ValueRecord& record, std::string_view key);
+/// The member of the record that the attribute `name` shows, or null. Two keys of a table can have
+/// the same name, such as the transmission error of a gear as an angle and that of a rack as a
+/// length; a record contains only one of them.
+const Member* member_of(const ValueRecord& record, const std::string& name);
 
 /// Replaces members of `tree` by the members of `changes`, including the members of nested tables.
 /// A null removes a member.
@@ -143,15 +151,14 @@ void bind_verdict(py::class_<Self>& type) {
       "The verdict: level, headline and findings, the worst one first");
 }
 
-/// Adds a quantity as an attribute, unless the type already has an attribute with this name.
-/// get(self) returns its value.
+/// Adds a quantity of the table as an attribute, unless the type already has an attribute with this
+/// name. get(self) returns the value of the attribute.
 template <class Self, class Get>
-void bind_quantity(py::class_<Self>& type, const QuantityInfo& info, const Get& get) {
+void bind_quantity(py::class_<Self>& type, const QuantityTable& table, const QuantityInfo& info,
+                   const Get& get) {
   const std::string name = name_of(info);
   if (py::hasattr(type, name.c_str())) return;
-  type.def_property_readonly(
-      name.c_str(), [&info, get](const Self& s) { return by_name(info, get(s)); },
-      docstring(info).c_str());
+  type.def_property_readonly(name.c_str(), get, docstring(table, name).c_str());
 }
 
 std::pair<py::class_<GearValue>, py::class_<PairValue>> bind_gears(py::module_& m);

@@ -102,16 +102,30 @@ Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::
   return job;
 }
 
+// Returns the array with one more column. It is as wide as its longest text, whose length is known
+// only after the computation.
+py::array with_texts(const py::array& rows, const char* name,
+                     const std::vector<std::string>& texts) {
+  const py::object numpy = py::module_::import("numpy");
+  const py::object column = numpy.attr("array")(py::cast(texts), "U");
+  py::list types = rows.dtype().attr("descr");
+  types.append(py::make_tuple(name, column.attr("dtype").attr("str")));
+  const py::object all = numpy.attr("empty")(texts.size(), types);
+  for (const auto& field : rows.dtype().attr("names")) all[field] = rows[field];
+  all[py::str(name)] = column;
+  return all;
+}
+
 py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
   threads_in_range(threads);
   const std::vector<Swept> keys = swept_keys(kwargs);
   const auto rows = static_cast<std::size_t>(keys.front().numbers.size());
   StructuredArray array(pair_quantities().table());
-  const std::size_t error = array.add("error", "U80");
   array.allocate(rows);
-  const auto refuse = [&](std::size_t r, const Value& why) {
+  std::vector<std::string> errors(rows);
+  const auto refuse = [&](std::size_t r, std::string why) {
     array.fill(r, ValueRecord());
-    array.set(r, error, {&why});
+    errors[r] = std::move(why);
   };
   watched_rows(rows, threads, [&](std::size_t r) {
     try {
@@ -122,7 +136,7 @@ py::array sweep(const PairValue& pair, int threads, const py::kwargs& kwargs) {
       refuse(r, e.what());
     }
   });
-  return array.take();
+  return with_texts(array.take(), "error", errors);
 }
 
 }  // namespace

@@ -108,7 +108,9 @@ double house_unit(Unit unit) {
   }
 }
 
-std::string docstring(const QuantityInfo& info) {
+namespace {
+
+std::string text_of(const QuantityInfo& info) {
   const bool angle = info.unit == Unit::deg || info.unit == Unit::arcsec;
   const std::string unit(angle                        ? "rad"
                          : info.unit == Unit::um      ? "mm"
@@ -120,6 +122,15 @@ std::string docstring(const QuantityInfo& info) {
   text += info.words;
   if (!info.meaning.empty()) text += (info.words.empty() ? "" : ", ") + info.meaning;
   return text + ".";
+}
+
+}  // namespace
+
+std::string docstring(const QuantityTable& table, const std::string& name) {
+  std::string text;
+  for (const QuantityInfo* info : table.list)
+    if (name_of(*info) == name) text += (text.empty() ? "" : " ") + text_of(*info);
+  return text;
 }
 
 py::object to_python(const Json& tree) { return by_key(to_value(tree)); }

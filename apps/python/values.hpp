@@ -25,8 +25,9 @@ namespace py = pybind11;
 std::string name_of(const QuantityInfo& info);
 /// The size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
-/// The text that help() prints for an attribute: "m_n, mm: normal module, as in the spec".
-std::string docstring(const QuantityInfo& info);
+/// The text that help() prints for the attribute `name`: "m_n, mm: normal module, as in the spec".
+/// If several keys of the table have this name, it describes each of them.
+std::string docstring(const QuantityTable& table, const std::string& name);
 
 /// Converts a value to the form that it has in JSON. Null becomes None, lists become lists, and
 /// records become dicts by key.

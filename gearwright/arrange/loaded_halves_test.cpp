@@ -82,6 +82,21 @@ TEST(LoadedHalves, AreHelicalPairsUnderHalfOfTheTorque) {
   EXPECT_NEAR(one.tangent.mean, both.tangent.mean, 1e-12 * both.tangent.mean);
 }
 
+TEST(LoadedHalves, RejectInputsWithoutTorque) {
+  const Sample s = sample(0.0);
+  const auto field = [&](const LoadInput& input) {
+    std::vector<Warning> warnings;
+    const auto found = loaded(s.half, {}, input, warnings);
+    return found ? std::string() : found.error().field;
+  };
+  EXPECT_EQ(field({}), "load.torques");
+  EXPECT_EQ(field(torque(0.0)), "load.torques");
+  EXPECT_EQ(field(torque(-5.0)), "load.torques");
+  LoadInput third = torque(5.0);
+  third.driver = 3;
+  EXPECT_EQ(field(third), "load.driver");
+}
+
 // If both halves are equal, one of them is computed. The other one is its mirror image, bit by bit.
 TEST(LoadedHalves, AreComputedOnceIfTheyAreEqual) {
   const Sample s = sample(0.0, {50.0, 50.0}, 0.01);

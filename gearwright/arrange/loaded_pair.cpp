@@ -220,6 +220,10 @@ bool halve(std::array<int, 2>& slices) {
 Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
                          const LoadInput& input, const std::array<ElasticBody, 2>& bodies,
                          const std::optional<HalfPlace>& half = {}) {
+  if (input.driver != 1 && input.driver != 2)
+    return refused("load.driver", input.driver, "must be 1 or 2, the number of the driving gear");
+  for (const double torque : input.torques)
+    if (!(torque > 0.0)) return refused("load.torques", torque, "must be > 0 N m, on gear 1");
   if (auto error = not_made_for(arranged)) return *error;
   auto setup = setup_of(arranged, errors);
   if (!setup) return setup.error();
@@ -318,6 +322,8 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress, const std::optional<HalfPlace>& half) {
+  if (input.torques.empty() && input.probes.empty())
+    return absent_input("load.torques", "; give a torque on gear 1 in N m, or a probe");
   const auto bodies = bodies_of(arranged, warnings);
   if (!bodies) return bodies.error();
   LoadAnalysis answer;

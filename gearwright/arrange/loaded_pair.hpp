@@ -48,10 +48,11 @@ inline constexpr double kShaft = 0.5;
 /// The results of the pair under each of the torques, and the results of the probes. Warnings about
 /// the validity of the result are added to `warnings`.
 ///
-/// Domain    torques or probes; torques need a pair (contract)
-/// Errors    `pair.…` and `gearN.…` if loaded contact does not support such gears;
-///           `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` if there are too many,
-///           `load.probe[i].…`; the errors of setup_of
+/// Domain    torques need a pair (contract)
+/// Errors    `load.torques` without torques and probes, and if a torque is not > 0; `load.driver`
+///           if it is not 1 or 2; `pair.…` and `gearN.…` if loaded contact does not support such
+///           gears; `gearN.material.poisson_ratio`, `gearN.bore.…`, `load.slices` if there are too
+///           many, `load.probe[i].…`; the errors of setup_of
 Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& errors,
                             const LoadInput& input, std::vector<Warning>& warnings,
                             Progress* progress = nullptr,

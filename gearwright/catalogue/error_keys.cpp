@@ -85,7 +85,11 @@ const KeyTable& error_keys() {
     for (std::size_t i = 0; i < kErrorCount; ++i) {
       const ErrorEntry& e = error_entries()[i];
       KeyRange range;
-      if (e.unit() == "deg") {
+      if (e.of_cutter()) {
+        range = KeyRange::between(-kMaxTilt, kMaxTilt,
+                                  " degrees, because it is an error of the lead angle; the helix "
+                                  "angle itself is helix_angle_deg of the gear");
+      } else if (e.unit() == "deg") {
         range = KeyRange::between(-kMaxTilt, kMaxTilt,
                                   " degrees, because it is an error of the shaft angle; the shaft "
                                   "angle itself is pair.shaft_angle_deg");

@@ -26,8 +26,19 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
   return setup->shared_pair(errors, options.gear2_drives);
 }
 
+std::optional<Error> check_request(const ContactRequest& request) {
+  if (request.positions < 2)
+    return refused("contact.positions", request.positions, "must be at least 2 for each pitch");
+  if (request.pitches < 1) return refused("contact.pitches", request.pitches, "must be at least 1");
+  if (!(request.marking > 0.0))
+    return refused("contact.marking", request.marking,
+                   "must be > 0 mm, because it is the thickness of the marking compound");
+  return std::nullopt;
+}
+
 Result<Contact> contact(const Pair& pair, const ContactErrors& errors,
                         const ContactOptions& options) {
+  if (auto error = check_request(options.request)) return *error;
   auto touching = contact_pair(pair, errors, options);
   if (!touching) return touching.error();
   Contact contact;

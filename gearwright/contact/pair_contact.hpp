@@ -46,11 +46,13 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const Pair& pair,
                                                         const ContactErrors& errors = {},
                                                         const ContactOptions& options = {});
 
+/// The error of a request that analyse_contact does not allow.
+std::optional<Error> check_request(const ContactRequest& request);
+
 /// Analyses the contact of the pair under its errors. If contact is lost, the result is not an
 /// error, but `contact_lost` is set.
 ///
-/// Errors    as contact_pair
-/// Domain    `options.request` as analyse_contact (contract)
+/// Errors    as contact_pair and check_request
 /// Accuracy  as analyse_contact
 Result<Contact> contact(const Pair& pair, const ContactErrors& errors = {},
                         const ContactOptions& options = {});

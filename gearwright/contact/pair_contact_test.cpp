@@ -85,19 +85,15 @@ TEST(PairContact, a_jam_is_judged_in_the_normal_section) {
   }
 }
 
-// The message states the gap between the tip circles.
-TEST(PairContact, tips_out_of_reach_are_named) {
-  for (const auto& [z2, off, gap] : {std::tuple{41, 5.0, 1.0}, {-61, -5.0, 1.0}}) {
-    const testing::SamplePair p = testing::involutes(20, z2, 0);
-    const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
-    ASSERT_TRUE(pair);
-    const auto setup = ContactSetup::of(*pair, {.center_distance = off}, {});
-    ASSERT_TRUE(setup);
-    const std::string text = nothing_touches(*setup).message();
-    EXPECT_NE(text.find(fmt::format("tip circles are {} mm apart", gap)), std::string::npos)
-        << text;
-    EXPECT_NE(text.find("errors.center_distance"), std::string::npos) << text;
-  }
+TEST(PairContact, RequestsWithoutPositionsAreErrors) {
+  const auto field = [](const ContactRequest& request) {
+    const auto found = of_a_pair_that_is_gone({}, {.request = request});
+    return found ? std::string() : found.error().field;
+  };
+  EXPECT_EQ(field({.positions = 1}), "contact.positions");
+  EXPECT_EQ(field({.pitches = 0}), "contact.pitches");
+  EXPECT_EQ(field({.marking = 0.0}), "contact.marking");
+  EXPECT_EQ(field({.positions = 2}), "");
 }
 
 TEST(PairContact, asks_for_a_lead_that_can_change) {

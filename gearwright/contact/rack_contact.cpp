@@ -64,6 +64,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
 
 Result<RackContact> contact(const RackPair& pair, const ContactErrors& errors,
                             const ContactOptions& options) {
+  if (auto error = check_request(options.request)) return *error;
   auto driving = contact_pair(pair, errors, options);
   if (!driving) return driving.error();
   ContactOptions reversed = options;

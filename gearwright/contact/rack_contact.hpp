@@ -41,8 +41,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
 
 /// Analyses the contact of a pinion and a rack under errors.
 ///
-/// Errors    as contact_pair
-/// Domain    `options.request` as analyse_contact (contract)
+/// Errors    as contact_pair and check_request
 /// Accuracy  as analyse_contact
 /// Laws      (1) without errors and modifications, the transmission error is constant, at every
 ///           centre distance   (2) the result for a wheel with z2 teeth differs from the result for

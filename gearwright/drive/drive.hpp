@@ -1,7 +1,8 @@
 // Computes a whole drive: speeds, torques, losses, teeth, backlash, and the places and phases of
 // the planets.
 //
-//   const auto drive = make_drive(graph_of(PlanetarySpec{…}));
+//   const auto graph = graph_of(set);  // a PlanetarySpec
+//   const auto drive = make_drive({*graph});
 //   if (drive) use(*drive->motion.ratio, drive->flow->efficiency);
 //                                              theory: docs/theory/13-drives.md
 #pragma once

@@ -50,7 +50,11 @@ class Pair {
     return visit([](const MountedGears& m) -> const MountedGears& { return m; });
   }
   PairKind kind() const;
-  const Gear& gear(int which) const { return mounted().gears[static_cast<std::size_t>(which - 1)]; }
+  /// Gear 1 or gear 2.   Domain  which is 1 or 2 (contract)
+  const Gear& gear(int which) const {
+    GW_EXPECTS(which == 1 || which == 2);
+    return mounted().gears[static_cast<std::size_t>(which - 1)];
+  }
   double gear_ratio() const { return mounted().gear_ratio(); }          ///< z2/z1
   double center_distance() const { return mounted().center_distance; }  ///< a  mm
   Angle shaft_angle() const { return mounted().shaft_angle; }           ///< Σ
@@ -65,7 +69,10 @@ class Pair {
   std::variant<ParallelPair, CrossedPair, ArcPair> of_;
 };
 
-/// Mounts any two gears.
+/// Mounts any two gears. If `spec` has neither a centre distance nor a shaft angle, and the helix
+/// angles do not permit parallel axes, the result is a crossed pair, without a warning. This
+/// applies to two helical gears of the same hand: on parallel axes, gear 2 has the opposite helix
+/// angle.
 ///
 /// Errors    as involute_place, mount_parallel, mount_crossed and mount_arcs; `gearN.rack` if one
 ///           gear has involute teeth and the other has circular arcs; `pair.shaft_angle` if crossed

@@ -85,6 +85,7 @@ TEST(Mount, two_involute_gears_are_an_involute_pair) {
   EXPECT_FALSE(pair->arcs());
   EXPECT_FALSE(pair->crossed());
   EXPECT_EQ(pair->gear(2).spec.teeth, 40);
+  for (const int which : {-1, 0, 3}) GW_EXPECT_VIOLATION(pair->gear(which));
   EXPECT_EQ(pair->gear_ratio(), 2.0);
   EXPECT_EQ(pair->contact_ratio(), pair->involute()->contact_ratio());
   // If no centre distance is given, the pair is free of backlash.

@@ -298,10 +298,27 @@ std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& 
                "gears give rating.face_load_factor"};
 }
 
+// The error of an absent torque or material. User interfaces check both before they call rate().
+std::optional<Error> torque_or_strength_error(const RatingInput& in) {
+  if (!(in.torque > 0.0))
+    return refused("rating.torque", in.torque, "must be > 0 N m, the torque on gear 1");
+  for (const int which : {1, 2}) {
+    const Material& m = in.materials[static_cast<std::size_t>(which - 1)];
+    const bool flank = m.sigma_Hlim > 0.0 || !m.sigma_Hlim_by.empty();
+    const bool root = m.sigma_Flim > 0.0 || !m.sigma_Flim_by.empty();
+    if (!flank || !root)
+      return absent_input(
+          gear_field(which, "material"),
+          "; a rating needs sigma_Hlim and sigma_Flim > 0 N/mm². Set both in the materials of the "
+          "rating, or take a material with strengths from material_named()");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input) {
-  GW_EXPECTS(input.torque > 0.0);
+  if (auto error = torque_or_strength_error(input)) return *error;
   if (auto error = two_halves_error(pair, input)) return *error;
   if (auto error = missing_input(input, pair.halves)) return *error;
   auto made = input.edition == RatingEdition::vdi_2736 ? rate_plastic(pair, input)

@@ -84,7 +84,8 @@ struct Rating {
 /// have. This error does not depend on the pair.
 std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 /// Formula   [T11.1], [T11.22], [T11.40]
-/// Errors    `rating.speed` if it is absent and K_v requires it; `rating.quality` if it is absent
+/// Errors    `rating.torque` if it is not > 0; `gearN.material` if it has no strength;
+///           `rating.speed` if it is absent and K_v requires it; `rating.quality` if it is absent
 ///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a
 ///           mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for double-helical
 ///           gears without a face load factor; `gearN.rack` if no tangent touches the root; by
@@ -94,7 +95,6 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///           (2) if lengths are multiplied by k and the torque by k³, the stresses do not change
 ///           (3) if gear 1 and gear 2 are exchanged, and torque and speed are those of the new
 ///               gear 1, the numbers do not change
-/// Domain    torque > 0 (contract)
 Result<Rating> rate(const RatedPair& pair, const RatingInput& input);
 
 // The missing inputs of a rating, as a list. User interfaces add missing loads and materials to

@@ -262,6 +262,24 @@ TEST(Rating, ResonanceOfLightLoadsIsNamed) {
   EXPECT_TRUE(rate(pair, in).value().limits.empty());
 }
 
+// The default material has no strength, so all safety factors would be 0.
+TEST(Rating, TorqueAndMaterialAreNeeded) {
+  const RatedPair pair = testing::helical_24_95();
+  RatingInput in = testing::helical_24_95_load();
+  in.materials[1] = {};
+  const auto without_material = rate(pair, in);
+  ASSERT_FALSE(without_material);
+  EXPECT_EQ(without_material.error().field, "gear2.material");
+  EXPECT_EQ(without_material.error().kind, FailureKind::missing);
+  for (const double torque : {0.0, -1.0, std::nan("")}) {
+    in = testing::helical_24_95_load();
+    in.torque = torque;
+    const auto without_torque = rate(pair, in);
+    ASSERT_FALSE(without_torque);
+    EXPECT_EQ(without_torque.error().field, "rating.torque");
+  }
+}
+
 // (1) twice the torque gives twice σ_F0 and √2 times σ_H0
 TEST(RatingLaws, StressesFollowTheTorque) {
   const RatedPair pair = testing::helical_24_95();

@@ -360,6 +360,7 @@ class Contact(unittest.TestCase):
                 ("[errors]\ncrossing_deg = 90", "errors.crossing_deg", "between"),
                 ("[errors]\ncrosing_deg = 0.1", "errors.crosing_deg", "crossing_deg"),
                 ("[errors]\ncutter_lead1_deg = 0.1", "errors.cutter_lead1_deg", "spur"),
+                ("[errors]\ncutter_lead1_deg = 28.6", "errors.cutter_lead1_deg", "error of the lead angle"),
                 ("[contact]\npositions = 1", "contact.positions", "between"),
                 ("[contact]\ndriver = 3", "contact.driver", "between"),
                 ("[contact]\nmarking_mm = 0", "contact.marking_mm", "greater than 0"),

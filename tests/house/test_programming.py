@@ -1,4 +1,4 @@
-"""Tests that docs/programming.md shows every program of examples/cpp unchanged.
+"""Tests that docs/programming.md shows every program of examples/cpp unchanged, and that the C++ of README.md compiles.
 
     <!-- example: gear.cpp -->
     ```cpp
@@ -16,6 +16,7 @@ so that a rule that no longer detects anything fails.
 
 import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -51,6 +52,21 @@ def check(page, programs):
     return faults
 
 
+def compiled(page):
+    """Returns the messages of the compiler for the C++ of a page, as the statements of one function."""
+    faults = []
+    eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], capture_output=True, text=True, check=True).stdout.split()
+    for block in re.findall(r"```cpp\n(.*?)```", page, re.S):
+        lines = block.splitlines()
+        heads = [line for line in lines if line.startswith(("#include", "using"))]
+        body = [line for line in lines if line not in heads]
+        program = "\n".join([*heads, "void readme() {", *body, "}", ""])
+        command = [os.environ.get("GW_CXX", "c++"), "-std=c++20", "-fsyntax-only", f"-I{ROOT}", *eigen, "-x", "c++", "-"]
+        run = subprocess.run(command, input=program, capture_output=True, text=True)
+        faults += run.stderr.splitlines()[:5] if run.returncode else []
+    return faults
+
+
 def self_test():
     text = "// An idea.\n" + "int x;\n" * 25 + "\n/* prints\n1\n*/\n"
     page = f"# P\n\n<!-- example: a.cpp -->\n```cpp\n{text}```\n<!-- end -->\n"
@@ -63,6 +79,7 @@ def self_test():
             ("does not end", page, {"a.cpp": text.replace("prints", "says")}),
             ("the measure", page, {"a.cpp": text.replace("int x;\n", "")})]:
         assert any(word in fault for fault in check(broken, programs)), f"blind to: {word}"
+    assert compiled("```cpp\nconst double x = nothing;\n```") and not compiled("```cpp\nint x = 1;\n```")
 
 
 def main():
@@ -73,7 +90,9 @@ def main():
     if os.environ.get("GW_WRITE_DOCS"):
         page = written(page, programs)
         PAGE.write_text(page, encoding="utf-8")
-    faults = check(page, programs)
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert "```cpp" in readme
+    faults = check(page, programs) + compiled(readme)
     for fault in faults:
         print(fault)
     print(f"{len(programs)} programs, {len(faults)} faults")

@@ -121,6 +121,32 @@ def test_times_are_no_numbers_of_a_spec():
             gw.Gear(teeth=time, normal_module=2)
 
 
+def test_sweep_has_the_whole_message():
+    rows = pair().sweep(center_distance=[10.0, 78.7])
+    with pytest.raises(gw.SpecError) as e:
+        pair().replace(center_distance=10.0)
+    assert list(rows["error"]) == [str(e.value), ""] and len(str(e.value)) > 80
+    assert rows["center_distance_mm"][1] == 78.7 and math.isnan(rows["center_distance_mm"][0])
+    assert pair().sweep(center_distance=[])["error"].shape == (0,)
+
+
+def test_a_forgotten_unit_is_named():
+    for make, name, remedy in ((lambda: gw.Gear(teeth=17, normal_module=2, helix_angle=15), "helix_angle",
+                                "in rad; use helix_angle_deg = 15"),
+                               (lambda: pair().contact(modifications={"gear1": {"lead_crowning": 12}}),
+                                "gear1.modifications.lead_crowning", "in mm; use lead_crowning_um = 12")):
+        with pytest.raises(gw.SpecError, match=remedy) as e:
+            make()
+        assert e.value.key.endswith(name.split(".")[-1])
+
+
+def test_arguments_without_effect_are_rejected():
+    for kind, argument in (("step", "tolerance"), ("svg", "tolerance"), ("step", "splines"), ("stl", "splines")):
+        with pytest.raises(gw.SpecError, match="effect") as e:
+            getattr(pinion(), kind)(**{argument: 0.01 if argument == "tolerance" else True})
+        assert e.value.key == argument
+
+
 def test_sweep_wants_a_dict_of_a_gear():
     for wrong in (5, [0.1, 0.2], "profile_shift"):
         with pytest.raises(gw.SpecError) as e:
@@ -240,6 +266,11 @@ def test_closed_forms_are_those_of_pairs():
         further = p.replace(center_distance=p.center_distance + 0.1)
         j = gw.backlash(z1[i], z2[i], x1[i], x2[i], further.center_distance, beta, normal_module=2.5)
         assert isinstance(j, float) and j == pytest.approx(further.backlash.normal, rel=1e-9)
+        if g1.undercut is False:  # the form circle of ISO53-A, whose straight flank has this depth
+            depth = 1.25 - 0.38 * (1 - math.sin(math.radians(20)))
+            true = gw.pair_table(z1[i], z2[i], x1[i], x2[i], beta, normal_module=2.5, flank_depth=depth)
+            assert true["contact_ratio_true"] == pytest.approx(p.transverse_contact_ratio_true, rel=1e-11)
+    assert all(math.isnan(v) for z in (0, 0.5, math.nan) for v in gw.pair_table(z, 43).values())
     assert gw.center_distance(z1[:, None], z2).shape == (3, 3)
     assert gw.working_pressure_angle(17, 43) == pytest.approx(math.radians(20), rel=1e-14)
 

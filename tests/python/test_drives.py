@@ -1,6 +1,7 @@
 """Tests drives. They are made from keys, and their values are read by name and equal those of the program."""
 
 import copy
+import json
 import math
 import pickle
 
@@ -48,3 +49,27 @@ def test_trains_and_ratings():
     with pytest.raises(gw.SpecError) as error:
         gw.planetary(sun=20, planet=25, ring=70, fixed="rign")
     assert error.value.key == "planetary.fixed"
+
+
+def test_spec_files_keep_their_folder(tmp_path):
+    (tmp_path / "flank.csv").write_text("diameter_mm,z_mm,removed_um\n38,-10,1\n38,10,1\n")
+    gear = {"normal_module_mm": 2, "face_width_mm": 20}
+    stage = {"gears": [{"teeth": 21, "modifications": {"topography": "flank.csv"}, **gear}, {"teeth": 43, **gear}]}
+    path = tmp_path / "stage.json"
+    path.write_text(json.dumps({"stage": [stage]}))
+    drive = gw.load_drive(path)
+    assert drive == pickle.loads(pickle.dumps(drive)) == drive.replace(title="A stage") == gw.Drive(drive.spec, tmp_path)
+    assert gw.solve(path, "drive")["drive"] == drive.as_dict()
+    with pytest.raises(gw.SpecError, match="flank.csv"):
+        gw.Drive(drive.spec)
+    with pytest.raises(gw.FileError):
+        gw.load_drive(tmp_path / "none.toml")
+    with pytest.raises(TypeError, match="load_drive"):
+        gw.Drive(str(path))
+
+
+def test_tables_and_units():
+    drive = gw.planetary(**KEYS).replace(rating={"quality": [6, 6]}, planets=4)
+    assert drive.spec["rating"] == {"quality": [6, 6]} and drive.spec["planetary"]["planets"] == 4
+    assert "rating" not in drive.replace(rating=None).spec
+    assert gw._drives.Part({"displacement_um": 8.36}).displacement == pytest.approx(8.36e-3)

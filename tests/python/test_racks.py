@@ -46,6 +46,21 @@ def test_contact_is_that_of_the_program():
     assert "rack moves evenly" in contact.report()
 
 
+def test_attributes_of_the_contact_are_lengths_along_the_rack():
+    contact = gw.load(PATH).contact(errors=ERRORS, positions=32)
+    record = contact.as_dict()
+    for name, key, unit in (("peak_to_peak", "peak_to_peak_um", 1e-3),
+                            ("continuous_peak_to_peak", "continuous_peak_to_peak_um", 1e-3),
+                            ("least_play", "least_play_mm", 1)):
+        assert getattr(contact, name) == pytest.approx(unit * record[key], rel=1e-15)
+    assert list(contact.harmonics) == pytest.approx([1e-3 * h for h in record["harmonics_um"]], rel=1e-15)
+    for name, key in (("transmission_error", "transmission_error_um"), ("travel", "travel_mm")):
+        unit = 1e-3 if key.endswith("_um") else 1
+        assert list(getattr(contact, name)) == pytest.approx([unit * p[key] for p in record["positions"]], rel=1e-15)
+    assert f"peak_to_peak_um={record['peak_to_peak_um']:.4g}" in repr(contact)
+    assert "for the travel of a rack" in type(contact).harmonics.__doc__
+
+
 def test_modifications_and_driver():
     rack = gw.load(PATH)
     crowned = {"gear1": {"lead_crowning_um": 10}}

@@ -79,9 +79,9 @@ def verify(cases: str | os.PathLike[str] | Mapping[str, Any]) -> list[dict[str, 
     content. Returns for each case its id, the number of compared values and a line for each difference."""
     if isinstance(cases, (str, bytes, os.PathLike)):
         with open(cases, encoding="utf-8") as file:
-            cases = json.load(file)
+            return _core._verify(json.load(file))
     # open() would accept a number as the descriptor of an open file
-    elif not isinstance(cases, Mapping):
+    if not isinstance(cases, Mapping):
         raise TypeError(f"cases: must be the path of a case file, or its content, not {cases!r}")
     return _core._verify(cases)
 

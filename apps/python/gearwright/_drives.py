@@ -11,7 +11,7 @@ from typing import Any
 from . import _core
 
 # Endings of keys that name a unit, and the size of this unit in mm or rad.
-_UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_arcsec", math.pi / 648000.0))
+_UNITS = (("_mm", 1.0), ("_deg", math.pi / 180.0), ("_um", 1e-3), ("_arcsec", math.pi / 648000.0))
 
 
 def _value(record: Mapping[str, Any], name: str) -> Any:
@@ -70,9 +70,13 @@ class Drive:
     have the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
     """
 
-    def __init__(self, spec: Mapping[str, Any]) -> None:
+    def __init__(self, spec: Mapping[str, Any], folder: str | os.PathLike[str] | None = None) -> None:
+        """`spec` is a dict with the tables of a spec file. Relative file names in it start at `folder`."""
+        if not isinstance(spec, Mapping):
+            raise TypeError(f"spec: must be a dict with the tables of a spec, not {spec!r}; load_drive(path) reads a file")
         self._spec = copy.deepcopy(dict(spec))
-        answer = _core.solve(self._spec, "drive")
+        self._folder = folder
+        answer = _core.solve(self._spec, "drive", folder)
         self._record: dict[str, Any] = answer["drive"]
         self._verdict: dict[str, Any] = answer["verdict"]
         self._warnings: list[dict[str, Any]] = answer["warnings"]
@@ -106,17 +110,18 @@ class Drive:
         example quality=[6, 6], material={"name": "17CrNiMo6"}, mesh_load_factor. If torque and speed are absent,
         the values of the drive are used."""
         table = {**self._spec.get("rating", {}), **rating}
-        answer = _core.solve({**self._spec, "rating": table}, "rate")
+        answer = _core.solve({**self._spec, "rating": table}, "rate", self._folder)
         rated = {name: mesh["rating"] for name, mesh in answer["drive"]["meshes"].items()}
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """Returns the drive with other tables or, for a planetary set, other keys of [planetary]. None
-        removes a table or key."""
+        """Returns the drive with other tables of a spec, such as rating={...}, or, for a planetary set, other keys of
+        [planetary], such as planets=4. A table is replaced as a whole. None removes a table or key."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
+        tables = {entry["key"] for entry in _core._keys()["spec"]}
         for key, value in changes.items():
-            target = spec if key in spec else own
+            target = spec if key in tables else own
             target.pop(key, None)
             for suffix, _ in _UNITS:  # removes the same quantity if it is given in another unit
                 target.pop(key + suffix, None)
@@ -124,7 +129,7 @@ class Drive:
                     target.pop(key[: -len(suffix)], None)
             if value is not None:
                 target[key] = value
-        return Drive(spec)
+        return Drive(spec, self._folder)
 
     def as_dict(self) -> dict[str, Any]:
         """Every quantity by key, in the unit that the key names, as in JSON"""
@@ -142,7 +147,7 @@ class Drive:
         return isinstance(other, Drive) and self._record == other._record
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Drive, (self._spec,)
+        return Drive, (self._spec, self._folder)
 
     def __repr__(self) -> str:
         ratio, exact = self._record["ratio"], self._record["ratio_exact"]
@@ -164,8 +169,5 @@ def train(*stages: Mapping[str, Any]) -> Drive:
 
 
 def load_drive(path: str | os.PathLike[str]) -> Drive:
-    """Makes the drive of a spec file in TOML"""
-    import tomllib
-
-    with open(path, "rb") as file:
-        return Drive(tomllib.load(file))
+    """Makes the drive of a spec file, in TOML or JSON. Relative file names in the spec start at its folder"""
+    return Drive(*_core._read(path))

@@ -28,9 +28,15 @@ def _columns(*values: ArrayLike) -> tuple[list[Array], int, tuple[int, ...]]:
     return [c.reshape(-1) for c in columns], math.prod(shape), shape
 
 
+def _teeth(number: ArrayLike) -> Array:
+    z = _core._real(number)
+    return np.where((z == np.round(z)) & (z != 0), z, np.nan)
+
+
 def _sine_of_helix(angle: ArrayLike) -> Array:
     beta = _core._real(angle)
-    return np.sin(np.where(np.abs(beta) < math.pi / 2, beta, np.nan))
+    sine: Array = np.sin(np.where(np.abs(beta) < math.pi / 2, beta, np.nan))
+    return sine
 
 
 def _pressure_angle(angle: float) -> float:
@@ -80,14 +86,17 @@ def pair_table(
     tip_thickness1, 2       s_an    tip_clearance1, 2   c
 
     addendum, dedendum and flank_depth (depth of the rack's straight flank) are in modules. If a formula does not
-    apply to a row, the row is NaN. The search uses the same formulas. They agree with a Pair to 1e-12. If they
-    differ, the result of the Pair is the valid one.
+    apply to a row, or a number of teeth is 0 or not whole, the row is NaN.
+
+    The search uses the same formulas. For gears of the same rack, they agree with a Pair to 1e-12, with one exception:
+    contact_ratio_true neglects undercut, so for an undercut gear it is too large, and the result of the Pair is valid.
+    The rack ISO53-A of a Gear has flank_depth = 1.25 − 0.38 (1 − sin 20°) = 0.99997; the default is 1.
     """
     if mounting not in ("tight", "extended"):
         raise ValueError(f'mounting = {mounting!r}: must be "tight" or "extended"')
     names = columns or ("center_distance", "working_pressure_angle", "contact_ratio", "contact_ratio_true", "sliding",
                         "tip_thickness1", "tip_thickness2", "tip_clearance1", "tip_clearance2")
-    lanes, rows, shape = _columns(z1, z2, _sine_of_helix(helix_angle), x1, x2, normal_module)
+    lanes, rows, shape = _columns(_teeth(z1), _teeth(z2), _sine_of_helix(helix_angle), x1, x2, normal_module)
     module = lanes.pop()
     found = _core._candidates(lanes, rows, math.tan(_pressure_angle(normal_pressure_angle)), (addendum, addendum),
                               (dedendum, dedendum), flank_depth, mounting == "tight", shorten_tips, names)
