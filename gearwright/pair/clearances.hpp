@@ -1,6 +1,6 @@
-// Closed forms about the reach of the tips of two mounted gears. They compute the clearance
-// between each tip and the mating root, the radius down to which each tip touches the mating
-// flank, and the tip diameter with which contact stays on the usable flank of the mating gear.
+// Closed forms about the reach of the tips of two mounted gears. They give the clearance between
+// each tip and the mating root, and the radius down to which each tip touches the mating flank.
+// They also give the tip diameter with which contact stays on the usable flank of the mating gear.
 //
 //   r_a, r_f   tip and root radius        d_Nf/2   radius down to which the mating tip touches
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]
@@ -28,11 +28,10 @@ std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
                                                         const Mesh<double>& mesh);
 
-/// The tip diameter with which gear `tip` (1 or 2) touches the mating gear down to a radius
-/// that is `margin` mm greater than the radius at which the usable flank of the mating gear
-/// starts. If this start is not known, the base circle of the mating gear is used. None if the
-/// present tip does not reach past this radius, or if the mating gear is an internal gear
-/// without a known start of its flank.
+/// The tip diameter of gear `tip` (1 or 2) with which contact ends `margin` mm above the start of
+/// the usable flank of the mating gear, measured along the radius. If this start is not known, the
+/// base circle of the mating gear is used. None if the present tip does not reach below this limit,
+/// or if the mating gear is an internal gear without a known start of its flank.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright
