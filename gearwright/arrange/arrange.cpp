@@ -109,9 +109,9 @@ std::optional<double> shift_for_backlash(GivenPair given, int which, const Gear&
   return least ? std::optional(*least / kDigits) : std::nullopt;
 }
 
-// The warning about undercut of a gear names the shift for its thickness allowance. If the
-// allowance follows from a backlash and changes with the shift, the shift for this backlash
-// replaces it.
+// A warning about undercut proposes a profile shift for the present thickness allowance. If the
+// allowance follows from a backlash, it changes with the shift. The warning then proposes the shift
+// that is computed for this backlash.
 void name_shift_for_backlash(Arranged& arranged, const GivenPair& given) {
   if (!given.pair.wants_backlash()) return;
   for (Warning& w : arranged.warnings) {

@@ -45,11 +45,11 @@ ShiftProblem shift_problem(const GivenPair& given) {
   return p;
 }
 
-// Gives the pinion of an internal pair at least the profile shift with which it is not undercut,
-// and the internal gear the rest of the sum. Both shifts were absent.
+// Gives the pinion of an internal pair at least the profile shift with which it is not undercut.
+// The internal gear gets the rest of the sum of the shifts. Neither shift is given.
 void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
-  // Nearer to the reference centre distance, the tip of the internal gear has no room for the
-  // greater pinion, and the division makes pairs worse (9 to 25 teeth in 30 to 90).
+  // If the sum is greater than this limit, the tip of the internal gear leaves no room for the
+  // additional shift of the pinion. Pairs of 9 to 25 and 30 to 90 teeth then become worse.
   constexpr double kGreatestSum = -0.4;
   const GearInput& pinion = *given.gears[0];
   if (pinion.basic || pinion.cut_by || shifts.x1 > kGreatestSum) return;
@@ -61,7 +61,8 @@ void avoid_undercut(const GivenPair& given, ShiftSolution& shifts) {
   // A thickness allowance moves the cutter like a profile shift. A backlash thins the pinion by
   // about its share of this backlash.
   const PairInput& p = given.pair;
-  const double radius = unshifted.normal_module * unshifted.teeth / 2;  // in the normal section
+  const double radius = unshifted.normal_module * unshifted.teeth / 2;  // m_n z/2  mm; the helix is
+                                                                        // neglected
   const double backlash = p.backlash_angle
                               ? radius * p.backlash_angle->rad()
                               : p.backlash.value_or(p.backlash_circumferential.value_or(0.0));
@@ -109,8 +110,9 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// Rejects inputs that require profile shifts of the same rack on both gears, if the racks
-// differ.
+// The error for two different racks. The computation of an absent shift, the extended centre
+// distance and the shortened tips require that one rack cuts both gears. Empty if the input
+// requires none of them.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "
@@ -297,13 +299,15 @@ std::optional<Error> thin_for_backlash(GivenPair& given, const std::optional<Pai
   double now = 0.05 * given.gears[0]->cylindrical.normal_module;
   for (int step = 0; step < kMostSteps; ++step) {
     auto at_now = backlash_at(given, place, now);
-    // The first step makes teeth thinner. If that is impossible, they may have to become thicker.
+    // The first step makes the teeth thinner. If the gears cannot be made with thinner teeth
+    // although the backlash must decrease, the search continues with thicker teeth.
     if (!at_now && off_before * (now - before) > 0.0) {
       now = 2 * before - now;
       continue;
     }
     if (!at_now) {
-      // A gear cannot be made. The search continues at the limit, unless the backlash lies beyond.
+      // A gear cannot be made with this thinning. The search continues with the nearest possible
+      // thinning, unless the requested backlash lies beyond the backlash that this thinning gives.
       const Error cause = at_now.error();
       now = nearest_possible(before, now, [&](double thinning) {
         return static_cast<bool>(backlash_at(given, place, thinning));

@@ -13,9 +13,9 @@ namespace gearwright {
 /// Returns the position of the gears of the pair. Computed shifts and the diameters of shortened
 /// tips are written into the gears of `given`. If the shaft angle is computed from the centre
 /// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
-/// absent and must be computed from the centre distance. If both are absent, gear 1 gets the
-/// sum of the shifts. If this sum is less than −0.4, the pinion of an internal pair gets at least
-/// the shift with which it is not undercut, and the internal gear gets the rest.
+/// absent and must be computed from the centre distance. If both are absent, gear 1 gets the sum of
+/// the shifts. If this sum is less than −0.4, an internal pair is an exception. Its pinion gets at
+/// least the shift with which it is not undercut, and the internal gear gets the rest.
 ///
 /// Domain    two gears (contract)
 /// Errors    `gear2.helix_angle` if a sign seems to be missing; the errors of check_partners,

@@ -279,8 +279,8 @@ Error of_given_gear(Error error, const GivenPair& given, int which) {
       of == GearMember::face_width || of == GearMember::tip_diameter || of == GearMember::teeth;
   if (of == GearMember::tip_diameter && !gear.cylindrical.tip_diameter) {
     // The tip diameter is not given, so it was computed from the profile shift and the addendum of
-    // the rack. The error names a thickness allowance that raises the root, otherwise the profile
-    // shift if it is given, and otherwise the addendum.
+    // the rack. If a thickness allowance raises the root, the error names this allowance. Otherwise
+    // it names the profile shift or, if no shift is given, the addendum.
     const double allowance = gear.cylindrical.thickness_allowance;
     const std::string from = allowance > 0.0      ? "thickness_allowance"
                              : gear.profile_shift ? "profile_shift"

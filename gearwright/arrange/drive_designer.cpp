@@ -157,7 +157,8 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   if (!own) return {};
   std::vector<GearShifts> all = shift_trials(own->graph);
   if (!coaxial) return all;
-  // Every stage gets the centre distance of the first stage. The shift of its wheel follows.
+  // Every stage gets the centre distance of the first stage. The profile shift of the wheel of the
+  // stage is computed from this distance.
   for (GearShifts& shifts : all) {
     DriveGraph graph = own->graph;
     for (std::size_t g = 0; g < shifts.size(); ++g) graph.gears[g].shift = shifts[g];
@@ -171,8 +172,8 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   return all;
 }
 
-// The safeties of the meshes, each the smaller value of its two gears, and infinite for a mesh
-// without load. None if the drive cannot be made or rated.
+// The safeties of the meshes. The safety of a mesh is the smaller value of its two gears. It is
+// infinite for a mesh without load. None if the drive cannot be made or rated.
 std::optional<std::vector<Safeties>> DriveDesigner::mesh_safeties(
     const DriveCandidate& candidate) const {
   auto made = made_from(candidate);
@@ -222,8 +223,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
   return costs(a) < costs(b);
 }
 
-// The least widths of the meshes, in steps, with which all meshes have the required safeties. No width
-// can be one step less.
+// The least widths of the meshes, in steps, with which all meshes have the required safeties. No
+// width can be one step less.
 std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
                                                const std::vector<double>& greatest) const {
   const std::size_t meshes = greatest.size();
@@ -235,8 +236,8 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
       held[m] = holds((*safeties)[m], task_.required);
     return held;
   };
-  // The safeties of a mesh depend mainly on its own width. One bisection therefore finds all widths,
-  // in as many steps as for a single mesh.
+  // The safeties of a mesh depend mainly on its own width. One bisection therefore finds all
+  // widths, in as many steps as for a single mesh.
   std::vector<double> low(meshes, below), least = greatest, middle(meshes);
   for (bool open = true; open;) {
     open = false;

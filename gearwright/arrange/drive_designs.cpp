@@ -54,8 +54,8 @@ class Candidates {
     return hopeless;
   }
 
-  // Computes the candidates with these indices. An error of the spec is the same for all
-  // candidates.
+  // Computes the candidates with these indices. Returns only an error of the spec, which is the
+  // same for all candidates.
   std::optional<Error> compute(const std::vector<std::size_t>& which, DriveDesigns& designs) {
     std::vector<std::optional<DriveOutcome>> outcomes(which.size());
     begin_stage(task_.progress, "computing the next drives",
@@ -211,9 +211,10 @@ class Candidates {
       const auto [place, is_new] =
           sliding_.try_emplace({module, train.stages[k][0], train.stages[k][1]}, 0.0);
       if (is_new) {
-        // A stage may get a greater module later, and the shifts without undercut depend
-        // slightly on the module, because the thickness allowances are not proportional to it.
-        // The lesser sliding counts.
+        // A stage may get a greater module later. The shifts without undercut depend slightly on
+        // the module, because the thickness allowances are not proportional to it. The sliding is
+        // therefore computed for the present and for the greatest module, and the smaller value is
+        // compared with the limit.
         DriveCandidate alone = train;
         alone.stages = {train.stages[k]};
         alone.stage_modules.clear();

@@ -40,7 +40,7 @@ struct DriveDesigns {
   std::array<std::size_t, kDriveFaultNames.size()> left_out{};
 };
 
-/// A search for drives, with the inputs of the designs.
+/// A search for drives, and the inputs that its designs need.
 struct DriveDesignTask {
   DriveSearchProblem problem;
   double face_step;     ///< mm; step of the face widths from which the search chooses
@@ -80,8 +80,8 @@ Result<DriveInput> drive_of(const DriveSearchProblem& problem, const DriveCandid
 /// A design, the reason why a candidate is left out, or an error of the rating.
 using DriveOutcome = std::variant<FoundDrive, DriveFault, Error>;
 
-/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face widths, rates
-/// it and judges it.
+/// Makes the drive of a candidate: chooses its profile shifts, its modules and its face widths,
+/// rates it and judges it.
 class DriveDesigner {
  public:
   /// The task must outlive the designer.

@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kPerCubicMillimetre = 1e-9;
 
-// The material with this name or kind in the table of materials, without regard to the given
-// numbers. None for a plastic, or if the name is not in the table and no kind is given.
+// The material of the table that has the given name or, if the table does not contain the name, the
+// given kind. The given values of the material are not used. None for a plastic, or if neither the
+// name nor a kind determines a material.
 std::optional<Material> usual_material(const MaterialInput& given) {
   if (given.kind == MaterialKind::plastic) return std::nullopt;
   const auto row = given.name ? material_named(*given.name) : std::nullopt;

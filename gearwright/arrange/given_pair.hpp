@@ -48,8 +48,9 @@ struct MaterialInput {
 Result<Material> material_of(const MaterialInput& given, const std::string& owner,
                              RatingEdition edition);
 
-/// E of the given material, N/mm²: the given number, otherwise the value of the named material or
-/// of the kind, otherwise the value of steel.
+/// E of the given material, N/mm²: the given number or, if it is absent, the value of the named
+/// material. If the table does not contain the name, it is the value of the kind. Without a kind,
+/// it is the value of steel.
 ///
 /// Errors    `youngs_modulus` of `owner` for a plastic without a given number
 Result<double> youngs_modulus_of(const MaterialInput& given, const std::string& owner);

@@ -70,8 +70,8 @@ auto same_finding(const Finding& like) {
   return [&like](const Finding& f) { return f.code == like.code && f.gear == like.gear; };
 }
 
-// Returns `corner` without the toleranced numbers that do not affect the finding, which then
-// have their nominal values. At least one number keeps its end.
+// Returns `corner` without the ends that do not affect the finding. The toleranced numbers of these
+// ends then have their nominal values. At least one end remains.
 ToleranceCorner what_matters(const Arranged& arranged,
                              const std::vector<TolerancedNumber>& tolerances,
                              ToleranceCorner corner, const Finding& finding,
@@ -146,9 +146,9 @@ bool set_allowance(GivenPair& given, GearInput& gear, double value) {
   return true;
 }
 
-// Sets the helix angle and returns true. If the transverse module or the transverse pressure
-// angle is given, changes nothing and returns false, because a new helix angle would change the
-// normal module and the normal pressure angle.
+// Sets the helix angle and returns true. If the transverse module or the transverse pressure angle
+// is given, returns false without a change. A new helix angle would then also change the normal
+// module and the normal pressure angle.
 bool set_helix(GearInput& gear, double degrees) {
   if (gear.transverse_given) return false;
   gear.cylindrical.helix_angle = Angle::degrees(degrees);

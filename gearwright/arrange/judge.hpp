@@ -65,7 +65,6 @@ DrawnDesign judge_drawing(const SearchProblem& problem, const DesignRow& row);
 // Judges a drive. The verdict is the worst finding of its meshes and its assembly. A remedy is
 // tried on the whole drive before it is proposed.
 
-/// A change of one number of a drive.
 struct DriveChange {
   Adjustable what;
   std::size_t index;  ///< index of the gear, or of the mesh if `what` is a centre distance

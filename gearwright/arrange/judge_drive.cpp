@@ -203,7 +203,7 @@ std::string running(const Drive& drive) {
   text += facts.empty() ? "." : ": " + facts + ".";
   std::optional<std::size_t> tight;  // the mesh with the least backlash
   StatedBacklash least{};
-  bool everywhere = true;  // no mesh has backlash
+  bool everywhere = true;  // true if no mesh has backlash
   for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
     const auto backlash = drive.geometry.stated_backlash(m);
     if (!backlash) continue;

@@ -66,7 +66,7 @@ constexpr double kFactor = 0.03;      // a factor within this distance of 1 is n
 // by more than kMuchLeft, the effects of face width and bodies are also computed.
 constexpr double kMuchLeft = 0.1;
 constexpr double kOverlap = 2.0;  // least overlap ratio of a helical face that is not narrow
-constexpr double kWidest = 12.0;  // modules; a wider face takes long and changes nothing
+constexpr double kWidest = 12.0;  // modules; a wider face takes more time and gives the same ratio
 constexpr double kLeastWider = 1.2;
 constexpr double kThickRim = 8.0;  // modules; an internal gear with this rim counts as solid
 constexpr int kPositions = 8, kMostSlices = 16;  // resolution of drafted()
@@ -130,8 +130,8 @@ double drafted(const LoadTask& task, double torque, double wider, bool solid) {
                         request, torque * wider);
 }
 
-// Adds the effects that need new compliance tables: of a narrow helical face, and of bodies
-// that are held at another diameter than solid bodies.
+// Adds the effects that need new compliance tables. These are the effect of a narrow helical face
+// and the effect of bodies that are held at another diameter than solid bodies.
 void add_of_shape(const LoadTask& task, const InvolutePair& pair, double torque,
                   std::vector<StiffnessFactor>& factors) {
   const std::array<const Gear*, 2> gears{&task.setup.gear(1), &task.setup.gear(2)};

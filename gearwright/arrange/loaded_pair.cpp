@@ -210,7 +210,8 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
                         request.slices[g] > kLeastSlices ? " or the number of slices" : ""));
 }
 
-// Halves default numbers of slices. Returns false if both are the least.
+// Halves the default numbers of slices, down to kLeastSlices. Returns false if neither number can
+// be reduced.
 bool halve(std::array<int, 2>& slices) {
   const auto before = slices;
   for (int& count : slices) count = std::max(kLeastSlices, count / 2);
@@ -348,8 +349,8 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes, so the default
-  // is halved until there is a solution.
+  // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes. The default
+  // numbers of slices are therefore halved until there is a solution.
   do {
     auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
     if (!compliance) return compliance.error();

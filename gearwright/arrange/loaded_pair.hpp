@@ -34,12 +34,12 @@ struct LoadAnalysis {
   std::vector<LoadAnalysis> halves{};
 };
 
-/// One half of a double-helical pair, which is computed as a separate pair. For the half at
-/// z < 0, this pair is its mirror image.
+/// One half of a double-helical pair, which is computed as a separate pair. The half at z < 0 is
+/// replaced by its mirror image.
 struct HalfPlace {
   bool below = false;
-  const PairCompliance* ready = nullptr;  ///< compliance of the other half if its teeth are equal;
-                                          ///< null if it must be computed
+  const PairCompliance* ready = nullptr;  ///< compliance of the other half if both halves have
+                                          ///< equal teeth; null if it must be computed
 };
 
 /// The diameter at which a gear without a bore is held, as a fraction of the root diameter.
@@ -133,9 +133,9 @@ Result<std::vector<LoadTask>> load_tasks_of_halves(
 /// only one half is computed.
 bool equal_halves(const Halves& halves, const ContactErrors& errors, const LoadInput& input);
 
-/// Derives the input for one half from the input for the whole gears: half of the torque, and
-/// the deflections over this half. If `below` is true, the input is for the half at z < 0, and
-/// its rotations and the direction of z are those of the mirror image. Probes are omitted.
+/// Derives the input for one half from the input for the whole gears: half of the torque, and the
+/// deflections over this half. If `below` is true, the half is at z < 0. Its rotations and the
+/// direction of z then apply to its mirror image. Probes are omitted.
 LoadInput input_of_half(const LoadInput& whole, const Halves& narrower, const Gear& gear_1,
                         bool below);
 

@@ -15,7 +15,7 @@ namespace gearwright {
 
 namespace {
 
-// Lists the shifts that are not given: "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` =
+// Lists the computed shifts, for example "`gear1.profile_shift` = 0.433 and `gear2.profile_shift` =
 // 0.14".
 std::string chosen_shifts(const GivenPair& given) {
   std::string text;
@@ -49,7 +49,7 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
 std::optional<Warning> note_shifts(const GivenPair& given) {
   if (!shifts_follow(given)) return std::nullopt;
   constexpr double kRounding = 1e-12;  // modules; a smaller shift is a rounding error
-  constexpr double kNoSum = 1e-6;      // modules; a centre distance has few digits
+  constexpr double kNoSum = 1e-6;      // modules; a smaller sum of the shifts counts as 0
   double greatest = 0.0;
   for (const auto& gear : given.gears)
     if (!gear->profile_shift)

@@ -22,8 +22,8 @@ bool shifts_follow(const GivenPair& given);
 /// or if all computed shifts are 0.
 std::optional<Warning> note_shifts(const GivenPair& given);
 
-/// A note that names the standard rack of the pressure angle 14.5°, if the rack of such a gear is
-/// not given.
+/// A note about a gear with the pressure angle 14.5° whose rack is not given. The note names the
+/// standard rack of this pressure angle.
 std::optional<Warning> note_rack(const GearInput& gear, int which);
 
 /// An error if shifts are missing and `pair.choose_profile_shifts` is false. The message names
@@ -35,8 +35,8 @@ std::optional<Error> forbidden_shifts(const GivenPair& given);
 /// rotation.
 std::optional<Warning> note_saddle(const GivenPair& given, const Pair& pair);
 
-/// Appends to `warnings` the warnings of `found` that it does not contain yet. The message of
-/// each appended warning begins with the text `before`.
+/// Appends to `warnings` each warning of `found` that `warnings` does not contain yet. The message
+/// of each appended warning begins with the text `before`.
 void add_new(std::vector<Warning> found, std::vector<Warning>& warnings,
              std::string_view before = {});
 inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
@@ -44,16 +44,15 @@ inline constexpr std::string_view kSecondHalf = "Half at z < 0: ";
 /// The warning that the key or table `what` was ignored.
 Warning not_read(const std::string& what);
 
-// Describes the body of a gear. An external gear has a bore, and an internal gear has a rim.
-
-/// The error of a bore or rim that does not fit the roots of the gear, or the groove with this
-/// radius, mm, see hole_error().
+/// The error of a bore or rim that leaves too little material to the roots of the gear or to its
+/// groove, as returned by hole_error(). `groove` is the radius of the groove, mm.
 std::optional<Error> body_error(const Gear& gear, const std::optional<Bore>& bore,
                                 std::optional<double> groove = {});
 
-/// A warning if no material remains between the bore and the roots, or between the roots and the
-/// rim of an internal gear, or if this rim is too thin for the rim thickness factor of a rating.
-/// The groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
+/// A warning about the body of a gear. For an external gear, it states that no material remains
+/// between the bore and the roots. For an internal gear, it states that no material remains between
+/// the roots and the rim, or that the rim is too thin for the rim thickness factor of a rating. The
+/// groove of a double-helical gear, with the diameter `groove` mm, also limits the body.
 std::optional<Warning> body_warning(const Gear& gear, std::optional<double> groove, int which);
 
 /// Warns if the gears jam, see jams(). `touched` is a part of the message. It names the

@@ -45,8 +45,8 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
 
 /// True if some tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);
-/// The error about the first relief without a start. It applies to a gear without a mating
-/// gear, from which the start could be computed.
+/// The error about the first relief of a single gear without a start. Only for a pair can the start
+/// of a relief be computed.
 Error missing_relief_start(const GivenPair& given);
 
 /// Computes the start of each tip or root relief that has none, on both gears of a pair.

@@ -173,8 +173,8 @@ GivenPair at_end(const Arranged& nominal, std::size_t end, const std::optional<E
   if (given.pair.backlash_ends) {
     given.pair.backlash = (*given.pair.backlash_ends)[1 - end];
   } else if (given.pair.wants_backlash()) {
-    // A given backlash is that of the nominal gears. Here, the tooth thickness of the nominal
-    // gears is kept, and the backlash follows from it.
+    // A given backlash applies to the nominal gears. At this end, the allowances are those of the
+    // nominal gears, and the backlash is computed from them.
     given.pair.backlash.reset();
     given.pair.backlash_circumferential.reset();
     given.pair.backlash_angle.reset();

@@ -82,7 +82,8 @@ Error following_from(std::string field, std::string value, std::string_view how,
 
 namespace {
 
-// The rule without the words "is missing", with which absent_input() begins it.
+// The rule of an error that absent_input() has made, without the words "is missing" at its
+// beginning.
 std::string_view what_is_wanted(const Error& error) {
   std::string_view rule = error.rule;
   rule.remove_prefix(std::string_view("is missing").size());

@@ -1,4 +1,5 @@
-// Appends numbers to binary files and reads them, with the least significant byte first on every machine.
+// Appends numbers to binary files and reads them. The least significant byte comes first on every
+// machine.
 #pragma once
 
 #include <cstdint>

@@ -13,9 +13,9 @@ std::string fixed_decimals(double x, int decimals);
 /// The number with at most `most` decimals and without trailing zeros: "1.5", "2".
 std::string short_decimals(double x, int most);
 
-/// The number rounded up or down to this many decimals, for a limit that users copy: a printed
-/// lower limit is not less than x, and a printed upper limit is not greater. A number that has no
-/// more decimals, apart from rounding errors, is unchanged.
+/// The number rounded up or down to this many decimals. It is used for limits that users copy, so
+/// that a printed lower limit is not less than x and a printed upper limit is not greater. A number
+/// that has no more decimals, apart from rounding errors, is unchanged.
 ///
 /// Domain    finite, decimals ≥ 0
 double rounded_up(double x, int decimals);

@@ -11,7 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// The result for a byte that does not start a code point. The code point U+FFFD has three bytes.
+// The result for a byte that does not start a code point. Its length of one byte distinguishes it
+// from a valid U+FFFD, which has three bytes.
 constexpr Utf8Point kWrong{0xFFFD, 1};
 
 }  // namespace

@@ -42,9 +42,9 @@ std::vector<Row> mesh_conditions(const DriveGraph& graph, const PlanetGroup& gro
   return rows;
 }
 
-// Returns N* = gcd |y·b|. Euclid's algorithm brings the columns of A to echelon form. Its steps
-// are unimodular. In those rows of the result in which A is 0, the last column therefore
-// contains the values y·b of a saturated basis.
+// Returns N* = gcd |y·b|, where the rows y form a saturated basis of y·A = 0. Euclid's algorithm
+// brings the columns of A to echelon form by unimodular steps. In the rows in which A has then
+// become 0, the last column contains the values y·b.
 long long places_of(std::vector<Row> rows, std::size_t riders) {
   std::size_t top = 0;
   for (std::size_t column = 0; column < riders; ++column) {

@@ -26,9 +26,9 @@ struct Assembly {
 
 /// Computes N* of a group of planets.
 ///
-/// Formula   A copy can be assembled at the place u if and only if rotations χ of its riders
-///           exist with which every mesh moves by whole teeth, while the copy moves from 0 to u
-///           around the axis of the carrier and the central gears are at rest: A χ + b u ∈ Zᴹ.
+/// Formula   A copy moves from 0 to u around the axis of the carrier, while the central gears are
+///           at rest. It can be assembled at u if and only if, for some rotations χ of its riders,
+///           every mesh moves by whole teeth: A χ + b u ∈ Zᴹ.
 ///           N* = gcd |y·b| over the rows y of a saturated integer basis of y A = 0; [T13.12]
 long long assembly_places(const DriveGraph& graph, const PlanetGroup& group);
 

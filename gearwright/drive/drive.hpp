@@ -54,9 +54,9 @@ struct DriveError {
 /// the values at its positions are means over all positions of the other meshes.
 struct PlanetShares {
   std::size_t set = 0;  ///< index in Drive::sets
-  /// Fraction of the load of the mesh with the greatest force, [planet][position].
+  /// The share of each planet in the mesh with the greatest force, [planet][position].
   std::vector<std::vector<double>> share;
-  std::vector<double> least, greatest;  ///< over all positions of all meshes, for each planet
+  std::vector<double> least, greatest;  ///< least and greatest share of each planet in this mesh
   /// Each loaded mesh of the set with its K_γ = N max share [T13.26]. The values differ only if a
   /// planet has more than two meshes.
   std::vector<std::pair<std::size_t, double>> mesh_load_factors;

@@ -72,7 +72,8 @@ class DriveCurves {
       for (int k = 1; k <= harmonics; ++k)
         found.lines.push_back(
             {k * teeth.value_or(0.0), 2 * std::abs(waves[static_cast<std::size_t>(k)])});
-      // Without errors, all waves are exactly 0. A search computes thousands of such drives.
+      // Without errors, all waves are exactly 0. The frequency is then skipped to save time,
+      // because a search computes thousands of such drives.
       if (std::all_of(waves.begin(), waves.end(), [](const Wave& w) { return w == 0.0; })) continue;
       double least = 0.0, greatest = 0.0;
       for (int i = 0; i < kErrorPositions; ++i) {

@@ -27,7 +27,7 @@ namespace gearwright {
 enum class Spacing {
   nearest,        ///< equal pitch if the planets can then be assembled, otherwise the nearest
                   ///< places
-  equal,          ///< equal pitch; an error if the planets cannot be assembled then
+  equal,          ///< equal pitch; an error if the planets cannot be assembled at equal pitch
   equal_clocked,  ///< equal pitch; the two gears of a stepped planet are clocked to fit its place
   opposite,       ///< pairs of opposite planets
 };

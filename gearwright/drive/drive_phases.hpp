@@ -21,8 +21,8 @@ namespace gearwright::detail {
 /// from the centre line. The mesh reaches x at the time x − event + time + γ_i.
 struct MeshPhase {
   bool first_drives = true;
-  /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis of a
-  /// pair turns gear 1 clockwise.
+  /// True if gear 1 turns counter-clockwise in the frame of the mesh. The contact analysis requires
+  /// that gear 1 turns clockwise, so the mesh is then analysed as seen from the other face.
   bool turned = false;
   double weight = 0.0;           ///< rotation of the output per mm of the curve, rad
   double event = 0.0;            ///< position of the pitch point in the curve, in periods
@@ -64,8 +64,8 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes. None if a load is too large for a fraction. Also none if a mesh
-/// that moves the output has no involute teeth, has an idler without a possible place, or
+/// The phases of all meshes. None if a load exceeds the range of exact fractions. Also none if a
+/// mesh that moves the output has no involute teeth, has an idler without a possible place, or
 /// shares a rack with another such mesh.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the
@@ -79,7 +79,7 @@ std::optional<std::vector<MeshPhase>> phases_of(const Drive& drive);
 /// readings.
 std::optional<ContactSetup> mesh_contact(const Drive& drive, std::size_t mesh,
                                          const ContactErrors& errors, bool turned);
-/// A pinion and its rack, as mesh_contact(); null if mesh_contact() returns none.
+/// The same for the mesh of a pinion with a rack. Null if the flanks cannot be computed.
 std::shared_ptr<const ContactPair> rack_contact(const Drive& drive, std::size_t mesh,
                                                 const ContactErrors& errors,
                                                 const MeshPhase& phase);

@@ -292,7 +292,7 @@ std::vector<Warning> shafts_through_gears(const Drive& drive, const DrivePlaces&
   for (std::size_t g = 0; g < graph.gears.size(); ++g) {
     const DriveGear& gear = graph.gears[g];
     if (gear.is_ring() || gear.rack || !turns_in_housing(gear.body)) continue;
-    std::vector<Vec2> named;  // the axes of the notes; coaxial bodies have one shaft
+    std::vector<Vec2> named;  // the axes that already have a note; coaxial bodies have one shaft
     for (std::size_t b = 0; b < graph.bodies.size(); ++b) {
       const Vec2 axis = places.axes[b];
       const double apart = (axis - places.axes[gear.body]).norm();

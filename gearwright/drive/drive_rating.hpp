@@ -24,7 +24,7 @@ struct DriveLoad {
   std::optional<double> speed;  ///< n  1/min, of the first input; if absent, meshes are rated
                                 ///<    without speed
   RatingInput common;           ///< all other inputs; K_γ is used only for meshes with N > 1
-  std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, that of `common`
+  std::vector<double> mesh_load_factors{};  ///< K_γ of each mesh; if empty, K_γ of `common` is used
   const char* factor_origin = nullptr;      ///< origin of `mesh_load_factors`, if not the user
 };
 

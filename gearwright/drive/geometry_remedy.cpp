@@ -12,8 +12,8 @@ namespace gearwright {
 
 namespace {
 
-// The greatest differences from the nominal values that are tried. The possible differences are
-// smaller if the teeth have the usual height.
+// The greatest differences from the nominal values that are tried. For teeth of the usual height,
+// all possible differences are smaller.
 constexpr int kMostTeeth = 40;
 constexpr double kMostDistance = 10.0;  // m_n
 
@@ -148,7 +148,8 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
   std::string text = fmt::format("{} = {}", name, teeth->least);
   if (teeth->greatest > teeth->least) text += fmt::format(" to {}", teeth->greatest);
   text += " is possible.";
-  // If the planet has only one gear, z_r = z_s + 2 z_p without profile shifts.
+  // If a planet with only one gear meshes with a sun and this ring, the text also names the usual
+  // number of teeth of the ring. Without profile shifts, z_r = z_s + 2 z_p.
   for (const std::size_t k : same) {
     const auto planet = planet_of(graph, k);
     if (k == m || !planet || graph.gears[teeth->gear].teeth > 0) continue;

@@ -25,8 +25,8 @@ class LoadSpring {
 
   /// The spring with F = k δ.
   static LoadSpring linear(double stiffness);
-  /// The spring through the nodes, which may be in any order. A node is left out if its force or
-  /// its approach does not exceed the value at the previous node.
+  /// The spring through the nodes. They may be given in any order and are sorted. A node is left
+  /// out if its force or its approach does not exceed the value at the node before it.
   ///
   /// Formula   cubic Hermite pieces, their slopes limited to three times the secants (Fritsch and
   ///           Carlson 1980), so F rises everywhere; below the first node, the parabola with the

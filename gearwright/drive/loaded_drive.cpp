@@ -105,8 +105,8 @@ class SetTurn {
         std::max(shares.greatest_displacement.value_or(0.0), state.displacement.norm());
   }
 
-  // The range of the output minus the sum of the ranges of its means over each frequency. It is 0
-  // if the rotations that the frequencies cause add up.
+  // The range of the output rotation minus the sum of the ranges of the curves in `output`. The
+  // difference is 0 if the rotation is the sum of one part for each frequency.
   double coupling() const {
     if (output.size() < 2) return 0.0;
     double sum = greatest_ - least_;
@@ -118,8 +118,8 @@ class SetTurn {
   }
 
   PlanetShares shares;
-  std::vector<std::vector<double>> output;  // rotation, mean over the other frequencies,
-                                            // [frequency][position]
+  std::vector<std::vector<double>> output;  // rotation of the output, mean over the positions of
+                                            // the other frequencies, [frequency][position]
  private:
   std::size_t copies_, greatest_mesh_ = 0;
   double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
@@ -171,7 +171,8 @@ class DriveUnderLoad {
   }
 
  private:
-  // The first meshes of all frequencies of a set. Each gear of a stepped planet has a frequency.
+  // The first meshes of all frequencies of a set. Each gear of a stepped planet has its own
+  // frequency.
   std::vector<std::size_t> frequencies(const PlanetSet& set) const {
     std::vector<std::size_t> list;
     for (const std::size_t m : set.group.meshes) {
@@ -184,7 +185,8 @@ class DriveUnderLoad {
 
   std::optional<Error> too_many_positions(const PlanetSet& set) const {
     const std::size_t count = frequencies(set).size();
-    // positions_ is rounded up to a multiple of the planets, which costs little time.
+    // The limit applies to the requested number of positions. positions_ may be greater, because it
+    // is a multiple of the numbers of planets, but the additional positions cost little time.
     if (count < 2 || std::pow(load_.positions, count) <= kMostCombinations) return std::nullopt;
     return Error{"load.positions", std::to_string(load_.positions),
                  fmt::format("is too many for planets with {} mesh frequencies, because all "

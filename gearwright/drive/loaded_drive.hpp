@@ -18,7 +18,6 @@
 
 namespace gearwright {
 
-/// The load of a drive and the resolution of its meshes.
 struct DriveLoadCase {
   double torque = 0.0;                  ///< T  N m, on the input, > 0
   int positions = 64;                   ///< least number of positions per period of the meshes

@@ -8,9 +8,9 @@ namespace gearwright {
 
 namespace {
 
-// The contact of a mesh on the flanks that work if the given gear drives. This is gear 2 if
-// `gear2_drives`, and otherwise gear 1. If the pair is not double-helical, only `whole` is set.
-// None if the flanks cannot be computed.
+// The contact of a mesh on its working flanks. Gear 2 drives if `gear2_drives` is true, and
+// otherwise gear 1. If the pair is not double-helical, only `whole` is set. None if the flanks
+// cannot be computed.
 std::optional<HalvesContact> contact_of(const Drive& drive, std::size_t m,
                                         const ContactErrors& errors, const detail::MeshPhase& phase,
                                         bool gear2_drives) {

@@ -161,8 +161,8 @@ void PlanetEquilibrium::find_rows(const std::vector<MeshPhase>& phases,
         const auto c = column(gear.body, i);
         if (!c) continue;
         spring.row[*c] += sigma * per_tooth * gear.teeth / r;
-        // The rotation of the output follows from the terms of one copy, because the terms of
-        // the riders cancel.
+        // The rotation of the output is a sum over the meshes of a single copy. The terms of the
+        // rotations of the riders cancel in this sum.
         if (i == 0) output_[*c] -= phase.weight * spring.row[*c];
       }
       problem_.load += weights_[k] * nominal_[k] * spring.row;

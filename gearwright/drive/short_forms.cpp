@@ -242,8 +242,8 @@ struct Side {
   double length;  // a  mm
 };
 
-// The directions of the last stage, and of the stage before if it has none, for which the output has
-// the axis of the input.
+// Sets the direction of the last stage so that the axis of the output is the axis of the input. If
+// necessary, also computes an absent direction of the stage before the last one.
 std::optional<Error> close_train(DriveInput& train) {
   constexpr double kCloses = 1e-6;  // mm; far below the play of any bearing
   const auto fails = [&train](const std::string& rule) {
@@ -270,7 +270,8 @@ std::optional<Error> close_train(DriveInput& train) {
   const Side last = sides.back();
   if (sides.size() < 2)
     return fails("needs two stages of two gears; a single one cannot lead back to its input");
-  // Follows the axes to the input of the stage before the last one, and to its output.
+  // Adds up the stages. `from` and `to` become the axes of the input and of the output of the stage
+  // before the last one.
   auto& meshes = train.graph.meshes;
   const Side before = sides[sides.size() - 2];
   double angle = 0.0;

@@ -28,7 +28,6 @@ struct PerMember {
   std::optional<double> all;
   std::array<std::optional<double>, kSetMembers> each{};
 
-  /// The names of the numbers in `each`.
   static std::vector<std::string> names() { return set_member_names(); }
   void set(const std::string& member, double number);
   std::optional<double> of(SetMember member) const {
@@ -64,7 +63,8 @@ struct PlanetarySpec {
   PerMember allowance;      ///< E_sn  mm
   std::string series;       ///< of DIN 3967, for gears without an allowance; "" for nominal teeth
   PerMember tip_diameter;   ///< d_a  mm
-  PerMember bore;           ///< bore mm; for a ring, outside of its rim, which `all` does not set
+  PerMember bore;           ///< diameter of the bore or, for a ring, outside diameter of its rim,
+                            ///< mm; `all` does not apply to rings
   PerMesh efficiency;
   PerMesh backlash;                               ///< j_n  mm
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
@@ -143,9 +143,10 @@ Result<DriveGraph> graph_of(const PlanetarySpec& spec);
 /// on. A body that is the output of one stage and the input of the next stage has the name that
 /// the first of these stages gives it.
 ///
-/// Formula   if the last stage is coaxial, its direction leads back to the axis of the input. If the
-///           stage before has no direction, it is the one on the left side for which the centre
-///           distances form a triangle
+/// Formula   if the last stage is coaxial, its direction leads back to the axis of the input. If
+///           the stage before it has no direction, its direction is computed from the triangle of
+///           its two axes and the axis of the input. The triangle lies to the left of the line from
+///           the axis of the input to the first axis of this stage
 /// Errors    as graph_of(); `drive.input` if a later stage has several inputs; `drive.speed` and
 ///           `drive.torque` if they are given for a later stage; `drive.angle` if the centre
 ///           distances do not permit a coaxial output

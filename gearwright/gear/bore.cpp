@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kDecimals = 3;  // of a printed diameter, mm
 
-// The error if an internal gear has no rim diameter, or if the rim has a keyway or does not
-// extend to the radius `room`, mm; empty if the rim is valid.
+// The error of the rim of an internal gear; empty if the rim is valid. The rim diameter must be
+// given, the rim must extend to the radius `room`, mm, and it must not have a keyway.
 std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   const std::string need = fmt::format(
       "the bore of an internal gear is the outside diameter of its rim and must be at least {:.3f} "

@@ -47,9 +47,9 @@ struct HoleLimits {
   std::optional<double> groove{};  ///< mm, the radius of the groove of a double-helical gear
 };
 
-/// The error if the bore or the rim leaves less than kLeastWall of material to the roots or to the
-/// groove, if the bore is invalid, if an internal gear has no rim diameter, or if a rim has a
-/// keyway. The result is empty if there is no error.
+/// The error of a bore or rim, empty if there is none. It is an error if less than kLeastWall of
+/// material remains to the roots or to the groove, or if the bore is invalid. For an internal gear,
+/// an absent rim diameter and a keyway are also errors.
 std::optional<Error> hole_error(const std::optional<Bore>& bore, const HoleLimits& limits);
 
 }  // namespace gearwright

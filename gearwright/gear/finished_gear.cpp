@@ -194,7 +194,7 @@ void warn_about_tooth(Gear& gear) {
 // of the gear. The remaining material projects beyond the involute and can collide with other
 // mating gears.
 //
-//   δ = r_b (θ − θ_i)   projection along the normal of the involute, mm [T2.35]
+//   δ = r_b (θ − θ_i)   distance from the involute along the normal of the involute, mm [T2.35]
 //   θ, θ_i              polar angles of the outline and of the involute at one radius
 
 constexpr double kNoise = 1e-9;  // modules; a smaller δ is a rounding error
@@ -216,9 +216,8 @@ double greatest(const Gear& gear, const Arc& arc) {
   return -std::min(least, boost::math::tools::brent_find_minima(less, lo, hi, kHalfDigits).second);
 }
 
-// The projection of the tip, which is the greatest δ on the arcs beyond the flank; none if this δ
-// is at most 1e-9 modules. The result is accurate to rounding if δ has only one maximum on each
-// arc.
+// The greatest δ on the arcs beyond the flank; none if it is at most 1e-9 modules. The result is
+// accurate to rounding if δ has only one maximum on each arc.
 std::optional<TipBulge> tip_bulge(const Gear& gear) {
   if (!gear.tooth || !gear.tooth->form_radius) return std::nullopt;
   double most = kNoise * gear.spec.normal_module;

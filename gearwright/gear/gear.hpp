@@ -66,7 +66,7 @@ struct ArcTeeth {
   std::optional<Angle> undercut_limit;        ///< τ of the cusp of this arc, if it has a cusp
 };
 
-/// The projection of a tip beyond the involute (gear/finished_gear.hpp).
+/// A tip that projects beyond the involute of its flank (gear/finished_gear.hpp).
 struct TipBulge {
   double amount;         ///< mm, along the involute's normal
   double from_diameter;  ///< mm, where the flank ends
@@ -109,8 +109,9 @@ struct Gear {
   const ReferenceGeometry<double>& reference() const;
   double base_radius() const { return reference().base_diameter / 2; }
   bool exists() const { return !tooth || (!tooth->through_axis && !tooth->severed); }
-  /// The error of a gear whose teeth do not exist, on the input that removes them: the thickness
-  /// allowance if the gear without it has teeth, the profile shift, or the rack of circular arcs.
+  /// The error of a gear whose teeth do not exist. It names the input that removes the teeth: the
+  /// thickness allowance if the gear without the allowance has teeth, otherwise the profile shift
+  /// or the rack of circular arcs.
   ///
   /// Domain    !exists() (contract)
   Error why_not() const;

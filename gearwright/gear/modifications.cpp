@@ -31,9 +31,9 @@ constexpr double kSameBorder = 1e-9;
 // A grid must reach the form diameters within this relative tolerance, because diameters in a spec
 // are rounded.
 constexpr double kSameDiameter = 1e-9;
-// Least L, relative to the greatest L, at which √(ρ² − r0²) is used directly. If the flank
-// begins on the base circle, L has an error below this limit. The error is greatest on the base
-// circle, where it is half the limit.
+// Least L, relative to the greatest L, that is computed as √(ρ² − r0²). If the flank begins on the
+// base circle, a smaller L is replaced by a smooth function. The error of this function is greatest
+// on the base circle, where it is half the least L.
 constexpr double kMinRoll = 1e-6;
 // Relative rounding error of the form radius of a flank that begins on the base circle.
 constexpr double kOnBase = 1e-12;

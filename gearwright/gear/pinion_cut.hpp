@@ -16,7 +16,8 @@ struct PinionCutSpec {
   double face_width = 0.0;                ///< b  mm
   std::optional<double> tip_diameter;     ///< d_a  mm; by default determined by the cutter's root
   double thickness_allowance = 0.0;       ///< E_sn  mm
-  std::optional<double> profile_shift{};  ///< x, if E belongs to x_E of this shift and allowance
+  std::optional<double> profile_shift{};  ///< x; set if E was computed from this x and the
+                                          ///< allowance
 };
 
 /// The reason why the cutter cannot cut a gear with this number of teeth at any distance; empty

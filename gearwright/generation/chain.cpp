@@ -149,7 +149,7 @@ constexpr double kHeightRounding = 1e-14;
 
 // Returns the least value of θ_a − θ_b over the heights that equal h within rounding. At the start
 // of a branch that is tangent to a circle about the axis, θ varies like the square root of the
-// height, so a rounding error of h causes a much greater error of θ.
+// height. A rounding error of h there causes a much greater error of θ.
 double surely_above(const Branch& a, const Branch& b, double h) {
   const double near = kHeightRounding * std::abs(h);
   const double below = a.theta_at(std::max(a.height_lo, h - near));

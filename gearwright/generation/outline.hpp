@@ -1,5 +1,6 @@
-// The transverse outline of half a tooth: named arcs from the middle of the space to the middle of
-// the tooth, on the side y > 0, with the centre line of the tooth on the x axis.
+// The transverse outline of half a tooth. It consists of named arcs from the middle of the space to
+// the middle of the tooth. The centre line of the tooth is the x axis, and the half tooth lies on
+// the side y > 0.
 //
 //   Laws  (1) each arc ends at the start of the next arc, to the last bit
 //         (2) the polar angle is π/|z| at the first point and 0 at the last point

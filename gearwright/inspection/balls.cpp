@@ -157,10 +157,12 @@ double over_two_balls(const Gear& gear, const BallSeat& seat) {
 
 namespace {
 
-// The least distance between two helices on one cylinder, relative to the diameter of the cylinder:
-// √(cos² (ε/2) + T sin² ε/4), where ε solves ε − T sin ε = δ. In every transverse plane, the points
-// of the two helices deviate by the angle δ from opposite positions. [T10.9] The nearest points are
-// √T sin ε/2 = (ε − δ)/(2 √T) apart along the axis. [T10.35]
+// The least distance between two helices on one cylinder, and the axial distance of the points that
+// are nearest to each other. In every transverse plane, the points of the two helices deviate by
+// the angle δ from opposite positions.
+//
+// Relative to the diameter of the cylinder, the least distance is √(cos² (ε/2) + T sin² ε/4), where
+// ε solves ε − T sin ε = δ [T10.9]. The axial distance is √T sin ε/2 = (ε − δ)/(2 √T) [T10.35].
 struct Across {
   double distance, along;
 };
@@ -233,7 +235,7 @@ std::optional<double> base_thickness_from_balls(const Gear& gear, double ball, d
   const double d_K = (dimension - b.sigma * ball) / across;
   if (!(d_K >= b.d_b)) return std::nullopt;
   const double inv = involute_of_roll(leaf::curvature(d_K, b.d_b) / b.d_b);
-  // η_b = D_M/(d_b cos β_b) − σ inv α_Kt; b.eta is π/|z| here.
+  // η_b = D_M/(d_b cos β_b) − σ inv α_Kt. b.eta is π/|z|, because b has the tooth thickness 0.
   return b.d_b * (b.eta - ball / (b.d_b * b.cos_b) + b.sigma * inv);
 }
 

@@ -21,7 +21,6 @@ namespace gearwright {
 //
 // The flank of an internal gear extends outward from d_Fa, because the tip lies inside.
 
-/// The position of a contact.
 enum class ContactPlace {
   usable,           ///< on the involute, between d_Ff and d_Fa
   below_flank,      ///< at the root fillet, which is not an involute; the reading has no meaning

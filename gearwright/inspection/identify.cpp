@@ -61,8 +61,8 @@ class Searching {
   static constexpr double kSameAngle = 1e-6;
   static constexpr double kLogOwnModule = -3.5;
 
-  // The base pitch and its standard deviation, from the spans over the least and over the greatest
-  // number of teeth; none if all spans are over the same number of teeth.
+  // The base pitch and its standard deviation, computed from the span over the least and the span
+  // over the greatest number of teeth. None if all spans are over the same number of teeth.
   std::optional<std::array<double, 2>> base_pitch() const {
     const Observation *least = nullptr, *most = nullptr;
     for (const Observation& o : readings_) {
@@ -80,8 +80,8 @@ class Searching {
     return pitch && (*pitch)[0] > 0.0 ? std::optional((*pitch)[0] / pi) : std::nullopt;
   }
 
-  // True if a gear of this rack can agree with the measured base pitch or, if no base pitch was
-  // measured, approximately with the readings that depend on the size.
+  // True if a gear of this rack can agree with the base pitch that follows from the spans. Without
+  // such a base pitch, the gear must roughly agree with the readings that depend on the size.
   bool possible(double m, double alpha) const {
     if (const auto pitch = base_pitch())
       return std::abs(pi * m * std::cos(alpha) - (*pitch)[0]) < 6 * (*pitch)[1];

@@ -8,8 +8,8 @@
 //
 // The anvils are planes normal to a base tangent, so at any helix angle the reading is exactly a
 // length along this tangent. Both contacts can be moved along the flanks together. The results are
-// for the symmetrical position. If the contacts lie on the usable flanks in any position, they also
-// do so in the symmetrical position.
+// for the symmetrical position. If both contacts lie on the usable flanks in any position, they
+// also lie on them in the symmetrical position.
 #pragma once
 
 #include <vector>
@@ -45,8 +45,8 @@ double span_length(const Gear& gear, int k);
 /// ±1/cos α_n.
 double thickness_per_span(const Gear& gear);
 
-/// The face width, mm, that measuring practice requires for a span of a helical gear, so that each
-/// anvil rests on a part of the flank and does not tip off. [T10.36]
+/// The face width, mm, that measuring practice requires for a span of a helical gear. With this
+/// width, each anvil rests on enough of the flank and does not tip off. [T10.36]
 double practical_face_width(const Gear& gear, const Span& span);
 
 /// The span over k teeth and its contacts. [T10.2], [T10.3]

@@ -78,8 +78,9 @@ constexpr std::array<std::array<double, 12>, 21> kGrades{{
 constexpr int kMaxGrade = 12;
 
 // Magnitudes, µm, of the negative fundamental deviations of ISO 286-1, table 3. kDeviationP
-// contains the values of P for grades above IT7 and the first sizes. kDeviationN is the value
-// of N for grades above IT8 and sizes up to 3 mm; for greater sizes, it is 0.
+// contains the values of P for grades above IT7, one for each of the first sizes. kDeviationN is
+// the value of N for grades above IT8 and sizes up to 3 mm. For greater sizes, the deviation of N
+// is 0.
 constexpr std::array kDeviationP{6., 12., 15., 18., 22., 26., 32., 37.};
 constexpr double kDeviationN = 4.0;
 

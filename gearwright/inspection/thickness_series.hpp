@@ -1,5 +1,6 @@
-// Allowances and tolerances that are given by the name of a series or of a grade: for the tooth
-// thickness by DIN 3967, and for centre distances, tips, bores and keyways by ISO 286 and DIN 6885.
+// Allowances and tolerances that are given by the name of a series or of a grade. The series of DIN
+// 3967 apply to the tooth thickness. ISO 286 and DIN 6885 apply to centre distances, tips, bores
+// and keyways.
 //
 //   E_sns, T_sn   upper allowance and tolerance of the normal tooth thickness, µm
 //   JS7           from −IT7/2 to IT7/2

@@ -75,7 +75,6 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
-/// All quantities of the contact at the normal angle θ.
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
 // The tool setting b_F, which is the b of the rack that cuts the convex teeth of circular-arc

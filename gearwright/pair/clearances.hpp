@@ -1,6 +1,6 @@
-// Closed forms about the reach of the tips of two mounted gears. They compute the clearance
-// between each tip and the mating root, the radius down to which each tip touches the mating
-// flank, and the tip diameter with which contact stays on the usable flank of the mating gear.
+// Closed forms about the reach of the tips of two mounted gears. They give the clearance between
+// each tip and the mating root, and the radius down to which each tip touches the mating flank.
+// They also give the tip diameter with which contact stays on the usable flank of the mating gear.
 //
 //   r_a, r_f   tip and root radius        d_Nf/2   radius down to which the mating tip touches
 //                                     theory: docs/theory/02-involute-and-pair.md, [T2.23], [T2.25]

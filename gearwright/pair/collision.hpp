@@ -13,7 +13,6 @@
 
 namespace gearwright {
 
-/// The parts that collide.
 enum class CollisionCause {
   negative_backlash,  ///< the flanks overlap
   root,               ///< a tip that reaches below the mating gear's root circle
@@ -38,8 +37,6 @@ struct Collision {
                                       ///< from a circle instead of the outlines
   std::string message;                ///< one sentence
 };
-
-// The table of collision causes.
 
 struct CauseMeaning {
   CollisionCause cause;

@@ -140,8 +140,9 @@ GapOver outside(const TipMotion& motion, double distance) {
   };
 }
 
-/// Internal pairs: v maps to the height z on the face of A. u maps to ψ over the part of the tip
-/// circle at z that lies on the root side of the radius `limit` of B.
+/// Internal pairs: v maps to the height z on the face of A, and u maps to ψ on the tip circle at
+/// this height. Only the part of the tip circle on the root side of the radius `limit` of B is
+/// used.
 GapOver inside(const TipMotion& motion, double limit) {
   const bool ring = side_of(motion.a().teeth) < 0.0;
   const double mesh = motion.start() + (ring ? 0.0 : kPi);
@@ -152,8 +153,8 @@ GapOver inside(const TipMotion& motion, double limit) {
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
-  // The ψ of the point that lies farthest on the root side of `limit`, and the least and the
-  // greatest ψ of the points on this side; none if no point lies there.
+  // The range of ψ in which the points lie on the root side of `limit`, and the ψ of the point that
+  // lies farthest on this side. None if no point lies there.
   struct Window {
     double deepest, lo, hi;
   };

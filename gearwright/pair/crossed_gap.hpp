@@ -2,9 +2,9 @@
 // gear is an internal gear, the gaps to all parts of its teeth are computed. Internal to pair/.
 //
 // On crossed axes, every section is different. As the gear of the tip rotates, the edge of a tip
-// corner sweeps the whole tip cylinder. For a point of the tip cylinder inside the mating gear's
-// form cylinder, closed forms give the rotation ω_A at which the edge passes the point, and the gap
-// g there:
+// corner sweeps the whole tip cylinder. Only the points of the tip cylinder inside the form
+// cylinder of the mating gear matter. For such a point, closed forms give the rotation ω_A at which
+// the edge passes the point, and the gap g there:
 //
 //   A, B   the gear of the tip and its mating gear     θ_c   half angle of the tip corner
 //   ψ, z   azimuth and height on the tip cylinder of A     ω_A = ψ − θ_c − 2π z/p_zA

@@ -37,7 +37,6 @@ struct SlidingPath {
 ///
 /// Domain    begin < end, and the sliding speed is not the same at both ends (contract)
 SlidingShares sliding_shares(const SlidingPath& path);
-/// M_1 and M_2 of a pair of gears.
 SlidingShares sliding_shares(const MeshInput<double>& in, const Mesh<double>& mesh);
 
 /// The efficiencies η_12 and η_21 for the coefficient of friction μ.   Domain: μ ≥ 0 (contract)

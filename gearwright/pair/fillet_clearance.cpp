@@ -143,8 +143,8 @@ std::optional<double> fillet_clearance(const ParallelPair& pair, int which) {
       const double c = side * deep / (2 * a * corner.radius);
       if (c >= 1.0) continue;  // the corner never reaches this depth
       const double w_end = std::acos(std::max(-1.0, c));
-      // Only the half of the path on the side of this fillet is examined. In an internal gear, the
-      // corner of the pinion can reach the fillet on both halves, so the whole path is examined.
+      // On an external gear, only the half of the path on the side of this fillet is examined. In
+      // an internal gear, the corner of the pinion can reach the fillet on both halves of the path.
       const double from = side < 0.0 ? -w_end : 0.0;
       const auto gap = [&](double s) {
         const double w = from + s * (w_end - from);

@@ -123,8 +123,8 @@ GapProfile::GapProfile(const Outline& outline)
     if (is_land(arc) || begin == end) continue;
     arcs_.push_back({&arc, begin, end, arc.curve->radius_is_closed_form()});
   }
-  // If the angle between two arcs is smaller than this, it is a rounding error, or the corner
-  // is so blunt that contact of the arcs is equivalent to contact of the corner.
+  // A smaller angle between two arcs does not count as a corner. It is a rounding error, or the
+  // corner is so blunt that contact of the arcs is equivalent to contact of the corner.
   constexpr double kSmooth = 1e-7;  // rad
   // The mating gear cannot reach a concave corner. If the angle is near half a turn, the corner
   // may be a cusp, at which rounding determines the sign of the angle. Such a corner is

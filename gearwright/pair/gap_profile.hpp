@@ -22,8 +22,8 @@ struct ProfilePlace {
 /// A convex corner of the outline, which the mating gear's outline may touch.
 struct ProfileCorner {
   double rho, theta;
-  ArcName name;  ///< the arc that begins at the corner, or the arc that ends there if the former is
-                 ///< a land
+  ArcName name;  ///< the arc that begins at the corner or, if this arc is a land, the arc that ends
+                 ///< at the corner
 };
 
 /// An arc that is not a land. Along the arc, the distance from the axis of the gear changes.

@@ -220,8 +220,9 @@ Mesh<T> mesh_of(const MeshInput<T>& in) {
   return m;
 }
 
-/// Face widths on crossed axes, mm, that contain the line of action of one flank, and the lines
-/// of action of both flanks if the middle of the face is on the common perpendicular.
+/// Two face widths for each gear on crossed axes, mm. A face of the width f contains the line of
+/// action of one flank. A face of the width f' contains the lines of action of both flanks if its
+/// middle is on the common perpendicular.
 ///
 /// Formula   f_i = AE |sin β_bi|, f'_i = 2 max |s_i|; [T4.21]
 template <class T>

@@ -48,7 +48,6 @@ struct Table {
   }
 };
 
-/// One gear moving past the other.
 struct Motion {
   const GapProfile& mover;
   const GapProfile& asked;

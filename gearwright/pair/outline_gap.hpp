@@ -32,9 +32,9 @@ struct OutlineTouch {
   double height = 0.0;      ///< position along axis 1, mm; 0 on parallel axes
   std::array<OutlinePlace, 2> places{};
 
-  /// The distance between the two places, mm along the common normal, to first order, if gear 2
-  /// is turned by `play` from the middle of its play towards the touch. If the distance is < 0,
-  /// its magnitude is the depth of the overlap.
+  /// The distance between the two places, mm along the common normal, to first order. Gear 2 is
+  /// turned by `play` from the middle of its play towards the touch. If the distance is < 0, its
+  /// magnitude is the depth of the overlap.
   double distance(double play = 0.0) const { return (gap - play) * arm; }
 };
 
@@ -61,10 +61,10 @@ struct OutlineGap {
 ///           in this case
 /// Accuracy  every gap is computed for two points of the outlines, so except for rounding it is
 ///           never less than the true least gap. If the least gap of two arcs is less than `limit`,
-///           the result exceeds it by at most 1e-12 rad, provided that between neighbouring samples
-///           (nine per family) the gap does not fall below the chord by more than half of the
-///           second difference. If the least gap exceeds `limit`, the result is the least evaluated
-///           value
+///           the result exceeds the least gap by at most 1e-12 rad. This requires that, between
+///           neighbouring samples (nine per family), the gap falls below the chord by at most half
+///           of the second difference. If the least gap exceeds `limit`, the result is the least
+///           evaluated value
 OutlineGap outline_gap(const Outline& gear_1, const Outline& gear_2, double center_distance,
                        double limit = std::numeric_limits<double>::infinity());
 

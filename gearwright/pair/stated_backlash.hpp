@@ -14,7 +14,6 @@ constexpr double no_backlash(double normal_module) {
   return std::max(0.5e-4, 1e-4 * normal_module);
 }
 
-/// The backlash that messages and verdicts state.
 struct StatedBacklash {
   double normal;           ///< j_n       mm
   double cos_angle;        ///< cos α_wn  j_bn = j_n cos α_wn

@@ -1,5 +1,5 @@
-// A number of a strength rating, with the clause of the standard and the branch of the formula from
-// which it was computed, so that users can compare the number with another report.
+// A number of a strength rating. It is stored with the clause of the standard and the branch of the
+// formula from which it was computed, so that users can compare it with another report.
 //
 // Clause and branch are string literals, so they cost no time. The design search can therefore use
 // the same functions.
@@ -29,7 +29,6 @@ struct Factor {
   const char* branch = "";   ///< "helical, ε_β ≥ 1"; empty if the formula has only one form
 };
 
-/// A factor without a value.
 inline constexpr Factor kNoFactor{kNoNumber, "", ""};
 inline bool is_there(const Factor& f) { return !std::isnan(f.value); }
 

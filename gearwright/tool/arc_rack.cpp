@@ -149,8 +149,8 @@ Result<RackOfArcs> arcs_of(const ArcRack& rack) {
   const double rho = rack.root_fillet_radius;
   const double y_c = flank.center_offset + (flank.radius + rho) * std::cos(flank.begin.rad());
   if (y_c > kHalfPi) {
-    // The rounding with the full radius may touch the circle of the flank beyond its arc. Then
-    // every smaller radius also does, so only the depth can be reduced.
+    // The rounding with the full radius may touch the circle of the flank beyond the end of the
+    // flank. Every smaller rounding then also does, so only the dedendum can be reduced.
     ArcRack full = rack;
     full.root_fillet_radius = full_radius(rack);
     return full.root_fillet_radius >= 0.0 && !check_joint(full)

@@ -103,8 +103,8 @@ Result<DoubleArcDerived> derived(const DoubleArcRack& r) {
                     (r.convex_radius * cos_1 - r.convex_offset);
   const double across = dx * sin_1 + dy * cos_1;
   d.step_radius = (dx * dx + dy * dy) / (2 * across);
-  // The normal angle of the step must be at most 90° at the end of the concave arc, and it must
-  // decrease to the normal angle of the convex arc.
+  // The normal angle of the step must be at most 90° at the end of the concave arc. From there, it
+  // must decrease to the normal angle of the convex arc.
   if (!(across > 0.0 && d.step_radius <= kMaxModules && dy <= d.step_radius * cos_1 &&
         r.step_height + d.step_radius * sin_1 + r.step_depth < d.step_radius)) {
     return refused("rack.space_width", r.space_width,

@@ -60,8 +60,8 @@ struct DoubleArcDerived {
 /// Errors    the member of `rack` that makes the rack impossible, such as `rack.step_depth`
 Result<DoubleArcDerived> derived(const DoubleArcRack& rack);
 
-/// The chain of full-radius tip, concave arc, step and convex arc. The convex arc ends where both
-/// sides meet.
+/// The chain of full-radius tip, concave arc, step and convex arc. The convex arc ends in the
+/// middle of the gear tooth, where the arcs of both sides meet.
 ///
 /// Errors    as derived; `rack.addendum`, `rack.dedendum`
 Result<RackOfArcs> arcs_of(const DoubleArcRack& rack);
