@@ -312,9 +312,10 @@ void add_sliding(Quantities<Pair>& q) {
   q.under(kContact);
   add_sliding(q,
               "sliding distance [at A, at E] per mm that the contact travels on the flank. On "
-              "parallel axes [T2.22], the value is negative where the mating gear drags the flank "
-              "and null at and beyond a base tangent point. On crossed axes [T4.25], it is the "
-              "ratio of the magnitudes of the velocities",
+              "parallel axes [T2.22], A or E is the start of the usable flank if the flank is "
+              "undercut, and the value is negative where the mating gear drags the flank and null "
+              "at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio of the "
+              "magnitudes of the velocities",
               [](const Pair& v) -> std::optional<SlidingAtEnds> {
                 const InvolutePair* p = v.involute();
                 if (!p) return std::nullopt;
