@@ -186,9 +186,11 @@ void add_limits(Quantities<DesignView>& q) {
            [](const DesignView& v) { return v.row->tip_alteration; })
       .column("tip_alteration_mm")
       .shown([](const DesignView& v) { return v.row->tip_alteration != 0.0; });
-  q.record<two_gears>("specific_sliding", "[at A, at E], as in `pair`", [](const DesignView& v) {
-     return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
-   }).doors(kJson);
+  q.record<two_gears>("specific_sliding", "[at A, at E], for the path between the tips",
+                      [](const DesignView& v) {
+                        return two_gears().of({v.row->sliding[0], v.row->sliding[1]});
+                      })
+      .doors(kJson);
   for (const std::size_t gear : {0, 1}) {
     for (const std::size_t end : {0, 1}) {
       const std::string name = "sliding" + std::to_string(gear + 1) + (end == 0 ? "_A" : "_E");

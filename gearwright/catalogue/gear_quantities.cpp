@@ -304,9 +304,10 @@ void add_fillets_and_body(Quantities<Gear>& q) {
               "diameter on the gear up to which the flank of the cutter reached",
               &TipBulge::from_diameter)
       .when();
-  q.number("neck_thickness_mm", "minimum root thickness (chord)", "",
-           "chord at the narrowest place between the root fillets, below the tip; 0 or negative if "
-           "`severed`",
+  q.number("neck_thickness_mm", "root thickness at the neck (chord)", "",
+           "chord at the neck, where the half angle of the root fillets is least, below the tip "
+           "[T3.10]; 0 or negative if `severed`. On an undercut tooth, the least chord is up to a "
+           "few percent shorter and lies nearer to the root",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);

@@ -82,20 +82,29 @@ void add_rack_contact(Quantities<RackPair>& q) {
   q.term("transverse_contact_ratio",
          "from the tip form circle of the pinion to the tip line of the rack [T2.38]",
          &RackPair::transverse_contact_ratio);
-  q.term("contact_ratio_true", "for the part of the path on the usable flanks [T2.39]",
-         [](const RackPair& v) { return v.true_contact_ratio() + v.overlap_ratio; });
+  q.term("contact_ratio_true",
+         "for the part of the path on the usable flanks [T2.39]; 0 if no part of the path remains",
+         [](const RackPair& v) {
+           const double e = v.true_contact_ratio();
+           return e > 0.0 ? e + v.overlap_ratio : 0.0;
+         });
+  q.number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
+           "for the part of the path on the usable flanks", &RackPair::true_contact_ratio)
+      .doors(kPeople);
   q.term("overlap_ratio", "over the common face", &RackPair::overlap_ratio);
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",
-         [](const RackPair& v) { return v.approach / v.base_pitch; });
+         [](const RackPair& v) { return v.approach_and_recess()[0]; });
   q.term("recess_contact_ratio", "contact ratio after the pitch point, with the pinion driving",
-         [](const RackPair& v) { return v.recess / v.base_pitch; });
-  add_sliding(q,
-              "sliding distance [at A, at E] per mm that the contact travels on the flank [T2.41]; "
-              "null for the pinion at and beyond the base tangent point",
-              [](const RackPair& v) {
-                const auto a = v.specific_sliding(-v.approach), e = v.specific_sliding(v.recess);
-                return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
-              });
+         [](const RackPair& v) { return v.approach_and_recess()[1]; });
+  add_sliding(
+      q,
+      "sliding distance [at A, at E] per mm that the contact travels on the flank [T2.41]; if the "
+      "pinion is undercut, A is the start of its usable flank; null for the pinion at and beyond "
+      "the base tangent point",
+      [](const RackPair& v) {
+        const auto a = v.specific_sliding(v.contact_start()), e = v.specific_sliding(v.recess);
+        return SlidingAtEnds{{{a[0], e[0]}, {a[1], e[1]}}};
+      });
   add_efficiency(
       q, +[](const RackPair& v) { return v.efficiency ? &*v.efficiency : nullptr; });
 }

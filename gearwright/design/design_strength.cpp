@@ -81,7 +81,8 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.teeth = teeth[i];
     g.reference_diameter = reference.reference_diameter;
     g.base_diameter = reference.base_diameter;
-    g.tip_diameter = tip_diameter(graph, row, i);
+    g.tip_form_diameter = tip_diameter(graph, row, i);
+    g.tip_diameter = g.tip_form_diameter;  // these flanks reach the whole tip of the mating gear
     g.root_diameter = root_diameter(graph, row, i);
     g.tooth_height = std::abs(g.tip_diameter - g.root_diameter) / 2;
     g.profile_shift = row.shift[i];

@@ -62,8 +62,9 @@ void expect_mounted(const SearchProblem& problem, std::size_t least) {
     for (const std::size_t i : {0, 1}) {
       for (const auto member :
            {&RatedGear::reference_diameter, &RatedGear::base_diameter, &RatedGear::tip_diameter,
-            &RatedGear::root_diameter, &RatedGear::tooth_height, &RatedGear::profile_shift,
-            &RatedGear::generating_shift, &RatedGear::virtual_teeth, &RatedGear::face_width})
+            &RatedGear::tip_form_diameter, &RatedGear::root_diameter, &RatedGear::tooth_height,
+            &RatedGear::profile_shift, &RatedGear::generating_shift, &RatedGear::virtual_teeth,
+            &RatedGear::face_width})
         expect_same(fast->gears[i].*member, mounted->gears[i].*member, row);
       for (const auto member : {&RootTool::addendum, &RootTool::dedendum, &RootTool::fillet})
         expect_same(fast->gears[i].tool.*member, mounted->gears[i].tool.*member, row);

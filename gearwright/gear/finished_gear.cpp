@@ -89,8 +89,8 @@ void warn_about_tip(Gear& gear) {
   }
 }
 
-// Adds the warnings of an internal gear without a tooth. Of its rack, only the addendum and the
-// dedendum have an effect.
+// Adds the warnings of an internal gear without a tooth. Of its rack, only the addendum, the
+// dedendum and, as tip rounding of a default cutter, the root fillet radius have an effect.
 void warn_about_ring(Gear& gear) {
   const StraightRack& rack = gear.spec.straight_rack();
   if (rack.tip_fillet_radius > 0.0 || rack.tool_addendum || rack.semi_topping_angle ||

@@ -38,6 +38,13 @@ std::optional<double> face_width_for_overlap(const ParallelPair& pair) {
   return 1.0 / gain;
 }
 
+std::array<double, 2> contact_ends(const InvolutePair& pair) {
+  const Mesh<double>& m = pair.mesh;
+  if (m.crossed || !(m.true_ratio > 0.0)) return {m.rho1_A, m.rho1_E};
+  return {pair.gears[0].undercut ? m.rho1_true_begin : m.rho1_A,
+          pair.gears[1].undercut ? m.rho1_true_end : m.rho1_E};
+}
+
 std::array<double, 2> approach_and_recess(const ParallelPair& pair) {
   if (!(pair.contact_ratio_true() > 0.0)) return {0.0, 0.0};
   const Mesh<double>& m = pair.mesh;

@@ -1,6 +1,6 @@
-// For a pair on parallel axes: the required face widths, the axial force, and the effect of a
-// change of the centre distance. For double-helical gears, contact ratios and face widths refer to
-// one half.
+// For a pair on parallel axes: the ends of contact, the required face widths, the axial force, and
+// the effect of a change of the centre distance. For double-helical gears, contact ratios and face
+// widths refer to one half.
 //
 //   ε_α   transverse contact ratio of the clipped path     ε_β   overlap ratio, b |tan β_b|/p_bt
 //                                              theory: docs/theory/06-few-teeth.md, 6.6
@@ -26,6 +26,10 @@ std::optional<double> face_width_needed(const ParallelPair& pair);
 
 /// The face width at which ε_β = 1, mm; none for a spur pair.
 std::optional<double> face_width_for_overlap(const ParallelPair& pair);
+
+/// ρ_1 at the start and the end of contact, mm: A and E or, where undercut has removed the flank,
+/// the ends of the clipped path. On crossed axes, or if no part of the path remains, A and E.
+std::array<double, 2> contact_ends(const InvolutePair& pair);
 
 /// The parts of the transverse contact ratio before the pitch point (approach) and after it
 /// (recess), on the clipped path. Gear 1 drives.

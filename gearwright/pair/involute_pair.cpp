@@ -229,8 +229,9 @@ Result<Kind> mounted(Gear gear_1, Gear gear_2, const PairPlace& place,
   p.mesh = mesh_of(p.input);
   find_distances(p);
   p.backlash_free_center_distance = backlash_free_distance(p);
-  p.sliding_A = specific_sliding(p.input, p.mesh, p.mesh.rho1_A);
-  p.sliding_E = specific_sliding(p.input, p.mesh, p.mesh.rho1_E);
+  const auto [start, end] = contact_ends(p);
+  p.sliding_A = specific_sliding(p.input, p.mesh, start);
+  p.sliding_E = specific_sliding(p.input, p.mesh, end);
   if (friction && p.contact_ratio_true() >= 1.0 && p.mesh.true_ratio > 0.0)
     p.efficiency = efficiency(sliding_shares(p.input, p.mesh), *friction);
   detail::find_form_clearance(p);

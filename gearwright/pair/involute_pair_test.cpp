@@ -157,5 +157,24 @@ TEST(Pair, what_is_wrong_with_a_mesh_is_data) {
   EXPECT_TRUE(warns(close_ring, WarningCode::trochoid));
 }
 
+// Gears 7:80, β = 22°. By an independent program, the undercut flank of the pinion begins at ρ_1 =
+// 0.3424 mm, where ζ_1 = −8.14. At the point A of the tips, which contact does not reach, ζ_1 is
+// −30.84.
+TEST(MountParallel, sliding_is_that_of_the_usable_flanks) {
+  const auto helical = [](int teeth, double x, Angle beta, double allowance) {
+    CylindricalSpec s =
+        testing::plain_spec({.teeth = teeth, .module = 2.0, .x = x, .face_width = 28.0});
+    s.helix_angle = beta;
+    s.thickness_allowance = allowance;
+    s.rack = *iso53_rack("ISO53-C");
+    return testing::taken(make_gear(s));
+  };
+  const ParallelPair p = testing::taken(mount_as<ParallelPair>(
+      helical(7, 0.48, 22_deg, -0.05), helical(80, -0.13, -22_deg, -0.08), {}));
+  EXPECT_NEAR(p.mesh.rho1_true_begin, 0.3424, 5e-5);
+  EXPECT_NEAR(*p.sliding_A.zeta_1, -8.14, 5e-3);
+  EXPECT_NEAR(*p.sliding_E.zeta_1, 0.68309, 5e-6);
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -113,6 +113,13 @@ void find_faults(RackPair& p) {
          "longer teeth would help.");
     return;
   }
+  if (!(p.true_contact_ratio() > 0.0)) {
+    warn(
+        p, WarningCode::no_contact, 0,
+        "No part of the path of contact lies on the usable flanks of pinion and rack. More profile "
+        "shift or a smaller centre distance would help.");
+    return;
+  }
   if (p.stated_backlash().negative()) {
     warn(p, WarningCode::negative_backlash, 0,
          fmt::format("Pinion and rack jam, because the normal backlash is {:.4f} mm. They are free "
@@ -182,6 +189,16 @@ double RackPair::true_contact_ratio() const {
   return std::max(0.0, (true_approach + true_recess) / base_pitch);
 }
 
+std::array<double, 2> RackPair::approach_and_recess() const {
+  if (!(true_contact_ratio() > 0.0)) return {0.0, 0.0};
+  const double c = std::clamp(0.0, -true_approach, true_recess);
+  return {(c + true_approach) / base_pitch, (true_recess - c) / base_pitch};
+}
+
+double RackPair::contact_start() const {
+  return pinion.undercut && true_contact_ratio() > 0.0 ? -true_approach : -approach;
+}
+
 double RackPair::base_backlash() const {
   return 2 * (center_distance - backlash_free_center_distance) * std::sin(alpha_n(pinion));
 }
@@ -232,10 +249,11 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
   p.recess = roll_length(r_a, r_b) - r * sin_t;
   p.approach = (p.rack.addendum - shifted) / sin_t;
   clip(p);
-  if (friction && p.true_contact_ratio() >= 1.0)
-    p.efficiency = efficiency(sliding_shares(sliding_path(p)), *friction);
   const double face = std::min(g.spec.face_width, p.rack.face_width);
   p.overlap_ratio = face * std::abs(std::sin(g.spec.helix_angle.rad())) / (std::numbers::pi * m);
+  const double total = p.true_contact_ratio() + p.overlap_ratio;
+  if (friction && total >= 1.0 && p.true_contact_ratio() > 0.0)
+    p.efficiency = efficiency(sliding_shares(sliding_path(p)), *friction);
   p.tip_clearance = {p.center_distance + p.rack.dedendum - g.actual_tip_radius(),
                      p.center_distance - p.rack.addendum - g.root_diameter / 2};
   if (const double start = r * sin_t - p.approach; start >= 0.0)

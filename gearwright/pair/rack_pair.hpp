@@ -82,7 +82,11 @@ struct RackPair {
   Pose<Housing, Gear2> pose_2() const;
   double transverse_contact_ratio() const;  ///< ε_α, 0 without contact
   double true_contact_ratio() const;        ///< ε_α on the usable flanks
-  double normal_backlash() const;           ///< j_n  mm
+  /// The parts of true_contact_ratio() before and after the pitch point.
+  std::array<double, 2> approach_and_recess() const;
+  /// g at the start of contact, mm: the start of the usable flank if the pinion is undercut, else A.
+  double contact_start() const;
+  double normal_backlash() const;  ///< j_n  mm
   StatedBacklash stated_backlash() const;
   double base_backlash() const;             ///< j_bn mm
   double circumferential_backlash() const;  ///< j_t  mm, along the rack

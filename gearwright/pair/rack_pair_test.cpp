@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
 
 namespace gearwright {
@@ -40,12 +41,17 @@ std::vector<double> beyond(const RackPair& rack, int z2) {
   const Gear wheel = pinion(z2, 2, 0, -rack.pinion.spec.helix_angle.deg());
   const Pair pair = testing::taken(mount(rack.pinion, wheel, {.friction = kFriction}));
   const ParallelPair& p = *pair.parallel();
-  const auto at_A = rack.specific_sliding(-rack.approach),
+  const auto at_A = rack.specific_sliding(rack.contact_start()),
              at_E = rack.specific_sliding(rack.recess);
+  const auto halves = approach_and_recess(p), of_rack = rack.approach_and_recess();
   EXPECT_NEAR(p.mesh.overlap_ratio, rack.overlap_ratio, 1e-12);
   return {p.center_distance - p.gears[1].reference_diameter / 2 - rack.center_distance,
           p.mesh.rack.sides[0].transverse_angle - rack.pinion.reference().transverse_pressure_angle,
           p.transverse_contact_ratio() - rack.transverse_contact_ratio(),
+          p.mesh.true_ratio - rack.true_contact_ratio(),
+          halves[0] - of_rack[0],
+          halves[1] - of_rack[1],
+          *p.sliding_A.zeta_1 / *at_A[0] - 1,
           *p.sliding_A.zeta_2 - *at_A[1],
           *p.sliding_E.zeta_1 - *at_E[0],
           *p.sliding_E.zeta_2 - *at_E[1],
@@ -56,8 +62,9 @@ std::vector<double> beyond(const RackPair& rack, int z2) {
 }
 
 TEST(RackPair, is_the_limit_of_pairs) {
-  for (const auto& [teeth, x, beta] : {std::tuple{17, 0.1, 0.0}, std::tuple{24, 0.0, 0.0},
-                                       std::tuple{20, 0.2, 15.0}, std::tuple{16, 0.4, -28.0}}) {
+  for (const auto& [teeth, x, beta] :
+       {std::tuple{17, 0.1, 0.0}, std::tuple{24, 0.0, 0.0}, std::tuple{20, 0.2, 15.0},
+        std::tuple{16, 0.4, -28.0}, std::tuple{8, 0.0, 25.0}, std::tuple{10, 0.0, 0.0}}) {
     const RackPair rack =
         testing::taken(mount_rack(pinion(teeth, 2, x, beta), {}, {}, {}, kFriction));
     const std::vector<double> some = beyond(rack, 10'000), more = beyond(rack, 100'000);
@@ -68,6 +75,19 @@ TEST(RackPair, is_the_limit_of_pairs) {
       EXPECT_NEAR(more[i], some[i] / 10, 0.01 * std::abs(some[i]) + 1e-9) << i;
     }
   }
+}
+
+// An independent program computes these ratios for 8 teeth, m_n = 2, β = 25° and a fillet radius of
+// 0.3 modules. The rack reaches beyond the base tangent point of the undercut pinion.
+TEST(RackPair, counts_the_usable_flank_of_an_undercut_pinion) {
+  const RackPair p = testing::taken(mount_rack(pinion(8, 2, 0, 25), {}));
+  const auto [approach, recess] = p.approach_and_recess();
+  EXPECT_NEAR(approach, 0.35896, 5e-6);
+  EXPECT_NEAR(recess, 0.58922, 5e-6);
+  EXPECT_NEAR(p.true_contact_ratio(), approach + recess, 1e-14);
+  const auto zeta = p.specific_sliding(p.contact_start());
+  ASSERT_TRUE(zeta[0].has_value());
+  EXPECT_LT(*zeta[1], 1.0);  // ζ = 1 at the base tangent point of the mating gear
 }
 
 TEST(RackPair, backlash_and_clearances_follow_the_distance) {

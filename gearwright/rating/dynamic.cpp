@@ -94,7 +94,7 @@ double reduced_mass(const RatedPair& pair, const std::array<Material, 2>& materi
   std::array<double, 2> m{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];
-    const double d_m = (g.tip_diameter + g.root_diameter) / 2;
+    const double d_m = (g.tip_form_diameter + g.root_diameter) / 2;
     const double rim = std::abs(std::pow(d_m, 4) - std::pow(g.bore, 4));
     GW_EXPECTS(materials[i].density.has_value());
     m[i] = std::numbers::pi / 8 * *materials[i].density * rim / (g.base_diameter * g.base_diameter);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/rating/testing/sample_pairs.hpp"
 
@@ -146,6 +147,67 @@ TEST(ContactRatioFactor, BranchesMeetAtOneOverlap) {
   pair.epsilon_beta = 1 + kStep;
   EXPECT_NEAR(z, contact_ratio_factor(pair).value, 1e-8);
   EXPECT_NEAR(m, single_contact_factors(pair)[0].value, 1e-8);
+}
+
+// Gears 8:60, m_n = 3, x = 0.2/0.2. By an independent program, ρ_1C = 4.4853, ρ_1B = 1.9234 and
+// N = 38.1249 mm. Undercut lets contact begin after A, where the tip of the wheel would touch.
+TEST(SingleContactFactor, CountsFromTheEndsOfContactOfAnUndercutPinion) {
+  const StraightRack rack = *iso53_rack("ISO53-A");
+  const RatedPair pair = testing::printed_pair({8, 0.2, 0}, {60, 0.2, 0}, 3, 0, 30, 0, rack);
+  EXPECT_LT(pair.epsilon_alpha, 1.2);
+  const double at_C = 4.4853 * (38.1249 - 4.4853), at_B = 1.9234 * (38.1249 - 1.9234);
+  EXPECT_NEAR(single_contact_factors(pair)[0].value, std::sqrt(at_C / at_B), 1e-4);
+  // The outer point of single pair contact of the wheel is B as well.
+  const double r_b2 = pair.gears[1].base_diameter / 2;
+  EXPECT_NEAR(critical_section(pair, pair.gears[1])->d_en, 2 * std::hypot(r_b2, 38.1249 - 1.9234),
+              1e-3);
+}
+
+// The effective ε_α of 5:60 passes 1 near x1 = 0.5. Below, single pair contact begins where the
+// usable flank begins.
+TEST(SingleContactFactor, HasNoJumpAtAContactRatioOfOne) {
+  const StraightRack rack = *iso53_rack("ISO53-A");
+  double before = 0.0;
+  std::array<bool, 2> seen{};
+  for (int k = 0; k <= 40; ++k) {
+    const testing::PrintedGear g{5, 0.2 + 0.01 * k, 0};
+    const RatedPair pair = testing::printed_pair(g, {60, 0.3, 0}, 2, 15, 20, 0, rack);
+    const double z = single_contact_factors(pair)[0].value;
+    seen[pair.epsilon_alpha < 1.0 ? 0 : 1] = true;
+    if (pair.epsilon_alpha < 1.0) {
+      const Gear pinion = make_gear(testing::printed_spec(g, 2, 15, 20, rack)).value();
+      const double r_b = pair.gears[0].base_diameter / 2;
+      const double N = pair.center_distance * std::sin(pair.alpha_wt);
+      const double rho_C = r_b * std::tan(pair.alpha_wt);
+      const double rho_B = std::sqrt(std::pow(*pinion.root_form_radius(), 2) - r_b * r_b);
+      const double m = std::sqrt(rho_C * (N - rho_C) / (rho_B * (N - rho_B)));
+      EXPECT_NEAR(z, m - pair.epsilon_beta * (m - 1), 1e-9 * m);
+    }
+    if (before > 0.0) {
+      EXPECT_NEAR(std::log(z / before), 0.0, 0.1) << g.shift;
+    }
+    before = z;
+  }
+  EXPECT_TRUE(seen[0] && seen[1]);
+}
+
+TEST(SingleContactFactor, OnABaseCircleIsAnError) {
+  const StraightRack rack = *iso53_rack("ISO53-A");
+  RatedPair pair = testing::printed_pair({20, 0, 0}, {40, 0, 0}, 3, 0, 30, 0, rack);
+  pair.epsilon_alpha = 0.5;
+  pair.gears[0].tip_diameter = pair.gears[0].base_diameter * std::hypot(1.0, kPi / 20);
+  EXPECT_EQ(single_contact_factors(pair)[0].value, kInfinity);
+  const auto r = rate(pair, testing::helical_24_95_load());
+  ASSERT_FALSE(r);
+  EXPECT_EQ(r.error().field, "gear1.profile_shift");
+}
+
+TEST(SurfaceFactor, NamesTheLimitOfTheRoughness) {
+  const Material steel = testing::case_hardened();
+  EXPECT_STREQ(surface_factor(steel, 40.0).branch, "hardened or tempered");
+  EXPECT_EQ(surface_factor(steel, 60.0).value, surface_factor(steel, 40.0).value);
+  EXPECT_STREQ(surface_factor(steel, 60.0).branch,
+               "hardened or tempered, Rz > 40 µm, so 40 µm is used");
 }
 
 TEST(FormFactor, LoadShareOfTheLaterEditionMeetsAtOneOverlap) {

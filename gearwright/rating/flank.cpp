@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
+
 namespace gearwright {
 
 namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr double kNoRoll = 1e-9;  // rad; a smaller roll angle is 0 within rounding
 
 // C_ZL, which is constant below 850 and above 1200 N/mm².
 double film_constant(double sigma_Hlim) {
@@ -48,7 +51,7 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     const Factor one{1.0, formula, "helical, ε_β ≥ 1"};
     return {one, one};
   }
-  // Roll angles at the tip, and the angular pitch, which is negative for an internal gear.
+  // Roll angles at the active tip, and the angular pitch, which is negative for an internal gear.
   std::array<double, 2> roll{}, step{};
   for (std::size_t i = 0; i < 2; ++i) {
     const RatedGear& g = pair.gears[i];
@@ -56,10 +59,15 @@ FactorPair single_contact_factors(const RatedPair& pair) {
     roll[i] = std::sqrt(std::max(0.0, q * q - 1));
     step[i] = kTwoPi / g.teeth;
   }
-  const double more = pair.epsilon_alpha - 1;
+  // Single pair contact begins one pitch before the path ends. If the path is shorter than a pitch,
+  // it begins where the path begins.
+  const double back = std::min(1.0, pair.epsilon_alpha);
+  const double more = std::max(1.0, pair.epsilon_alpha) - 1;
   const auto m = [&](std::size_t own, std::size_t mate) {
-    const double product = (roll[own] - step[own]) * (roll[mate] - more * step[mate]);
-    return product > 0.0 ? std::tan(pair.alpha_wt) / std::sqrt(product) : 1.0;
+    const double roll_own = roll[own] - back * step[own];
+    const double roll_mate = roll[mate] - more * step[mate];
+    if (std::min(roll_own, roll_mate) <= kNoRoll) return kInfinity;
+    return std::tan(pair.alpha_wt) / std::sqrt(roll_own * roll_mate);
   };
   const auto factor = [&](std::size_t own) -> Factor {
     if (pair.gears[own].internal()) return {1.0, formula, "1 for an internal gear"};

@@ -15,7 +15,8 @@
 namespace gearwright {
 
 Factor zone_factor(const RatedPair& pair);  ///< Z_H [T11.17]
-/// Z_B of the pinion and Z_D of the wheel. Z_D is 1 for an internal wheel. [T11.18]
+/// Z_B of the pinion and Z_D of the wheel. Z_D is 1 for an internal wheel. The factors are infinite
+/// if single pair contact reaches a base circle, where the radius of curvature is 0. [T11.18]
 FactorPair single_contact_factors(const RatedPair& pair);
 Factor elasticity_factor(const std::array<Material, 2>& materials);  ///< Z_E  √(N/mm²) [T11.19]
 Factor contact_ratio_factor(const RatedPair& pair);                  ///< Z_ε [T11.20]

@@ -54,7 +54,8 @@ RatedGear rated_gear(const Gear& gear, double beta, double beta_b) {
   g.teeth = gear.spec.teeth;
   g.reference_diameter = reference.reference_diameter;
   g.base_diameter = reference.base_diameter;
-  g.tip_diameter = 2 * gear.tip_form_radius();
+  g.tip_form_diameter = 2 * gear.tip_form_radius();
+  g.tip_diameter = g.tip_form_diameter;
   g.root_diameter = gear.root_diameter;
   g.tooth_height = std::abs(gear.tip_diameter - gear.root_diameter) / 2;
   g.profile_shift = gear.spec.profile_shift;
@@ -77,10 +78,11 @@ Result<RatedPair> rated(const CrossedPair&) {
 }
 
 Result<RatedPair> rated(const ParallelPair& pair) {
-  if (!pair.flanks_meet()) {
+  const Mesh<double>& mesh = pair.mesh;
+  if (!pair.flanks_meet() || !(mesh.true_ratio > 0.0)) {
     return Error{"pair.center_distance", "",
-                 "the flanks do not touch, so they carry no load; a smaller centre distance or "
-                 "greater tip diameters would help"};
+                 "the flanks do not touch, so they carry no load; a smaller centre distance, "
+                 "greater tip diameters or, with undercut, a greater profile shift would help"};
   }
   RatedPair r;
   const Gear& first = pair.gears[0];
@@ -96,9 +98,15 @@ Result<RatedPair> rated(const ParallelPair& pair) {
   r.alpha_wt = std::acos(std::min(1.0, sum / pair.center_distance));
   for (std::size_t i = 0; i < 2; ++i)
     r.gears[i] = rated_gear(pair.gears[r.exchanged ? 1 - i : i], r.beta, r.beta_b);
+  // The tip of a gear does not touch where the mating gear has no usable flank. [T2.19]
+  if (mesh.rho1_true_end < mesh.rho1_E)
+    r.gears[r.place(1)].tip_diameter = 2 * std::hypot(first.base_radius(), mesh.rho1_true_end);
+  if (mesh.rho1_true_begin > mesh.rho1_A)
+    r.gears[r.place(2)].tip_diameter =
+        2 * std::hypot(second.base_radius(), mesh.rho2(mesh.rho1_true_begin));
   r.u = static_cast<double>(r.gears[1].teeth) / r.gears[0].teeth;
   r.face_width = std::min(first.spec.face_width, second.spec.face_width);
-  r.epsilon_alpha = pair.mesh.true_ratio;
+  r.epsilon_alpha = mesh.true_ratio;
   r.epsilon_beta = r.face_width * std::sin(r.beta) / (std::numbers::pi * r.normal_module);
   return r;
 }

@@ -34,7 +34,9 @@ struct RatedGear {
   int teeth = 0;                    ///< z, negative if internal
   double reference_diameter = 0.0;  ///< d    mm
   double base_diameter = 0.0;       ///< d_b  mm
-  double tip_diameter = 0.0;        ///< d_Na mm, where the flank ends at the tip
+  double tip_form_diameter = 0.0;   ///< d_Fa mm, where the flank ends at the tip
+  double tip_diameter = 0.0;        ///< d_Na mm, where contact ends at the tip: d_Fa, or the end of
+                                    ///< the usable flank of the mating gear
   double root_diameter = 0.0;       ///< d_f  mm
   double tooth_height = 0.0;        ///< h    mm, from root to tip
   double profile_shift = 0.0;       ///< x
@@ -86,8 +88,8 @@ std::array<T, 2> turned(const RatedPair& pair, const std::array<T, 2>& list) {
 double virtual_teeth(int teeth, double beta, double beta_b);
 /// The inputs of a mounted pair.
 ///
-/// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the flanks do not meet,
-///           `gear1.rack` for circular-arc teeth
+/// Errors    `pair.shaft_angle` on crossed axes, `pair.center_distance` if the usable flanks do not
+///           meet, `gear1.rack` for circular-arc teeth
 Result<RatedPair> rated_pair(const Pair& pair);
 
 // The tolerances of ISO 1328-1 that a rating requires, computed from the accuracy grade.

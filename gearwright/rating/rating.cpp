@@ -282,6 +282,14 @@ Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {
   rater.dynamics();
   rater.distribution();
   rater.flank();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (std::isfinite(rater.r.Z_B[i].value)) continue;
+    return Error{
+        gear_field(pair.place(1) == i ? 1 : 2, "profile_shift"), "",
+        "lets single pair contact reach a base circle, where the radius of curvature is 0 "
+        "and the contact stress has no limit; a greater profile shift of the undercut gear "
+        "would help"};
+  }
   if (auto error = rater.root()) return *error;
   rater.check_limits();
   return std::move(rater.r);

@@ -88,7 +88,8 @@ std::optional<Error> missing_input(const RatingInput& input, int halves = 1);
 ///           `rating.speed` if it is absent and K_v requires it; `rating.quality` if it is absent
 ///           and a factor requires it; `rating.face_load_factor` if neither this factor nor a
 ///           mounting nor a shaft is given; `rating.mounting` or `gearN.shaft` for double-helical
-///           gears without a face load factor; `gearN.rack` if no tangent touches the root; by
+///           gears without a face load factor; `gearN.rack` if no tangent touches the root;
+///           `gearN.profile_shift` if single pair contact reaches a base circle; by
 ///           VDI 2736 `rating.plastic…`, and `gearN.material…` if there is no value at the
 ///           temperature
 /// Laws      (1) σ_F0 ∝ T, σ_H0 ∝ √T

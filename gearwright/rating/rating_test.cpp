@@ -308,8 +308,9 @@ TEST(RatingLaws, StressesHaveNoSize) {
   pair.face_width *= k;
   pair.center_distance *= k;
   for (RatedGear& g : pair.gears)
-    for (double* length : {&g.reference_diameter, &g.base_diameter, &g.tip_diameter,
-                           &g.root_diameter, &g.tooth_height, &g.face_width, &g.bore})
+    for (double* length :
+         {&g.reference_diameter, &g.base_diameter, &g.tip_diameter, &g.tip_form_diameter,
+          &g.root_diameter, &g.tooth_height, &g.face_width, &g.bore})
       *length *= k;
   in.torque *= k * k * k;
   const Rating large = rate(pair, in).value();

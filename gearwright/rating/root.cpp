@@ -13,6 +13,8 @@ namespace gearwright {
 
 namespace {
 
+constexpr double kRoughest = 40.0;  // µm, upper limit of Rz in 14.3
+
 double rack_fillet(const RootTool& tool) { return tool.fillet; }
 
 // ρ_fPv*, the tip rounding of the rack that is equivalent to a pinion cutter. [ISO 6336-3, 6.2]
@@ -236,21 +238,26 @@ Factor surface_factor(const Material& material, std::optional<double> Rz) {
   constexpr const char* formula = "ISO 6336-3, 14.3";
   if (!Rz) return {1.0, formula, kNotAsked};
   using K = MaterialKind;
-  const bool fine = *Rz < 1.0;
-  const double r = std::min(*Rz, 40.0) + 1;
+  const bool fine = *Rz<1.0, rough = *Rz> kRoughest;
+  const double r = std::min(*Rz, kRoughest) + 1;
   switch (material.kind) {
     case K::normalized:
       return fine ? Factor{1.07, formula, "normalized, Rz < 1 µm"}
-                  : Factor{5.306 - 4.203 * std::pow(r, 0.01), formula, "normalized"};
+                  : Factor{5.306 - 4.203 * std::pow(r, 0.01), formula,
+                           rough ? "normalized, Rz > 40 µm, so 40 µm is used" : "normalized"};
     case K::cast:
     case K::nodular_ferritic:
     case K::nitrided:
     case K::nitrocarburized:
       return fine ? Factor{1.025, formula, "cast or nitrided, Rz < 1 µm"}
-                  : Factor{4.299 - 3.259 * std::pow(r, 0.0058), formula, "cast or nitrided"};
+                  : Factor{4.299 - 3.259 * std::pow(r, 0.0058), formula,
+                           rough ? "cast or nitrided, Rz > 40 µm, so 40 µm is used"
+                                 : "cast or nitrided"};
     default:
       return fine ? Factor{1.12, formula, "hardened or tempered, Rz < 1 µm"}
-                  : Factor{1.674 - 0.529 * std::pow(r, 0.1), formula, "hardened or tempered"};
+                  : Factor{1.674 - 0.529 * std::pow(r, 0.1), formula,
+                           rough ? "hardened or tempered, Rz > 40 µm, so 40 µm is used"
+                                 : "hardened or tempered"};
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/figure/markup.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/efficiency.hpp"
 #include "gearwright/report/line_marks.hpp"
 #include "gearwright/report/pair_figures.hpp"
@@ -94,7 +95,9 @@ void add_sliding(Figure& f, const InvolutePair& pair, int gear) {
 // Labels the values of both gears at one end of the path. Labels of values below the plot are at
 // its lower border, one above the other.
 void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
-  const double rho1 = at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E;
+  const double rho1 = contact_ends(pair)[at_A ? 0 : 1];
+  const bool at_tip = rho1 == (at_A ? pair.mesh.rho1_A : pair.mesh.rho1_E);
+  const char* name = at_A ? (at_tip ? "A" : "start") : (at_tip ? "E" : "end");
   const SpecificSliding<double>& s = at_A ? pair.sliding_A : pair.sliding_E;
   const std::array<std::optional<double>, 2> values{s.zeta_1, s.zeta_2};
   double lowest = -13.0;  // px, offset of the next label at the lower border
@@ -105,8 +108,7 @@ void label_end(Figure& f, const InvolutePair& pair, bool at_A) {
     if (!shown) lowest -= 19.0;
     f.point({rho1 - pair.mesh.rho1_C, level}, shown ? 3.0 : 0.0, std::string("mark ") + kInk[i],
             symbol_svg(i == 0 ? "ζ_1" : "ζ_2") +
-                fmt::format("({}) = {}", at_A ? "A" : "E",
-                            values[i] ? fixed(*values[i], 3) : "no involute"),
+                fmt::format("({}) = {}", name, values[i] ? fixed(*values[i], 3) : "no involute"),
             {at_A ? 8.0 : -8.0, away});
     f.marks.back().label_style = std::string("halo ") + kInk[i];
   }

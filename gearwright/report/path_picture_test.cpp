@@ -12,10 +12,10 @@
 namespace gearwright {
 namespace {
 
-TEST(PathFigures, SaysWhereTheInvoluteEnds) {
-  EXPECT_NE(figure_html(path_figure(testing::undercut_pair()), 640.0).find("no involute"),
+TEST(PathFigures, LabelsTheStartOfContactOfAnUndercutFlank) {
+  EXPECT_NE(figure_html(path_figure(testing::undercut_pair()), 640.0).find("(start) = "),
             std::string::npos);
-  EXPECT_EQ(figure_html(path_figure(testing::helical_pair()), 640.0).find("no involute"),
+  EXPECT_EQ(figure_html(path_figure(testing::helical_pair()), 640.0).find("(start) = "),
             std::string::npos);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/table_builder.hpp"
@@ -246,16 +247,24 @@ std::string path_table(const InvolutePair& p, UnitSystem units) {
     double rho1;
   };
   const bool crossed = p.crossed();
-  const std::array<Mark, 5> marks{
-      {{"A", "start of contact, at the tip of gear 2", m.rho1_A},
-       {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
-       {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
-       {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
-       {"E", "end of contact, at the tip of gear 1", m.rho1_E}}};
+  const auto [start, end] = contact_ends(p);
+  const bool late = start > m.rho1_A, early = end < m.rho1_E;
+  std::vector<Mark> marks{
+      {"A", late ? "tip of gear 2, not reached" : "start of contact, at the tip of gear 2",
+       m.rho1_A},
+      {"B", crossed ? "one pitch before E" : "one base pitch before E", m.rho1_B},
+      {"C", crossed ? "pitch point of gear 1" : "pitch point", m.rho1_C},
+      {"D", crossed ? "one pitch after A" : "one base pitch after A", m.rho1_D},
+      {"E", early ? "tip of gear 1, not reached" : "end of contact, at the tip of gear 1",
+       m.rho1_E}};
+  if (late) marks.push_back({"", "start of contact on the usable flanks", start});
+  if (early) marks.push_back({"", "end of contact on the usable flanks", end});
   const std::string unit = ", " + std::string(unit_text(units, Unit::mm));
   std::vector<std::vector<std::string>> rows;
   for (const Mark& mark : marks) {
-    const SpecificSliding<double> s = specific_sliding(p.input, m, mark.rho1);
+    const bool reached = mark.rho1 >= start && mark.rho1 <= end;
+    const SpecificSliding<double> s =
+        reached ? specific_sliding(p.input, m, mark.rho1) : SpecificSliding<double>{};
     rows.push_back({fmt::format("<strong>{}</strong> {}", mark.letter, mark.words),
                     length(units, (mark.rho1 - m.rho1_C) / m.line_cosine), length(units, mark.rho1),
                     length(units, m.rho2(mark.rho1)), ratio(s.zeta_1), ratio(s.zeta_2)});

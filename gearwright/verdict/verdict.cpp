@@ -121,6 +121,13 @@ std::string gears_alone(const Judged& judged) {
 
 // The sentence about the operation of the gears. It is used only if no finding is red.
 std::string standing(const Judged& judged) {
+  if (judged.rack && judged.rack->true_contact_ratio() < 1.0)
+    return fmt::format(
+        "The rack and pinion run only with helical teeth, because the transverse contact ratio is "
+        "{:.3f} and the total contact ratio {:.3f}. There is {}.",
+        judged.rack->true_contact_ratio(),
+        judged.rack->true_contact_ratio() + judged.rack->overlap_ratio,
+        backlash_words(judged.rack->stated_backlash()));
   if (judged.rack)
     return fmt::format("The rack and pinion run as specified, with {}.",
                        backlash_words(judged.rack->stated_backlash()));

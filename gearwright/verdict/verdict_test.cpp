@@ -194,6 +194,18 @@ TEST(Verdict, of_a_rack_gives_its_backlash) {
             std::string::npos);
 }
 
+TEST(Verdict, OfARackThatNeedsTheOverlapOfHelicalTeeth) {
+  const Gear pinion = sample_gear(8, 2, 25, 0);
+  const RackPair rack = testing::taken(mount_rack(pinion, {}));
+  ASSERT_LT(rack.true_contact_ratio(), 1.0);
+  const Verdict v =
+      verdict_of({.gears = {&rack.pinion}, .rack = &rack, .warnings = &rack.warnings});
+  EXPECT_EQ(v.headline.find("The rack and pinion run only with helical teeth, because the "
+                            "transverse contact ratio is 0.9"),
+            0u)
+      << v.headline;
+}
+
 // A centre distance that is rounded to four decimals changes j_n by at most 2 · 0.5e-4 tan α_n =
 // 3.6e-5 mm, so pairs and racks at this distance are green. A distance that is smaller by 5e-4 mm is
 // red, and no backlash is printed as too thick by 0.0000 mm.
