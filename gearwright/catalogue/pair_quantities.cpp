@@ -311,10 +311,8 @@ void add_sliding(Quantities<Pair>& q) {
               "undercut, and the value is negative where the mating gear drags the flank and null "
               "at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio of the "
               "magnitudes of the velocities",
-              [](const Pair& v) -> std::optional<SlidingAtEnds> {
-                const InvolutePair* p = v.involute();
-                if (!p) return std::nullopt;
-                const auto &a = p->sliding_A, &e = p->sliding_E;
+              [](const InvolutePair& p) {
+                const auto &a = p.sliding_A, &e = p.sliding_E;
                 return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
               });
 }

@@ -96,6 +96,21 @@ TEST(PairContact, RequestsWithoutPositionsAreErrors) {
   EXPECT_EQ(field({.positions = 2}), "");
 }
 
+// The message states the gap between the tip circles.
+TEST(PairContact, tips_out_of_reach_are_named) {
+  for (const auto& [z2, off, gap] : {std::tuple{41, 5.0, 1.0}, {-61, -5.0, 1.0}}) {
+    const testing::SamplePair p = testing::involutes(20, z2, 0);
+    const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
+    ASSERT_TRUE(pair);
+    const auto setup = ContactSetup::of(*pair, {.center_distance = off}, {});
+    ASSERT_TRUE(setup);
+    const std::string text = nothing_touches(*setup).message();
+    EXPECT_NE(text.find(fmt::format("tip circles are {} mm apart", gap)), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("errors.center_distance"), std::string::npos) << text;
+  }
+}
+
 TEST(PairContact, asks_for_a_lead_that_can_change) {
   const testing::SamplePair p = testing::involutes(20, 41, 0);
   const auto pair = mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance});
