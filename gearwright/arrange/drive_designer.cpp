@@ -337,7 +337,7 @@ DriveOutcome DriveDesigner::with_widths(DriveCandidate candidate) const {
   if (greatest_sliding(drive.geometry).value_or(0.0) > problem_.sliding) return DriveFault::sliding;
   if (least_overlap(drive.geometry) < problem_.overlap) return DriveFault::overlap;
   if (task_.rate) {
-    if (!drive.flow) return DriveFault::verdict;  // teeth that do not mesh have no efficiency
+    if (!drive.flow) return DriveFault::no_teeth;  // teeth that do not mesh have no efficiency
     if (drive.flow->self_locking()) return DriveFault::safety;
     if (auto error = task_.rate(drive)) return *error;
     if (!is_safe(drive, task_.required)) return DriveFault::safety;

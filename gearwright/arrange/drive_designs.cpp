@@ -256,11 +256,13 @@ void sort_designs(const DriveSearchProblem& problem, std::span<FoundDrive> list)
       problem, list, [](const FoundDrive& f) -> const auto& { return f.candidate; });
 }
 
-// True if the candidates have the exact values of the first objective before their teeth are computed.
+// True if the candidates have the exact values of the first objective, and their exact size for equal
+// values, before their teeth are computed.
 bool has_exact_order(const DriveSearchProblem& problem) {
   const DriveObjective first = problem.objectives.front();
-  return first == DriveObjective::ratio || first == DriveObjective::planets ||
-         (first == DriveObjective::size && !problem.module_per_stage);
+  return !problem.module_per_stage &&
+         (first == DriveObjective::ratio || first == DriveObjective::planets ||
+          first == DriveObjective::size);
 }
 
 std::vector<std::size_t> front_of(const DriveSearchProblem& problem,

@@ -77,11 +77,14 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
                       std::optional<double>& torque_Nm) {
   if (speeds_rpm.empty() || speeds_rpm.front() == 0.0)
     return "needs the speed of the input, which must not be 0; give speed_rpm, or give torque_Nm "
-           "in "
-           "place of the power";
+           "in place of the power";
   constexpr double kWattsPerKilowatt = 1e3, kSecondsPerMinute = 60.0;
   torque_Nm = power_kW * kWattsPerKilowatt * kSecondsPerMinute /
               (2 * std::numbers::pi * speeds_rpm.front());
+  constexpr double kMostTorque_Nm = 1e9;
+  if (!(std::abs(*torque_Nm) <= kMostTorque_Nm))
+    return "gives a torque of more than 1e9 N m at this speed; give a greater speed_rpm or less "
+           "power";
   return "";
 }
 
@@ -387,7 +390,8 @@ const KeyTable& drive_gear_keys() {
              .with_also({"height", "back"}),
          Key::positive("length_mm", "", KeyPlace::unused(), "determined by `teeth`",
                        "space for the teeth of a rack along the travel, in place of `teeth`")
-             .with_also({"length"})}};
+             .with_also({"length"})
+             .with_excludes({"teeth"})}};
     for (const Key& key : stage_gear_keys().keys)
       if (!t.find(key.key)) t.keys.push_back(key);
     return t;

@@ -199,7 +199,8 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives, the best first, at most as many as `--top` gives; all have a green verdict, and "
+       "drives with a green verdict, at most as many as `--top` gives, in groups of 100 that each "
+       "begin with the best, then drives of the Pareto front if there are several objectives; "
        "their numbers equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);

@@ -30,9 +30,9 @@ const Quantities<RackPair>& rack_backlash_quantities() {
 
 std::optional<double> usable_travel(const RackPair& v) {
   const auto length = v.rack.length();
-  if (!length || v.approach + v.recess <= 0.0) return std::nullopt;
+  if (!length || !(v.true_contact_ratio() > 0.0)) return std::nullopt;
   const double cos_alpha = std::cos(v.pinion.reference().transverse_pressure_angle);
-  return std::max(0.0, *length - 2 * std::max(v.approach, v.recess) * cos_alpha);
+  return std::max(0.0, *length - 2 * std::max(-v.contact_start(), v.recess) * cos_alpha);
 }
 
 void add_rack_mounting(Quantities<RackPair>& q) {

@@ -37,13 +37,12 @@ std::optional<double> estimated_mass(const DriveSearchProblem& problem,
                     module}
         .mass();
   };
-  constexpr double kDefaultFace = 10.0;  // modules, as in a drive without face_width
   const auto& given = problem.base.face_width;
   const DriveCandidate sized = widest(problem, candidate);
   double sum = 0.0;
   for (std::size_t k = 0; k < sized.stages.size(); ++k) {
     const double module = sized.stage_module(k);
-    const double width = sized.face_widths.empty() ? given.all.value_or(kDefaultFace * module)
+    const double width = sized.face_widths.empty() ? given.all.value_or(kFaceModules * module)
                                                    : sized.face_widths[k];
     for (const int teeth : sized.stages[k])
       sum += mass(teeth, 1, module, width, problem.density[0]);
@@ -55,7 +54,7 @@ std::optional<double> estimated_mass(const DriveSearchProblem& problem,
     const bool ring = member == SetMember::ring || member == SetMember::ring2;
     const bool rides = member == SetMember::planet || member == SetMember::planet2;
     const double width =
-        widths.each[m].value_or(given.of(member).value_or(kDefaultFace * sized.module));
+        widths.each[m].value_or(given.of(member).value_or(kFaceModules * sized.module));
     sum += (rides ? sized.planets : 1) *
            mass(sized.teeth[m], ring ? -1 : 1, sized.module, width, problem.density[m]);
   }

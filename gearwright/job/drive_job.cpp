@@ -149,9 +149,10 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
   const auto& own = drive.graph.torque_Nm;
   const auto& rated = spec.rating.torque;
   if (!own && !rated)
-    return absent_input("rating.torque_Nm",
-                        "; a rating needs a load. Give torque_Nm on the input of the drive or in "
-                        "[rating], or give power_kW with speed_rpm in [rating]");
+    return absent_input(
+        "rating.torque_Nm",
+        "; a rating needs a load. Give torque_Nm, or power_kW with speed_rpm, on the "
+        "input of the drive or in [rating]");
   constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
                                       // rounding
   if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own))

@@ -1,7 +1,8 @@
-// The order of the drives in the result of a search: (1) a short list is the beginning of every longer
-// list, for every kind and objective; (2) the mass of a design is the mass of its bodies; (3) no
-// listed design is better than a design of the front in both objectives; (4) limits on common factors
-// and on the overlap ratio hold for every mesh.
+// The order of the drives in the result of a search:
+// (1) A short list is the beginning of every longer list, for every kind and objective.
+// (2) The mass of a design is the mass of its bodies.
+// (3) No listed design is better than a design of the front in both objectives.
+// (4) Limits on common factors and on the overlap ratio hold for every mesh.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,6 +29,23 @@ constexpr const char* kRankLoad =
 Answer ranked_search(const std::string& keys, std::size_t top) {
   const JobSpec spec = testing::taken(read_spec("[search]\n" + keys, SpecFormat::toml));
   return testing::taken(answer_drive_search(spec, top, 2));
+}
+
+// The sum of the cylinders of a printed spec, whose gears have the density of steel.
+double mass_of_cylinders(const Json& printed) {
+  const JobSpec spec = testing::taken(read_spec(toml_text(printed), SpecFormat::toml));
+  const Drive drive = testing::taken(solve_drive(spec)).drive;
+  double mass = 0.0;
+  for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
+    const Gear& gear = *drive.geometry.gears[g];
+    const double mean = (gear.tip_diameter + gear.root_diameter) / 2;
+    const bool ring = gear.spec.teeth < 0;
+    const double outer = ring ? gear.root_diameter + 5 * gear.spec.normal_module : mean;
+    const double inner = ring ? mean : 0.0;
+    mass += drive.graph.body(drive.graph.gears[g]).count * 7.83e-6 * gear.spec.face_width *
+            std::numbers::pi / 4 * (outer * outer - inner * inner);
+  }
+  return mass;
 }
 
 // Law (1). The bands are random, so that some searches find fewer drives than the list is long.
@@ -91,18 +109,7 @@ TEST(DriveRank, TheLightestDriveComesFirst) {
     ASSERT_GE(front.size(), 2u);
     double before = 0.0;
     for (std::size_t i = 0; i < designs.size(); ++i) {
-      const JobSpec spec = testing::taken(read_spec(toml_text(answer.specs[i]), SpecFormat::toml));
-      const Drive drive = testing::taken(solve_drive(spec)).drive;
-      double mass = 0.0;
-      for (std::size_t g = 0; g < drive.graph.gears.size(); ++g) {
-        const Gear& gear = *drive.geometry.gears[g];
-        const double mean = (gear.tip_diameter + gear.root_diameter) / 2;
-        const double outer =
-            gear.spec.teeth > 0 ? mean : gear.root_diameter + 5 * gear.spec.normal_module;
-        const double inner = gear.spec.teeth > 0 ? 0.0 : mean;
-        mass += drive.graph.body(drive.graph.gears[g]).count * 7.83e-6 * 20 * std::numbers::pi / 4 *
-                (outer * outer - inner * inner);
-      }
+      const double mass = mass_of_cylinders(answer.specs[i]);
       const double own = designs[i]["mass_kg"];
       EXPECT_NEAR(own, mass, 1e-12 * mass);
       if (i < 100) {
@@ -116,6 +123,36 @@ TEST(DriveRank, TheLightestDriveComesFirst) {
   }
 }
 
+// Laws (1) and (2) for rated trains whose stages have their own modules. Trains of one ratio, or of
+// one number of planets, are sorted by their size, which follows from the chosen modules.
+TEST(DriveRank, TrainsOfOneRatioAreSortedByTheirSize) {
+  for (const char* objective : {"ratio", "planets"}) {
+    const std::string keys = fmt::format(
+        "kind = \"train\"\nratio = [8.8, 9.3]\npinion_teeth = [17, 18]\nwheel_teeth = [45, 60]\n"
+        "objective = \"{}\"\nnormal_module_mm = [1.5, 2, 2.5]\nface_width_mm = [10, 50]\n"
+        "safety_flank_min = 1.1\n{}",
+        objective, kRankLoad);
+    const Json one = ranked_search(keys, 1).record["search"]["designs"];
+    const Json many = ranked_search(keys, 20).record["search"]["designs"];
+    ASSERT_GT(many.size(), 3u);
+    EXPECT_EQ(one[0], many[0]) << objective;
+    EXPECT_TRUE(many[0]["planets"].is_null());
+  }
+}
+
+// A load that is missing is an error, and not a drive that is left out.
+TEST(DriveRank, AMissingLoadIsAnError) {
+  const JobSpec spec = testing::taken(
+      read_spec("[search]\nkind = \"wolfrom\"\nratio = [-95, 95]\nsun_teeth = [14, 16]\n"
+                "planet_teeth = [18, 19]\nnormal_module_mm = 4\nface_width_mm = 40\n"
+                "objective = \"size\"\n[rating]\nlife_h = 10000\nspeed_rpm = 1000\nquality = 7\n"
+                "face_load_factor = 1.3\nmaterial = { name = \"16MnCr5\" }\n",
+                SpecFormat::toml));
+  const auto answer = answer_drive_search(spec, 10, 2);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().field, "rating.torque_Nm");
+}
+
 // A search that sizes the faces ranks by the mass with the chosen widths.
 TEST(DriveRank, TheMassHasTheChosenWidths) {
   const Answer answer = ranked_search(
@@ -126,8 +163,13 @@ TEST(DriveRank, TheMassHasTheChosenWidths) {
       20);
   const Json& designs = answer.record["search"]["designs"];
   ASSERT_GT(designs.size(), 3u);
-  for (std::size_t i = 1; i < designs.size(); ++i)
-    EXPECT_LE(designs[i - 1]["mass_kg"], designs[i]["mass_kg"]);
+  for (std::size_t i = 0; i < designs.size(); ++i) {
+    const double own = designs[i]["mass_kg"], mass = mass_of_cylinders(answer.specs[i]);
+    EXPECT_NEAR(own, mass, 1e-12 * mass);
+    if (i > 0) {
+      EXPECT_LE(designs[i - 1]["mass_kg"], own);
+    }
+  }
 }
 
 // Law (4).

@@ -50,6 +50,9 @@ std::string advice(const FoundDrives& f) {
         "other sign, or another number of stages.",
         least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
+  if (f.result.found.empty() && f.problem.coprime)
+    return "No drive satisfies all limits. Widen the bands of numbers of teeth or of the ratio, or "
+           "leave out coprime.";
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
            "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
@@ -174,6 +177,12 @@ std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   return out;
 }
 
+// True if `search.material` is a table by member with this member.
+bool has_own_material(const JobSpec& spec, SetMember member) {
+  const Json& search = spec.tree->tables["search"];
+  return search.contains("material") && search["material"].contains(to_string(member));
+}
+
 // Sets the densities of the gears if the search needs them.
 std::optional<Error> set_densities(const JobSpec& spec, DriveSearchProblem& problem) {
   if (!problem.asks(DriveObjective::mass)) return std::nullopt;
@@ -184,8 +193,11 @@ std::optional<Error> set_densities(const JobSpec& spec, DriveSearchProblem& prob
     if (own == materials.end() && !spec.rating.material) continue;
     const auto density = density_of(own != materials.end() ? own->second : *spec.rating.material);
     if (!density)
-      return absent_input(fmt::format("{}.material.density_kg_per_m3",
-                                      own != materials.end() ? "search" : "rating"),
+      return absent_input(fmt::format("{}.density_kg_per_m3",
+                                      own == materials.end() ? "rating.material"
+                                      : has_own_material(spec, member)
+                                          ? fmt::format("search.material.{}", to_string(member))
+                                          : "search.material"),
                           fmt::format("; the mass of a plastic gear ({}) needs its density",
                                       train ? "of the train" : to_string(member)));
     problem.density[static_cast<std::size_t>(member)] = *density;

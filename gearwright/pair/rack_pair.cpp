@@ -233,6 +233,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
                  "has no teeth that could mesh with a rack, because the cutter cuts them off"};
   RackPair p;
   p.rack = geometry(pinion, bar);
+  if (const auto outline = rack_outline(p.rack); !outline) return outline.error();
   p.pinion = std::move(pinion);
   p.speed_rpm = speed_rpm;
   const Gear& g = p.pinion;

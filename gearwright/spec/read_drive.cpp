@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/catalogue/drive_keys.hpp"
@@ -43,16 +44,19 @@ namespace {
 // stage.
 Json set_of_stage(TableReader& t, const Json& node) {
   Json set = *t.table("planetary");
-  for (const char* key :
-       {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg", "face_width_mm",
-        "center_distance_mm", "mesh_efficiency", "bore_mm", "friction_coefficient", "speed_rpm",
-        "torque_Nm", "power_kW", "material"}) {
+  for (const char* key : {"normal_module_mm", "normal_pressure_angle_deg", "helix_angle_deg",
+                          "face_width_mm", "center_distance_mm", "mesh_efficiency", "bore_mm",
+                          "friction_coefficient", "speed_rpm", "material"}) {
     if (node.contains(key) && !set.contains(key)) set[key] = node[key];
   }
-  constexpr std::array kPlay{"thickness_allowance_mm", "thickness_series", "backlash_mm"};
-  if (std::none_of(kPlay.begin(), kPlay.end(), [&](auto key) { return set.contains(key); }))
-    for (const char* key : kPlay)
+  // Keys of one quantity replace each other, so the set inherits all of them or none.
+  const auto inherit_one_of = [&](std::initializer_list<const char*> keys) {
+    if (std::any_of(keys.begin(), keys.end(), [&](auto key) { return set.contains(key); })) return;
+    for (const char* key : keys)
       if (node.contains(key)) set[key] = node[key];
+  };
+  inherit_one_of({"torque_Nm", "power_kW"});
+  inherit_one_of({"thickness_allowance_mm", "thickness_series", "backlash_mm"});
   return set;
 }
 
@@ -170,8 +174,12 @@ DriveInput read_drive(const Json& tree, const std::filesystem::path& folder) {
   if (const Json* graph = t.table("drive")) return {read_graph(*graph, folder)};
   std::vector<StageSpec> stages;
   const auto list = t.tables("stage");
-  for (const auto& [path, stage] : list)
+  for (const auto& [path, stage] : list) {
+    if (stage != list.front().second && stage->contains("power_kW"))
+      TableReader(stage_keys(), *stage, path)
+          .fail("power_kW", "must not be given here, because the first stage determines it");
     stages.push_back(read_stage(*stage, path, stage == list.back().second, folder));
+  }
   return taken(train_of(stages), tree);
 }
 

@@ -181,10 +181,16 @@ void need_whole_face(const GearInput& gear, const std::string& path) {
     throw SpecError{absent_input(path + ".face_width_mm", kWholeFace)};
 }
 
+// The name of the first input, which can be a list of names.
+Json first_input(const Json& node) {
+  const Json input = node.value("input", Json());
+  return input.is_array() && !input.empty() ? input.front() : input;
+}
+
 DriveGraph read_graph(const Json& node, const std::filesystem::path& folder) {
   TableReader t(drive_keys(), node, "drive");
   for (const auto& [path, gear] : t.tables("gear"))
-    if (is_rack(*gear) && gear->value("body", Json()) == node.value("input", Json()))
+    if (is_rack(*gear) && gear->value("body", Json()) == first_input(node))
       t.refuse("power_kW", "applies to a body that turns, but the input is a rack; give force_N");
   GraphInput in;
   t.read(in);

@@ -148,6 +148,12 @@ class ARack(unittest.TestCase):
         self.assertIsNone(json.loads(Run("pair", RACK, "--json").out)["pair"]["usable_travel_mm"])
         self.assertIn("usable travel", Run("pair", RACK + "length_mm = 100\n").out)
 
+    def test_a_rack_without_teeth_is_an_error(self):
+        # The tooth is half a pitch thick, 3.14 mm.
+        r = Run("pair", RACK + "thickness_allowance_mm = -4.95\n")
+        self.assertEqual(r.status, 1, r.out)
+        self.assertIn("teeth", r.err)
+
     def test_a_backlash_thins_pinion_and_rack(self):
         helical = RACK.replace("[gear2]", "helix_angle_deg = 20\nprofile_shift = 0.2\n[gear2]")
         for where in ("", "center_distance_mm = 21.8\n"):
