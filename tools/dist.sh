@@ -11,7 +11,8 @@
 #   gearwright-VERSION-1.x86_64.rpm, .aarch64.rpm     the same programs as packages without dependencies
 #   *.deb                                     program, library with headers, Python module and search on many ranks
 #                                             as packages for Debian 12
-#   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html     the wheel, the npm package and the page
+#   gearwright-VERSION-*.whl, gearwright-VERSION.tgz, gearwright-VERSION.html
+#                                             the wheel, the npm package and the page
 #   SHA256SUMS
 #
 # The link of a program for WebAssembly, the compression of a package and the largest source files of the libraries
@@ -55,8 +56,9 @@ pack() {
   fi
 }
 
-# Ends the background jobs if a step fails.
-trap 'jobs -p | xargs -r kill 2>/dev/null || true' EXIT
+# If a step fails, all processes of the background jobs end. Each job is a group of processes.
+set -m
+trap 'for job in $(jobs -p); do kill -- "-$job" 2>/dev/null || true; done' EXIT
 page_and_npm() {
   cmake --preset wasm -DGEARWRIGHT_TESTS=OFF >/dev/null
   cmake --build --preset wasm --target web_npm

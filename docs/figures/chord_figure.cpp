@@ -87,7 +87,8 @@ Drawing chord_figure() {
     curve([&](double h) { return chord_by_series(h, psi, 1.0, n).chord; }, kStyles[n - 1]);
   errors.text({0.25, 1.5e-2}, markup("the arc {s_n}"), Anchor::end, "halo");
   errors.text({0.067, 9e-6}, "virtual gear [T5.14]", Anchor::start, "halo g2");
-  errors.text({0.054, 2e-8}, "1 correction; [T5.13]", Anchor::start, "halo g1");
+  errors.text({0.054, 2e-8}, "1 correction; broken: virtual gear [T5.13]", Anchor::start,
+              "halo g1");
   errors.text({0.23, 6e-7}, "2 corrections", Anchor::end, "halo action");
   errors.text({0.18, 5e-11}, "3 corrections [T5.9]", Anchor::start, "halo green");
   f.add(errors, {410, 0}, 450);

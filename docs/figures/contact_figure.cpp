@@ -15,7 +15,7 @@ namespace gearwright::figures {
 Drawing contact_figure() {
   Drawing f(
       "08-contact", 860, 560, "Transmission error as the greatest of the tooth pairs' branches",
-      "Rotation demanded by each tooth pair over three pitches with their upper envelope, and "
+      "Rotation required by each tooth pair over three pitches with their upper envelope, and "
       "the height on "
       "the face at which the leading pair touches.");
   CylindricalSpec spec;
@@ -73,13 +73,14 @@ Drawing contact_figure() {
     f.tall = tall;
     return f;
   };
-  Figure top = plot("branches",
-                    {.words = "rotation of gear 2 that a tooth pair demands, less the expected one",
-                     .unit = "arcsec",
-                     .lo = -12,
-                     .hi = 4,
-                     .symbol = "T"},
-                    0.31);
+  Figure top =
+      plot("branches",
+           {.words = "rotation of gear 2 that a tooth pair requires, less the expected one",
+            .unit = "arcsec",
+            .lo = -12,
+            .hi = 4,
+            .symbol = "T"},
+           0.31);
   Figure low = plot("height",
                     {.words = "height of the contact on the face",
                      .unit = "mm",

@@ -198,9 +198,7 @@ class Measuring {
     if (!m.reference)
       return missing(
           asked,
-          Error{
-              "chord_diameter", "",
-              "chords can be measured on involute flanks only, and these flanks are circular arcs"},
+          Error{"chord_diameter", "", "needs involute flanks, but these flanks are circular arcs"},
           WarningCode::no_chord, "There is no chordal thickness");
     const double d = input_.chord_diameter.value_or(default_chord_diameter(gear_));
     const auto chord = chordal_thickness(gear_, d);

@@ -68,8 +68,7 @@ std::optional<UsableFlank> usable_flank(const Gear& gear) {
 
 Result<UsableFlank> measurable_flank(const Gear& gear, const char* field, double value) {
   if (!gear.involute())
-    return refused(field, value,
-                   "can be measured on involute flanks only, and these flanks are circular arcs");
+    return refused(field, value, "needs involute flanks, but these flanks are circular arcs");
   if (const auto flank = usable_flank(gear)) return *flank;
   return refused(field, value,
                  "there is no usable flank to measure, as the warnings of the gear explain");

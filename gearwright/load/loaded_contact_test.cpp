@@ -21,7 +21,7 @@ using testing::steel_drive;
 // An aggregate would accept values for only some of its members and set the others to 0.
 static_assert(!std::is_constructible_v<LoadedContact, std::vector<LoadedTorque>>);
 
-// Laws (1) to (6) hold for every number of teeth of gear 2, of which −65 is an internal gear.
+// Gear 2 of the laws that hold for external and internal pairs; −65 is an internal gear.
 constexpr std::array kWheels{25, -65};
 
 Drive external_drive(double helix_deg, double face) {
@@ -70,7 +70,7 @@ TEST(LoadedContact, AgreesWithTwoGearsOfFiniteElements) {
   }
 }
 
-TEST(LoadedContact, CarriesTheTorque) {  // (1)
+TEST(LoadedContact, CarriesTheTorque) {
   for (const int z_2 : kWheels) {
     for (const double helix : {0.0, 15.0}) {
       const Drive d = steel_drive(z_2, helix);
@@ -84,7 +84,7 @@ TEST(LoadedContact, CarriesTheTorque) {  // (1)
       for (const LoadedTorque& t : answer.torques) {
         for (const LoadedPosition& p : t.positions) {
           EXPECT_NEAR(moment_of(p, 30.0 / 12 / cos_b, d.one.base_radius() * cos_b), t.torque,
-                      1e-11 * t.torque);
+                      (z_2 < 0 ? 1e-12 : 1e-11) * t.torque);
           double sum = 0.0;
           for (const LoadedPair& k : p.pairs) sum += k.share;
           EXPECT_NEAR(sum, 1.0, 1e-14);
@@ -149,7 +149,7 @@ TEST(LoadedContact, TablesAreThoseOfTheTeethAlone) {
 }
 
 // Rigid teeth, and teeth with a very small load, give the results of unloaded contact.
-TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {  // (2)
+TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {
   for (const int z_2 : kWheels) {
     for (const double helix : {0.0, 15.0}) {
       const Drive d = steel_drive(z_2, helix);
@@ -165,7 +165,7 @@ TEST(LoadedContact, StiffOrIdleTeethAreThoseOfContact) {  // (2)
   }
 }
 
-TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {  // (3)
+TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {
   for (const int z_2 : kWheels) {
     const Drive d = steel_drive(z_2, 0);
     LoadRequest soft = request_of(d);
@@ -179,7 +179,7 @@ TEST(LoadedContact, TorqueAndModulusTogetherChangeNothing) {  // (3)
   }
 }
 
-TEST(LoadedContact, ScalesWithLength) {  // (4)
+TEST(LoadedContact, ScalesWithLength) {
   for (const int z_2 : kWheels) {
     const Drive small = steel_drive(z_2, 0, 30, 3);
     const Drive large = steel_drive(z_2, 0, 60, 6);
@@ -200,7 +200,7 @@ TEST(LoadedContact, ScalesWithLength) {  // (4)
 }
 
 // The opposite hand is the mirror image in the plane of the axes, with its ends exchanged.
-TEST(LoadedContact, TheOtherHandIsMirrored) {  // (5)
+TEST(LoadedContact, TheOtherHandIsMirrored) {
   for (const int z_2 : kWheels) {
     const Drive right = steel_drive(z_2, 15);
     const Drive left = steel_drive(z_2, -15);
@@ -221,7 +221,7 @@ TEST(LoadedContact, TheOtherHandIsMirrored) {  // (5)
   }
 }
 
-TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {  // (6)
+TEST(LoadedContact, TheOtherDriverLoadsTheOtherFlanks) {
   for (const int z_2 : kWheels) {
     Drive d = steel_drive(z_2, 15);
     LoadRequest r = request_of(d);

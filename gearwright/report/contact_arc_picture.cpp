@@ -133,7 +133,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
       ", with coincident pitch lines (dash-dotted). The arcs touch at M, where the angle of the "
       "normal to the pitch line is {} = {}°. The centres O lie {} beyond the middle of the tooth "
       "and {} below the pitch line.<br>{}<br>{}",
-      symbol_html("ψ_c"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
+      symbol_html("θ_0"), fixed(theta * kDegPerRad, 3), symbol_html("a"), symbol_html("b"),
       arc_key(arcs.convex, "convex", arcs.v), arc_key(arcs.concave, "concave", arcs.c));
   const double deep = 3.0 * m;
   add_material(f, rack_over_pitches(pair.gears[arcs.convex], false), -deep, arcs.convex);
@@ -144,7 +144,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
-  // The angle ψ_c is drawn at the point where the normal crosses the pitch line.
+  // The angle θ_0 is drawn at the point where the normal crosses the pitch line.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;
@@ -153,7 +153,7 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
     angle.push_back(upright(foot + around * Vec2(std::sin(a), std::cos(a))));
   }
   f.line(std::move(angle), "one");
-  f.text(upright(foot + around * Vec2(std::sin(theta / 2), std::cos(theta / 2))), symbol_svg("ψ_c"),
+  f.text(upright(foot + around * Vec2(std::sin(theta / 2), std::cos(theta / 2))), symbol_svg("θ_0"),
          Anchor::start, "halo", {5, 5});
   f.dot(upright(M), 4.2, "mark action-dot");
   f.text(upright(M), "M", Anchor::middle, "letter halo", {2, -12});

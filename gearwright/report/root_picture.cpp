@@ -164,6 +164,7 @@ Vec2 undercut_limit_point(const Gear& gear) {
 }
 
 Figure root_plot(const Gear& gear, const std::string& shape, const std::string& name) {
+  GW_EXPECTS(root_is_worth_a_picture(gear));
   const std::optional<Gear> rack = by_rack_alone(gear);
   Figure f = plane_figure("root-" + shape, name + ": root of the tooth",
                           "The tooth in the transverse section with its arcs in colours. Behind "

@@ -279,6 +279,11 @@ TEST(Verdict, early_contact_has_its_amount) {
       ASSERT_EQ(f.values.size(), 1u);
       EXPECT_EQ(f.values[0].name, "early");
       EXPECT_LT(f.values[0].value, 0.0);
+      const auto& all = pair.mounted().beyond_flank;
+      const auto own = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& contact) { return contact.gear == f.gear; });
+      ASSERT_NE(own, all.end());
+      EXPECT_EQ(f.values[0].value, -own->depth);
     }
   }
   EXPECT_GT(early, 0);

@@ -145,7 +145,7 @@ export class Figures {
   private readonly slots = new Map<string, FigureSlot>();
   private t = NaN;
   private room = 0; // px, width of the element; 0 if it must be measured
-  private width = 0; // px, the width that fit() has returned last
+  private width = 0; // px, the width of a figure when the figures were made last
 
   /** `resized` is called when the width of the figures changes. */
   constructor(
@@ -155,7 +155,9 @@ export class Figures {
     new ResizeObserver(() => {
       const before = this.width;
       this.room = this.element.clientWidth;
-      if (before && this.room && Math.abs(this.fit() - before) > 8) resized();
+      if (!before || !this.room) return;
+      if (Math.abs(this.fit() - before) > 8) resized();
+      else this.width = before; // small changes add up
     }).observe(this.element);
   }
 

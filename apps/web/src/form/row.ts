@@ -92,7 +92,7 @@ export class Rows {
       const absent = implied(one.key, one.field.place);
       const shown = JSON.stringify([value, absent]);
       // If the engine has rejected a value, the field must show the value of the spec again.
-      if (shown === one.shown && !bench.fault) continue;
+      if (shown === one.shown && !bench.solved?.fault) continue;
       one.shown = shown;
       one.field.show(value, absent);
     }
