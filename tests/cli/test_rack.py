@@ -152,7 +152,7 @@ class ARack(unittest.TestCase):
         # The tooth is half a pitch thick, 3.14 mm.
         r = Run("pair", RACK + "thickness_allowance_mm = -4.95\n")
         self.assertEqual(r.status, 1, r.out)
-        self.assertIn("teeth", r.err)
+        self.assertIn("gear2.thickness_allowance_mm = -4.95", r.err)
 
     def test_a_backlash_thins_pinion_and_rack(self):
         helical = RACK.replace("[gear2]", "helix_angle_deg = 20\nprofile_shift = 0.2\n[gear2]")
