@@ -133,8 +133,8 @@ def test_sweep_has_the_whole_message():
 def test_a_forgotten_unit_is_named():
     for make, name, remedy in ((lambda: gw.Gear(teeth=17, normal_module=2, helix_angle=15), "helix_angle",
                                 "in rad; use helix_angle_deg = 15"),
-                               (lambda: pair().contact(modifications={"gear1": {"lead_crowning": 12}}),
-                                "gear1.modifications.lead_crowning", "in mm; use lead_crowning_um = 12")):
+                               (lambda: pair().contact(errors={"crossing": 2}), "errors.crossing",
+                                "in rad; use crossing_deg = 2")):
         with pytest.raises(gw.SpecError, match=remedy) as e:
             make()
         assert e.value.key.endswith(name.split(".")[-1])
