@@ -83,9 +83,6 @@ constexpr auto kRows = std::to_array<Row>({
     {"*.transverse_diametral_pitch_per_in", "",
      "is not a key; give normal_diametral_pitch_per_in (the transverse diametral pitch divided by "
      "cos β) or transverse_module_mm (25.4 divided by the transverse diametral pitch)"},
-    {"search.power_kW", "",
-     "is not a key of [search]; give the load of the designs in the table [rating], with power_kW, "
-     "speed_rpm and material"},
     {"*.torque_output_Nm", "", kOutputTorque},
     {"*.output_torque_Nm", "", kOutputTorque},
     {"*.torque_out_Nm", "", kOutputTorque},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gearwright/base/testing/numbers.hpp"
+#include "gearwright/pair/drive.hpp"
 #include "gearwright/pair/pair.hpp"
 #include "tests/property/random_pair.hpp"
 
@@ -122,8 +123,9 @@ TEST(PairLaws, exchanging_the_gears) {
     EXPECT_EQ(p->interference.size(), q->interference.size());
     if (p->sliding_A.zeta_1 && q->sliding_E.zeta_2) {
       const double zeta = *p->sliding_A.zeta_1;
-      // ρ_1A is a difference of two lengths of about the size of a.
-      EXPECT_NEAR(zeta, *q->sliding_E.zeta_2, 64 * kEps * a / m.rho1_A * (1 + std::abs(zeta)));
+      // ρ_1 is a difference of two lengths of about the size of a.
+      const double rho = contact_ends(*p)[0];
+      EXPECT_NEAR(zeta, *q->sliding_E.zeta_2, 64 * kEps * a / rho * (1 + std::abs(zeta)));
     }
   });
 }
@@ -171,11 +173,13 @@ TEST(PairLaws, path_of_contact) {
                 specs.first.face_width * std::abs(std::sin(specs.first.helix_angle.rad())) /
                     (std::numbers::pi * specs.first.normal_module),
                 32 * kEps * (1 + m.overlap_ratio));
-    if (m.rho1_A < m.rho1_C && p.sliding_A.zeta_1) {
+    // On undercut flanks, contact begins after A or ends before E.
+    const auto [start, end] = contact_ends(p);
+    if (start < m.rho1_C && p.sliding_A.zeta_1) {
       EXPECT_LT(*p.sliding_A.zeta_1, 0.0);
       EXPECT_GT(*p.sliding_A.zeta_2, 0.0);
     }
-    if (m.rho1_E > m.rho1_C && p.sliding_E.zeta_1) {
+    if (end > m.rho1_C && p.sliding_E.zeta_1) {
       EXPECT_GT(*p.sliding_E.zeta_1, 0.0);
       EXPECT_LT(*p.sliding_E.zeta_2, 0.0);
     }
