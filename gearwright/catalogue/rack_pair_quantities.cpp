@@ -139,8 +139,8 @@ const Quantities<RackGeometry>& rack_quantities() {
         .one_of({"rack"})
         .doors(kJson);
     q.term("teeth",
-           "number of teeth of the rack; null for a rack of unlimited length; with `length_mm`, "
-           "the whole teeth that fit",
+           "number of teeth of the rack; null for a rack of unlimited length; if the length is "
+           "given, the whole teeth that fit into it",
            [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",

@@ -81,10 +81,14 @@ TEST(RackOutline, a_full_radius_leaves_no_land) {
 
 TEST(RackOutline, an_allowance_that_leaves_no_tooth_is_rejected) {
   for (const double allowance : {-2.0, 1.5}) {
-    const auto o =
-        rack_outline(rack_of(20, 2, 0, 0, {.teeth = 3, .thickness_allowance = allowance}).rack);
-    ASSERT_FALSE(o);
-    EXPECT_EQ(o.error().field, "gear2.thickness_allowance");
+    RackGeometry rack = rack_of(20, 2, 0, 0, {.teeth = 3}).rack;
+    rack.bar.thickness_allowance = allowance;
+    const auto outline = rack_outline(rack);
+    ASSERT_FALSE(outline);
+    EXPECT_EQ(outline.error().field, "gear2.thickness_allowance");
+    const auto pair = mount_rack(rack_of(20, 2).pinion, {.thickness_allowance = allowance});
+    ASSERT_FALSE(pair);
+    EXPECT_EQ(pair.error().field, "gear2.thickness_allowance");
   }
 }
 

@@ -89,7 +89,7 @@ TEST(ReadForms, a_power_gives_the_torque) {
   EXPECT_EQ(refused_form(kStage + "power_kW = 11\n" + second), "stage[1]." + needs);
   EXPECT_NE(refused_form(kSet + power + "torque_Nm = 72\n").find("power_kW"), std::string::npos);
   EXPECT_TRUE(refused_form(kStage + second + power)
-                  .starts_with("stage.speed_rpm = 1450: must not be given for stage 2"));
+                  .starts_with("stage[2].power_kW = 11: must not be given, because the first"));
 }
 
 TEST(ReadForms, a_planet_follows_from_sun_and_ring) {
