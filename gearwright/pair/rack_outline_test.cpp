@@ -86,7 +86,7 @@ TEST(RackOutline, an_allowance_that_leaves_no_tooth_is_rejected) {
     const auto outline = rack_outline(rack);
     ASSERT_FALSE(outline);
     EXPECT_EQ(outline.error().field, "gear2.thickness_allowance");
-    const auto pair = mount_rack(rack_of(20, 2).pinion, {.thickness_allowance = allowance});
+    const auto pair = mount_rack(rack_of(20, 2, 0, 0).pinion, {.thickness_allowance = allowance});
     ASSERT_FALSE(pair);
     EXPECT_EQ(pair.error().field, "gear2.thickness_allowance");
   }
