@@ -211,10 +211,10 @@ class Candidates {
       const auto [place, is_new] =
           sliding_.try_emplace({module, train.stages[k][0], train.stages[k][1]}, 0.0);
       if (is_new) {
-        // A stage may get a greater module later. The shifts without undercut depend slightly on
-        // the module, because the thickness allowances are not proportional to it. The sliding is
-        // therefore computed for the present and for the greatest module, and the smaller value is
-        // compared with the limit.
+        // A stage may get a greater module later. The shifts that avoid undercut depend slightly
+        // on the module, because the thickness allowances are not proportional to it. The sliding
+        // is therefore computed for the present and for the greatest module. The train is left out
+        // only if both values exceed the limit.
         DriveCandidate alone = train;
         alone.stages = {train.stages[k]};
         alone.stage_modules.clear();

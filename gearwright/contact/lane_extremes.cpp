@@ -1,4 +1,4 @@
-// Extremes of the transmission error between the positions of a track. T and its slope are
+// Extremes of the transmission error T between the positions of a track. T and its slope are
 // known at every position. A cubic through two positions therefore predicts where T is extreme,
 // or where one tooth pair hands over to the next. LaneSearch then computes the touches at all
 // predicted points of a pitch together.

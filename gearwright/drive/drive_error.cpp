@@ -121,9 +121,9 @@ class DriveCurves {
                  : std::vector<double>();
   }
 
-  // The transmission error of a mesh in mm along its line of action, > 0 if the driven gear is
-  // ahead. The sign of the error in rad is therefore changed if gear 2 drives. Empty if the
-  // error cannot be computed.
+  // The transmission error of a mesh along its line of action, mm, > 0 if the driven gear is ahead.
+  // of_mesh() gives it as an angle of gear 2, so its sign is changed if gear 2 drives. Empty if
+  // the error cannot be computed.
   std::vector<double> along_line(std::size_t m, const ContactErrors& errors) const {
     std::vector<double> te = of_mesh(m, errors);
     // The travel of a rack is stored as an angle of the pinion.

@@ -33,7 +33,9 @@ class TopographySpline {
   explicit TopographySpline(const Topography& grid);
 
   struct Value {
-    double s, d, z, dd, dz, zz;  ///< mm; derivatives by diameter and height
+    /// Removed material s, mm; its first derivatives with respect to diameter and height z; its
+    /// second derivatives.
+    double s, d, z, dd, dz, zz;
   };
   /// The surface at a point. Beyond the grid, the outermost cubic is continued. The function does
   /// not allocate memory.

@@ -39,9 +39,9 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& ans
 // The quantity that `compensate` minimises for loaded teeth, under the torques of [load].
 //
 // The compliance of the teeth is computed once, because corrections change the flanks by a few µm
-// only. If all corrections remove material from flanks with line contact, a trial near an analysed
-// pair only changes the gaps that were computed for that pair (NearbyLoad). Other trials repeat the
-// contact analysis.
+// only. If all corrections remove material from flanks with line contact, and their values are close
+// to those of an analysed pair, the gaps are derived from the gaps of that pair (NearbyLoad). For
+// all other values, the contact analysis is repeated.
 //                                            theory: docs/theory/12-loaded-contact.md, [T12.20]
 
 class LoadedAim {

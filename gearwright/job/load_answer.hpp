@@ -33,8 +33,8 @@ std::string load_listing(const SolvedJob& job, const LoadAnalysis& answer);
 
 // The load part of `run` consists of the result of `load` and the scenes for the report.
 
-/// The report contains pointers into the job. The positions in the report always cover one
-/// pitch, even if the result has other rotations.
+/// The report contains pointers into the job. The report always covers one pitch, even if
+/// [load] requests other rotations.
 struct LoadPart {
   LoadAnalysis answer;
   std::optional<LoadScene> report;  ///< none if only probes were requested

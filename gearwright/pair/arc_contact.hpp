@@ -72,7 +72,7 @@ Mat2 cut_curvature(double rho, double b, double theta, double lead_angle, double
 /// The normal angle of the contact at the centre distance of `in`; none if the arcs have no common
 /// normal at that distance.
 ///
-/// Formula   exact, [T7.16]; solved in a bracket from the first-order angle [T7.17]
+/// Formula   exact, [T7.16]; the root is bracketed by steps from the first-order angle [T7.17]
 std::optional<Angle> contact_angle(const ArcMeshInput& in);
 
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
@@ -82,7 +82,8 @@ ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 // centre distance, and the effect of its change on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
-//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance between the points of the two racks, mm
+//   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance along the centre line between the points of
+//                                         both racks that have the normal angle θ, mm
 //                                         theory: docs/theory/08-contact.md, [T8.20], [T8.21]
 
 /// The change Δb_F with which the contact has the angle θ at `in.center_distance` + ΔC.

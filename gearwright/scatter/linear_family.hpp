@@ -1,7 +1,8 @@
 // Estimates the peak-to-peak TE of the members of a family to first order. The estimate is fast
 // enough for a diagram that follows a slider.
 //
-//   T_i    greatest gap angle over the profile at place i, which is one height on one tooth pair
+//   T_i    greatest gap angle over the profile at place i; a place is one axial position z on one
+//          tooth pair
 //   e      errors of a member minus nominal errors
 //   ΔC     material removed from the member at place i minus material removed from the nominal pair
 //   T_i(x) ≈ T_i + Σ ∂T_i/∂e · e + Σ ∂T_i/∂C · ΔC       theory: docs/theory/14-scatter.md, [T14.26]
