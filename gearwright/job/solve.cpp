@@ -201,14 +201,13 @@ Result<SolvedJob> solve_any(const JobSpec& spec, Scope scope) {
   thinned.gears[0]->cylindrical.thickness_allowance = -given.backlash_split * thinning;
   thinned.rack->thickness_allowance = -(1 - given.backlash_split) * thinning;
   auto made = solve_rack(thinned);
-  const auto outline = made ? rack_outline(made->rack->rack) : Result<Outline>(made.error());
-  if (!outline)
+  if (!made)
     return spelled(
         following_from(backlash_field(given), format_number(wanted),
                        fmt::format("it requires thickness allowances of {} mm and {} mm, but",
                                    format_number(-given.backlash_split * thinning),
                                    format_number(-(1 - given.backlash_split) * thinning)),
-                       outline.error()),
+                       made.error()),
         spec.given);
   SolvedJob job = std::move(made).take();
   constexpr double kNoThinning = -1e-9;  // mm, a rounding error

@@ -21,6 +21,8 @@ constexpr double kNoLength = 1e-9;  // modules: a shorter length is a rounding e
 // are rounded to two digits (0.38 for 0.37993).
 constexpr double kRoundedFillet = 1e-4;
 
+constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below the resolution of any machine
+
 // If the number of teeth of a rack is not given, the rack has at least this many in pictures and
 // files.
 constexpr int kFewestTeeth = 15;
@@ -156,6 +158,18 @@ void find_faults(RackPair& p) {
   }
 }
 
+// The error of a thickness allowance with which a land would have a length < 0.
+std::optional<Error> land_error(const RackGeometry& rack) {
+  const double slope = 2 * std::tan(rack.normal_pressure_angle.rad());
+  const double least = rack.addendum * slope - rack.normal_pitch / 2;
+  const double greatest = rack.normal_pitch / 2 - rack.dedendum * slope;
+  const double allowance = rack.bar.thickness_allowance, none = kNoArc * rack.normal_module;
+  if (allowance >= least - none && allowance <= greatest + none) return std::nullopt;
+  return refused(gear_field(2, "thickness_allowance"), allowance, {least, greatest},
+                 "must lie between {} mm, at which the tooth is pointed, and {} mm, at which the "
+                 "tooth space closes at the root");
+}
+
 }  // namespace
 
 std::optional<double> RackGeometry::length() const {
@@ -233,7 +247,7 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
                  "has no teeth that could mesh with a rack, because the cutter cuts them off"};
   RackPair p;
   p.rack = geometry(pinion, bar);
-  if (const auto outline = rack_outline(p.rack); !outline) return outline.error();
+  if (auto error = land_error(p.rack)) return *error;
   p.pinion = std::move(pinion);
   p.speed_rpm = speed_rpm;
   const Gear& g = p.pinion;
@@ -268,8 +282,6 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
 
 namespace {
 
-constexpr double kNoArc = 1e-6;  // modules: a shorter arc is below the resolution of any machine
-
 // Appends arcs, each of which begins at the end of the preceding one.
 class OutlineOfArcs {
  public:
@@ -297,17 +309,8 @@ Result<Outline> rack_outline(const RackGeometry& rack) {
   const double alpha = rack.normal_pressure_angle.rad();
   const double tan_n = std::tan(alpha), half = rack.thickness / 2;
   const double k = 1 / std::cos(rack.helix_angle.rad());
-  // The range of thickness allowances with which both lands have a length ≥ 0.
-  const double least = 2 * rack.addendum * tan_n - rack.normal_pitch / 2;
-  const double greatest = rack.normal_pitch / 2 - 2 * rack.dedendum * tan_n;
   const double none = kNoArc * rack.normal_module;
-  if (rack.bar.thickness_allowance < least - none ||
-      rack.bar.thickness_allowance > greatest + none) {
-    return refused(gear_field(2, "thickness_allowance"), rack.bar.thickness_allowance,
-                   {least, greatest},
-                   "must lie between {} mm, at which the tooth is pointed, and {} mm, at which the "
-                   "tooth space closes at the root");
-  }
+  if (auto error = land_error(rack)) return *error;
   const double rho = rack.fillet_radius, middle = rack.normal_pitch / 2;
   const double x_c = rho - rack.dedendum;
   const double n_c = half + (rho - x_c * std::sin(alpha)) / std::cos(alpha);

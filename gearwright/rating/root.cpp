@@ -237,28 +237,43 @@ Factor notch_sensitivity_factor(const Material& material, const CriticalSection&
 Factor surface_factor(const Material& material, std::optional<double> Rz) {
   constexpr const char* formula = "ISO 6336-3, 14.3";
   if (!Rz) return {1.0, formula, kNotAsked};
+  // The factor is `fine` below 1 µm and c − k (Rz + 1)^n above.
+  struct Curve {
+    double fine, c, k, n;
+    std::array<const char*, 3> branches;  // below 1 µm, up to 40 µm, above 40 µm
+  };
+  static constexpr Curve kNormalized{
+      1.07,
+      5.306,
+      4.203,
+      0.01,
+      {"normalized, Rz < 1 µm", "normalized", "normalized, Rz > 40 µm, so 40 µm is used"}};
+  static constexpr Curve kCastOrNitrided{1.025,
+                                         4.299,
+                                         3.259,
+                                         0.0058,
+                                         {"cast or nitrided, Rz < 1 µm", "cast or nitrided",
+                                          "cast or nitrided, Rz > 40 µm, so 40 µm is used"}};
+  static constexpr Curve kHard{1.12,
+                               1.674,
+                               0.529,
+                               0.1,
+                               {"hardened or tempered, Rz < 1 µm", "hardened or tempered",
+                                "hardened or tempered, Rz > 40 µm, so 40 µm is used"}};
   using K = MaterialKind;
-  const bool fine = *Rz<1.0, rough = *Rz> kRoughest;
-  const double r = std::min(*Rz, kRoughest) + 1;
-  switch (material.kind) {
-    case K::normalized:
-      return fine ? Factor{1.07, formula, "normalized, Rz < 1 µm"}
-                  : Factor{5.306 - 4.203 * std::pow(r, 0.01), formula,
-                           rough ? "normalized, Rz > 40 µm, so 40 µm is used" : "normalized"};
-    case K::cast:
-    case K::nodular_ferritic:
-    case K::nitrided:
-    case K::nitrocarburized:
-      return fine ? Factor{1.025, formula, "cast or nitrided, Rz < 1 µm"}
-                  : Factor{4.299 - 3.259 * std::pow(r, 0.0058), formula,
-                           rough ? "cast or nitrided, Rz > 40 µm, so 40 µm is used"
-                                 : "cast or nitrided"};
-    default:
-      return fine ? Factor{1.12, formula, "hardened or tempered, Rz < 1 µm"}
-                  : Factor{1.674 - 0.529 * std::pow(r, 0.1), formula,
-                           rough ? "hardened or tempered, Rz > 40 µm, so 40 µm is used"
-                                 : "hardened or tempered"};
-  }
+  const auto curve = [&]() -> const Curve& {
+    switch (material.kind) {
+      case K::normalized: return kNormalized;
+      case K::cast:
+      case K::nodular_ferritic:
+      case K::nitrided:
+      case K::nitrocarburized: return kCastOrNitrided;
+      default: return kHard;
+    }
+  }();
+  if (*Rz < 1.0) return {curve.fine, formula, curve.branches[0]};
+  return {curve.c - curve.k * std::pow(std::min(*Rz, kRoughest) + 1, curve.n), formula,
+          curve.branches[*Rz > kRoughest ? 2 : 1]};
 }
 
 Factor root_size_factor(const Material& material, double normal_module) {
