@@ -3,9 +3,9 @@
 #
 #   tests/dist/test_deb.sh NATIVE FOLDER     FOLDER contains the .deb files
 #
-# Needs root, for the chroot. Laws: the program gives the answer of the native one; an upgrade keeps every file that the
-# new version has; after the removal no file of the packages is left; a C++ program compiles with CMake and with
-# pkg-config, and the module for Python gives the numbers of the program.
+# Needs root, for the chroot. Laws: the static program for Linux runs without any package; the program gives the answer of
+# the native one; an upgrade keeps every file that the new version has; after the removal no file of the packages is left;
+# a C++ program compiles with CMake and with pkg-config, and the module for Python gives the numbers of the program.
 set -euo pipefail
 native=$(realpath "$1") folder=$(realpath "$2")
 source=$(cd "$(dirname "$0")/../.." && pwd)
@@ -22,6 +22,11 @@ mount -t proc proc "$root/proc"
 mkdir "$root/given" "$root/newer"
 cp "$folder"/*.deb "$root/given/"
 cp -r "$source/tests/consumer" "$source/examples" "$root/"
+
+# The static program runs before any package is installed.
+tar -xzf "$folder"/gearwright-*-linux-x86_64.tar.gz -C "$root/given" --strip-components=1 --wildcards '*/gearwright'
+inside /given/gearwright pair /examples/fixed_center_distance.toml >"$work/here"
+"$native" pair "$source/examples/fixed_center_distance.toml" | cmp - "$work/here"
 quiet apt-get update
 
 # A newer version: the same files with another number.
