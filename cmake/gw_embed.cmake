@@ -2,7 +2,7 @@
 #
 #   gw_embed(<target> NAMESPACE <namespace> FILES <file>…)
 #
-# Each file becomes a source of the target, which is made again when the file changes. The function
+# The target is a new object library. Each file becomes one of its sources, which is made again when the file changes. The function
 # `std::string_view <name of the file>()` returns a newline followed by the bytes of the file, so
 # that a text between tags begins on a line of its own. The caller declares the function.
 #
@@ -15,6 +15,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
 
   function(gw_embed target)
     cmake_parse_arguments(arg "" "NAMESPACE" "FILES" ${ARGN})
+    set(sources "")
     foreach(file IN LISTS arg_FILES)
       cmake_path(GET file STEM name)
       set(made ${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.cpp)
@@ -25,8 +26,10 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
         DEPENDS ${file} ${gw_embed_script}
         COMMENT "Embedding ${name}"
         VERBATIM)
-      target_sources(${target} PRIVATE ${made})
+      list(APPEND sources ${made})
     endforeach()
+    add_library(${target} OBJECT ${sources})
+    gw_target(${target})
   endfunction()
   return()
 endif()

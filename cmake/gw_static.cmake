@@ -18,7 +18,7 @@ set_target_properties(gearwright_static PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NA
                       RUNTIME_OUTPUT_DIRECTORY ${gw_portable}/linux-x86_64)
 add_dependencies(gearwright_static gearwright)
 target_link_libraries(gearwright_static PRIVATE $<TARGET_FILE:gearwright>)
-foreach(library fmt tomlplusplus z tbb nlopt_cxx hwy zstd sqlite3)
+foreach(library fmt tomlplusplus z tbb nlopt hwy zstd sqlite3)
   target_link_libraries(gearwright_static PRIVATE ${gw_portable}/libraries/linux-x86_64/lib/lib${library}.a)
 endforeach()
 target_link_libraries(gearwright_static PRIVATE ${gw_elementary_file})

@@ -1,22 +1,29 @@
-# Compiles sources of one folder together, at most 24 at a time, if CMAKE_UNITY_BUILD is set. Tests of one folder are
-# all compiled together.
+# Compiles the sources of a room together, at most 36 at a time, and small rooms as one, if CMAKE_UNITY_BUILD is set.
+# Tests of one folder are all compiled together.
 #
 # Most of the compile time of a source is for templates that its neighbours also instantiate. Sixteen sources of the room
 # cad take 15.5 s, and the same sources as two parts of eight take 20.5 s. The disadvantage is that a name in an unnamed
-# namespace may conflict with a name in another source of its folder. The compiler then reports an error, and the new name
+# namespace may conflict with a name in another source of its part. The compiler then reports an error, and the new name
 # must be changed.
 #
 # The presets `edit` and `clang` compile every source alone, which shows that each includes
 # everything that it uses.
 include_guard()
 
-set(gw_together 24)
+set(gw_together 36)
+
+# Small rooms are compiled as one. Rooms between which names conflict are not joined.
+set(gw_joined
+  "base curve gear generation math store tool"
+  "compliance load"
+  "inspection pair"
+  "rating verdict")
 
 # These sources are compiled alone. Highway includes a source `_simd` again for each instruction set. The program
 # gearwright writes no figures as PDF, so the linker leaves out their sources.
 set(gw_alone "(_simd|/(figure_files|style_sheet))\\.cpp$")
 
-# The parts of a folder have the same number of sources, so that two processors finish at nearly the same time.
+# The parts of a room have the same number of sources, so that two processors finish at nearly the same time.
 function(gw_unity target)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
@@ -25,6 +32,13 @@ function(gw_unity target)
   foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME room)
+    if(source MATCHES "/gearwright/[a-z]+/")
+      foreach(joined IN LISTS gw_joined)
+        if(" ${joined} " MATCHES " ${room} ")
+          string(REPLACE " " "_" room ${joined})
+        endif()
+      endforeach()
+    endif()
     list(APPEND rooms ${room})
     list(APPEND sources_${room} ${source})
   endforeach()

@@ -10,9 +10,6 @@ include(gw_system_headers)
 gw_system_headers()
 gw_link_headers(fmt fmt/format.h libfmt-dev)
 gw_link_headers(stb stb/stb_image_write.h libstb-dev)
-add_library(fmt::fmt INTERFACE IMPORTED)
-target_include_directories(fmt::fmt SYSTEM INTERFACE ${gw_links})
-target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 set(gw_libraries "")
 
 # Some errors are exceptions. Without this option, no catch block would run. -msimd128 is not used, because
@@ -21,6 +18,11 @@ set(gw_libraries "")
 add_compile_options(-fwasm-exceptions)
 add_link_options(-fwasm-exceptions)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+
+add_library(gw_fmt STATIC ${CMAKE_CURRENT_LIST_DIR}/fmt.cpp)
+target_include_directories(gw_fmt SYSTEM PUBLIC ${gw_links})
+add_library(fmt::fmt INTERFACE IMPORTED)
+target_link_libraries(fmt::fmt INTERFACE gw_fmt)
 
 # The memory can grow, because meshes of large gears need hundreds of MB. The stack is large enough
 # for deeply nested specs.

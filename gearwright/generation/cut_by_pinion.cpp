@@ -20,7 +20,7 @@ using detail::branch_of;
 
 // Two arcs join smoothly if their normals differ by at most this angle, rad. If the normal
 // turns by ε at a corner, the point that the corner cuts moves by only ε λ²/w.
-constexpr double kSameNormal = 1e-12;
+constexpr double kEqualAngles = 1e-12;
 
 // Returns the angle ν of the outward normal at an end of an arc. ν lies in the half turn that
 // begins at the polar angle of this end.
@@ -63,16 +63,16 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
-      if (nu_tip_side > nu + kSameNormal) {  // a convex corner
+      if (nu_tip_side > nu + kEqualAngles) {  // a convex corner
         add_fan(arc, nu, nu_tip_side, smooth);
-      } else if (nu_tip_side < nu - kSameNormal) {
+      } else if (nu_tip_side < nu - kEqualAngles) {
         smooth = false;  // a concave corner does not cut, but the neighbouring arcs do
       }
       smooth = add_arc(arc, smooth);
       nu = normal_angle(arc, 0.0);
     }
     const Arc& root = arcs.front();
-    const bool closes = std::abs(nu - kPi / motion_.cutter_teeth) <= kSameNormal;
+    const bool closes = std::abs(nu - kPi / motion_.cutter_teeth) <= kEqualAngles;
     if (root.name != ArcName::root_land && closes && !branches.empty())
       branches.back().ends_on_center_line = true;
   }
@@ -86,7 +86,7 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
-      if (nu_tip_side > nu + kSameNormal) {
+      if (nu_tip_side > nu + kEqualAngles) {
         pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
       }
       nu = normal_angle(arc, 0.0);

@@ -18,9 +18,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostTurns = 120;   // greatest number of iterations of footprints and forces
-constexpr double kStill = 1e-11;  // greatest last relative change of forces and approach
-constexpr int kWhole = 10;        // iterations that change the ellipses by full steps
+constexpr int kMostTurns = 120;    // greatest number of iterations of footprints and forces
+constexpr double kSteady = 1e-11;  // greatest last relative change of forces and approach
+constexpr int kWhole = 10;         // iterations that change the ellipses by full steps
 // Limits of the step length after kWhole iterations, relative to a full step.
 constexpr double kLeastPart = 0.1, kMostPart = 5.0;
 constexpr int kHalvings = 40;  // halvings of the interval in which the end of the flank lies
@@ -31,14 +31,14 @@ constexpr double kIdle = 1e-6;
 // Least curvature of the gap of the bent bodies, relative to k1.
 constexpr double kStraightest = 0.25;
 
-using Nodes = boost::math::quadrature::gauss<double, 9>;
+using Quadrature = boost::math::quadrature::gauss<double, 9>;
 
 // Visits the Gauss nodes in [−1, 1] and their weights, from the middle outwards. The load along the
 // major axis is ¾ (1 − x²), the integral of the Hertz pressure across this axis.
 template <class Visit>
 void along_axis(Visit visit) {
-  const auto& x = Nodes::abscissa();
-  const auto& w = Nodes::weights();
+  const auto& x = Quadrature::abscissa();
+  const auto& w = Quadrature::weights();
   for (std::size_t i = 0; i < x.size(); ++i) {
     visit(x[i], w[i]);
     if (x[i] > 0.0) visit(-x[i], w[i]);
@@ -280,8 +280,8 @@ PointSolver::Shared PointSolver::share(const PointPosition& at, double torque) {
       return all;
     }
     still = (all.sharing.force - force).cwiseAbs().maxCoeff() <=
-                kStill * all.sharing.force.maxCoeff() &&
-            std::abs(all.sharing.approach - approach) <= kStill * approach;
+                kSteady * all.sharing.force.maxCoeff() &&
+            std::abs(all.sharing.approach - approach) <= kSteady * approach;
     force = all.sharing.force;
     approach = all.sharing.approach;
     std::vector<Ellipse> step;
