@@ -52,15 +52,35 @@ with_cmake() {
   cmake --build "$build" -j "$jobs" --target install >>"$build.log" 2>&1 || { tail -n 30 "$build.log" >&2; exit 1; }
 }
 
-# Builds a library of plain C. Arguments: NAME, options of the compiler, then sources.
-plain_c() {
-  local name=$1 options=$2 compiler work=$root/made/$target/$1
-  shift 2
-  compiler=$(sed -n 's/^set(CMAKE_C_COMPILER \(.*\))$/\1/p' "$toolchain")
+# Compiles a library without its own build system, which would also build tests. Arguments: NAME, language (C or CXX),
+# options of the compiler, then sources.
+plain() {
+  local name=$1 language=$2 options=$3 compiler work=$root/made/$target/$1
+  shift 3
+  compiler=$(sed -n "s/^set(CMAKE_${language}_COMPILER \\(.*\\))\$/\\1/p" "$toolchain")
   mkdir -p "$work"
   # shellcheck disable=SC2086
-  (cd "$work" && "$compiler" -O2 -fPIC -ffp-contract=off $options -c "$@")
+  (cd "$work" && printf '%s\0' "$@" | xargs -0 -n 1 -P "$jobs" "$compiler" -O2 -fPIC -ffp-contract=off \
+    -ffile-prefix-map="$root=." $options -c)
   ar rcs "$into/lib/lib$name.a" "$work"/*.o
+}
+
+fmt() {
+  local from
+  from=$(folder fmtlib)
+  cp -r "$from/include/fmt" "$into/include/"
+  plain fmt CXX "-DNDEBUG -std=c++20 -I$from/include" "$from/src/format.cc"
+}
+
+# The headers compute. The library only finds the instruction sets of the processor.
+highway() {
+  local from
+  from=$(folder highway)
+  mkdir -p "$into/include/hwy/contrib"
+  cp "$from"/hwy/*.h "$into/include/hwy/"
+  cp -r "$from/hwy/ops" "$into/include/hwy/"
+  cp -r "$from/hwy/contrib/math" "$into/include/hwy/contrib/"
+  plain hwy CXX "-DNDEBUG -std=c++20 -I$from" "$from"/hwy/{aligned_allocator,per_target,targets}.cc
 }
 
 # Builds SQLite from one file, which its own scripts make with tclsh.
@@ -74,14 +94,14 @@ sqlite() {
   fi
   cp "$together/sqlite3.h" "$into/include/"
   # -Os is fast enough, because a search writes only one row of its journal for each chunk.
-  plain_c sqlite3 "-Os -DSQLITE_THREADSAFE=1 -DSQLITE_OMIT_LOAD_EXTENSION" "$together/sqlite3.c"
+  plain sqlite3 C "-Os -DSQLITE_THREADSAFE=1 -DSQLITE_OMIT_LOAD_EXTENSION" "$together/sqlite3.c"
 }
 
 zlib() {
   local from
   from=$(folder zlib)
   cp "$from/zlib.h" "$from/zconf.h" "$into/include/"
-  plain_c z "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
+  plain z C "-D_LARGEFILE64_SOURCE=1" "$from"/{adler32,compress,crc32,deflate,infback,inffast,inflate,inftrees,trees,uncompr,zutil}.c
 }
 
 # A search uses levels 1 and 3, whose methods are fast and double_fast. The other methods, and the decoder, which only
@@ -90,8 +110,8 @@ zstd() {
   local from options="-DZSTD_LEGACY_SUPPORT=0 -DZSTD_DISABLE_ASM -DXXH_NAMESPACE=ZSTD_"
   from=$(folder libzstd)/lib
   cp "$from/zstd.h" "$into/include/"
-  plain_c zstd "-Os $options" "$from"/decompress/*.c "$from"/compress/zstd_{lazy,ldm,opt}.c
-  plain_c zstd "-O3 $options" "$from"/common/*.c "$from"/compress/{fse,huf,zstd}_compress.c "$from"/compress/hist.c \
+  plain zstd C "-Os $options" "$from"/decompress/*.c "$from"/compress/zstd_{lazy,ldm,opt}.c
+  plain zstd C "-O3 $options" "$from"/common/*.c "$from"/compress/{fse,huf,zstd}_compress.c "$from"/compress/hist.c \
     "$from"/compress/zstd_{compress_literals,compress_sequences,compress_superblock,double_fast,fast}.c
 }
 
@@ -105,7 +125,7 @@ elementary() {
   sed -f "$from/tools/mkalltypes.sed" "$from/arch/i386/bits/alltypes.h.in" "$from/include/alltypes.h.in" >"$header/bits/alltypes.h"
   names=$(grep -v '^#' tools/elementary.txt)
   # shellcheck disable=SC2046,SC2086
-  plain_c elementary "-std=c99 -nostdinc -ffreestanding -fno-math-errno -Wno-attributes -Dsqrt=__builtin_sqrt -Dfabs=__builtin_fabs
+  plain elementary C "-std=c99 -nostdinc -ffreestanding -fno-math-errno -Wno-attributes -Dsqrt=__builtin_sqrt -Dfabs=__builtin_fabs
     -U__FP_FAST_FMA -D_XOPEN_SOURCE=700 -I$header -I$from/arch/generic -I$from/arch/i386 -I$from/src/internal
     -I$from/src/include -I$from/include" $(printf "$from/src/math/%s.c " ${names/cabs/../complex/cabs})
 }
@@ -123,18 +143,15 @@ tomlplusplus() {
 fetch
 rm -rf "$into" "$root/made/$target"
 mkdir -p "$into/lib" "$into/include" "$root/made/$target"
-with_cmake "$(folder fmtlib)" -DFMT_TEST=OFF -DFMT_DOC=OFF
+fmt
 zlib
-with_cmake "$(folder onetbb)" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DTBB_FIND_PACKAGE=OFF
-# NLopt needs no speed, because its time is that of the function that it minimises.
-with_cmake "$(folder nlopt)" -DCMAKE_BUILD_TYPE=MinSizeRel -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
+# oneTBB needs no speed, because the program calls it once for each item of a search or each position of a mesh.
+with_cmake "$(folder onetbb)" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF \
+  -DTBB_FIND_PACKAGE=OFF
+# NLopt needs no speed either. The methods that are used are written in C.
+with_cmake "$(folder nlopt)" -DCMAKE_BUILD_TYPE=MinSizeRel -DNLOPT_CXX=OFF -DNLOPT_PYTHON=OFF -DNLOPT_OCTAVE=OFF -DNLOPT_MATLAB=OFF -DNLOPT_GUILE=OFF \
   -DNLOPT_SWIG=OFF -DNLOPT_TESTS=OFF
-with_cmake "$(folder highway)" -DHWY_ENABLE_TESTS=OFF -DHWY_ENABLE_EXAMPLES=OFF -DHWY_ENABLE_CONTRIB=OFF \
-  -DBUILD_TESTING=OFF
-# Only the elementary functions of Highway's contrib are needed, which are headers. The sorts in
-# contrib take minutes to compile, so they are not built.
-mkdir -p "$into/include/hwy/contrib"
-cp -r "$(folder highway)/hwy/contrib/math" "$into/include/hwy/contrib/"
+highway
 zstd
 sqlite
 if [ "$target" = linux-x86_64 ]; then tomlplusplus; else elementary; fi
