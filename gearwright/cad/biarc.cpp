@@ -14,15 +14,15 @@ constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is w
 // If the angles between the chord and the two end tangents differ by less than this, rad, one arc
 // replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// Limits of the length of a biarc, measured in the parameter of the arc: the shortest length
-// relative to the arc, and the permitted error relative to the length.
+// Shortest length of a biarc relative to the length of the arc, and permitted error of the length
+// of a biarc relative to this length. Lengths are measured in the parameter of the arc.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Returns the bulge of an arc that starts in the direction `tangent` and ends at the end of the
-// chord. It is tan(φ/2), where φ is the angle from the start direction to the chord.
+// chord. The bulge is tan(φ/2), where φ is the angle from the start direction to the chord.
 double bulge_of(const Vec2& tangent, const Vec2& chord) {
   const double length = chord.norm();
   const double bulge = cross(tangent, chord) / (length + tangent.dot(chord));
@@ -140,9 +140,9 @@ BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
   GW_EXPECTS(arc.begin_point != arc.end_point);
   // If the error along a biarc has one or two maxima and the speed of the parametrization
-  // varies little, 24 samples give the greatest error to 1 %. In other cases, the verification
-  // with kVouching samples may find a greater error. The fit is then repeated with more
-  // samples.
+  // varies little, 24 samples give the greatest error within 1 %. In other cases, the
+  // verification with kVouching samples may find a greater error. The fit is then repeated with
+  // more samples.
   BiarcChain chain{};
   for (const int looks : {24, 96, kVouching}) {
     chain = Fitter(arc, looks).chain(0.98 * tolerance_mm);

@@ -30,8 +30,8 @@ struct BiarcChain {
 /// Units     mm
 /// Domain    tolerance_mm > 0 (contract); the curve has a tangent at every point
 /// Accuracy  deviation_mm ≤ tolerance_mm if 2¹² biarcs suffice, which the caller must check;
-///           tangents of neighbouring arcs agree to 1e-9 rad; if a line replaces an arc, its
-///           tangent error times its length is below 4e-9 mm
+///           tangents of neighbouring arcs agree to 1e-9 rad; if a line replaces an arc, the
+///           tangent error of the line times its length is below 4e-9 mm
 /// Laws      (1) the number of arcs grows as tolerance^(−1/3), because each is as long as possible
 ///           (2) a circular arc is represented by one arc
 BiarcChain fit_biarcs(const Arc& arc, double tolerance_mm);
@@ -46,7 +46,7 @@ struct BiarcContour {
 /// Returns the contour of all teeth. Each land is one arc. Every other arc of the half outline is
 /// fitted by biarcs once, and all teeth use this fit.
 ///
-/// Errors    `tolerance_mm` if an arc cannot be fitted within it
+/// Errors    `tolerance_mm` if an arc cannot be fitted within this tolerance
 /// Domain    tolerance_mm > 0 (contract)
 Result<BiarcContour> biarc_contour(const Outline& outline, const Contour& contour,
                                    double tolerance_mm);

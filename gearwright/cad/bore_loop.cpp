@@ -113,8 +113,8 @@ Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double 
   const double half = body.bore->keyway_width / 2.0;
   if (half == 0.0) return std::optional(BoreContour{r, false, {{r, 0.0}, {-r, 0.0}}, {1.0, 1.0}});
 
-  // The circular part of the bore exceeds half a turn. It is therefore divided into two arcs, which
-  // meet at (0, −r).
+  // The circular part of the bore is divided into two arcs, which meet at (0, −r), because this
+  // part spans more than half a turn.
   const double y = std::sqrt((r - half) * (r + half));
   const double floor = r + body.bore->keyway_depth;
   const double bulge = std::tan((pi - std::asin(half / r)) / 4.0);

@@ -1,11 +1,12 @@
-// Section of the bore: a circle, or a circle with a rectangular keyway. For an internal gear (teeth
-// < 0), the same functions describe the rim, the outer cylinder around the teeth.
+// Computes the section of the bore, which is a circle with or without a rectangular keyway. For an
+// internal gear (teeth < 0), the same functions compute the section of the rim, which is the outer
+// cylinder around the teeth.
 //
 //   r  bore radius     w, t  keyway width and depth from the bore circle     all mm
 //
-// The keyway is a slot along +y. Its flat floor lies at y = r + t. Its walls at x = ±w/2 meet the
-// bore at y = √(r² − w²/4). If w = 0, there is no keyway. The corners of the keyway, at the radius
-// hypot(w/2, r + t), must lie inside the root circle.
+// The keyway is a slot along +y. The flat floor of the keyway lies at y = r + t. The walls of the
+// keyway at x = ±w/2 meet the bore at y = √(r² − w²/4). If w = 0, there is no keyway. The corners
+// of the keyway, at the radius hypot(w/2, r + t), must lie inside the root circle.
 #pragma once
 
 #include <optional>
@@ -17,20 +18,20 @@
 
 namespace gearwright {
 
-/// The columns of the wall, counter-clockwise from the lowest point (0, −r). They are exactly
-/// symmetric about the y axis. Normals point into the hole.
+/// The columns of the wall (cad/mesh_builder.hpp), counter-clockwise from the lowest point (0, −r).
+/// The columns are exactly symmetric about the y axis. Normals point into the hole.
 ///
-/// Accuracy  chords deviate from the circle by at most `chord` mm, and each turns by at most
-///           `facet_turn` rad
+/// Accuracy  chords deviate from the circle by at most `chord` mm; the surface turns by at most
+///           `facet_turn` rad over a chord
 /// Domain    a bore for which hole_error() returns no error (contract)
 std::vector<Column> bore_columns(const Bore& bore, double chord, double facet_turn);
 
 /// A single wall around the full circle, starting on the +y axis.
 WallLoop circle_loop(double radius);
 
-/// The loop of the walls. The keyway is omitted if its sides would be slivers.
+/// The walls of the bore or rim as a loop. The keyway is omitted if its sides would be slivers.
 ///
-/// Errors    as hole_error() (gear/bore.hpp)
+/// Errors    those of hole_error() (gear/bore.hpp)
 /// Units     inner, outer: extreme radii of the outline, mm
 Result<WallLoop> make_bore(const ToothedBody& body, double inner, double outer);
 
@@ -42,9 +43,9 @@ struct BoreContour {
   std::vector<double> bulges;  ///< bulges[i] belongs to the piece from points[i] to the next point
 };
 
-/// Returns no contour if there is no bore.
+/// The contour of the bore or rim. Absent if there is no bore.
 ///
-/// Errors    as make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
+/// Errors    those of make_walls (cad/walls.hpp): a bore or keyway that reaches the root circle, or
 ///           an internal gear whose rim does not enclose the root circle
 /// Units     inner, outer: smallest and greatest radius of the outline, mm
 Result<std::optional<BoreContour>> bore_contour(const ToothedBody& body, double inner,

@@ -146,8 +146,8 @@ Id ShellWriter::frame(double z, const Vec3& x) {
   return out_.placement(origin, up, direction(x));
 }
 
-// The coordinate system of a circle or cylinder. Its x direction points away from the middle of the
-// wall, so a wall that spans less than a full turn never crosses the seam at u = 0.
+// The coordinate system of a circle or cylinder. The x direction points away from the middle of the
+// wall. A wall that spans less than a full turn therefore never crosses the seam at u = 0.
 Id ShellWriter::round_frame(const Wall& wall, double turn, double z) {
   const Complex middle = std::polar(1.0, 0.5 * (wall.begin_angle + wall.end_angle) + turn);
   return frame(z, {-middle.real(), -middle.imag(), 0.0});

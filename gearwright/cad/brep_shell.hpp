@@ -63,9 +63,9 @@ class ShellWriter {
     const Rim& teeth;
     double z;  ///< mm
   };
-  /// Adds a neck, which is a cylinder between teeth below and teeth above it, and the two plane
-  /// faces next to it. `side` has the value with which the teeth were added. For an internal gear,
-  /// the neck is the groove.
+  /// Adds a neck, which is a cylinder between two sets of teeth, and the two plane faces next to
+  /// the neck. `side` has the value with which the teeth were added. For an internal gear, the neck
+  /// is the groove.
   void add_neck(double radius, const NeckEnd& below, const NeckEnd& above, Side side);
 
   /// Adds the bore or the rim and the two end faces, and completes the solid.
@@ -91,8 +91,8 @@ class ShellWriter {
   /// counts along the loop, b upwards.
   Id spline_between(const Sides& sides, const WallKnots& u, const WallKnots& v,
                     const std::function<Vec3(std::size_t, std::size_t)>& pole);
-  /// The bound of a face. It runs counter-clockwise, seen from the side to which the surface normal
-  /// points.
+  /// The bound of a face, which runs counter-clockwise, seen from the side to which the surface
+  /// normal points.
   Id face_bound(std::span<const Edge> bottom, std::span<const Edge> right,
                 std::span<const Edge> top, std::span<const Edge> left);
   /// Adds a face. The first loop is the outer one, and all others are holes. All loops run

@@ -21,8 +21,8 @@ Vec2 tidy_turned(const Vec2& p, const SinCos& turn) {
   return {turn.cos * p.x() - turn.sin * p.y() + 0.0, turn.sin * p.x() + turn.cos * p.y() + 0.0};
 }
 
-// An arc of the half outline that becomes pieces of the contour. Its ends are moved if adjacent
-// slivers are omitted.
+// An arc of the half outline that becomes pieces of the contour. If adjacent slivers are omitted,
+// the ends of the arc are moved.
 struct Link {
   std::size_t arc;
   Vec2 begin;
@@ -81,7 +81,7 @@ Result<Contour> closed_contour(const Outline& outline) {
       round_land(outline.arcs[links.back().arc]) && !(root_land && links.size() == 1);
   const std::size_t first = root_land ? 1 : 0;
   const std::size_t last =
-      links.size() - (tip_land ? 1 : 0);  // end of the links except the tip land
+      links.size() - (tip_land ? 1 : 0);  // end of the links that are not the tip land
 
   double tip_sweep = 0.0;
   double root_sweep = 0.0;

@@ -1,11 +1,13 @@
-// The closed outline of the whole gear in its transverse section z = 0, piece by piece.
+// Computes the closed outline of a whole gear in the transverse section z = 0 as a chain of pieces.
 //
-//   k     tooth number, 0 … |z| − 1; tooth k is tooth 0 times e^{2πik/|z|}, exact for quarter turns
+//   k     tooth number, 0 … |z| − 1; tooth k is tooth 0 turned by 2πk/|z|, and quarter turns are
+//         exact
 //
-// For external and internal gears, the contour runs counter-clockwise about the axis: the tip land
-// of tooth 0, its upper half from tip to root, the root land, the lower (mirrored) half of tooth 1
-// from root to tip, its tip land, and so on. The two halves of a land form one piece, a true circle
-// about the axis. Every other piece is an arc of the outline, mirrored and turned.
+// For external and internal gears, the contour runs counter-clockwise about the axis. The order of
+// its pieces is: tip land of tooth 0, upper half of tooth 0 from tip to root, root land, lower
+// (mirrored) half of tooth 1 from root to tip, tip land of tooth 1, and so on. The two halves of a
+// land form one piece, a true circle about the axis. Every other piece is an arc of the outline,
+// mirrored and turned.
 //
 //   Laws  (1) the end of each piece is identical to the start of the next, and the contour is
 //             closed
@@ -28,7 +30,7 @@ struct ContourPiece {
   std::size_t arc;  ///< index into Outline::arcs
   int tooth;        ///< k; for a root land, one of the adjacent teeth
   bool mirrored;    ///< true on the lower half of the tooth, where the piece runs from root to tip
-  bool land;        ///< true if both halves of a land form the piece, which is a line on a rack
+  bool land;        ///< true if the piece is a land with both halves; on a rack, a land is a line
   Vec2 begin;       ///< mm
   Vec2 end;         ///< mm
   double sweep;     ///< rad, > 0 for a land of a gear; otherwise 0
@@ -59,9 +61,10 @@ Result<Contour> closed_contour(const Outline& outline);
 /// Domain    teeth ≥ 1; a back below the roots; the laws of pair/rack_pair.hpp hold (contract)
 Contour rack_contour(const Outline& outline, const RackBlock& rack);
 
-/// Moves points on an arc of the half outline to the position and direction of a piece. The
-/// points are given from root to tip. They are either mirrored or reversed, and then turned.
-/// The first and the last point are replaced by the ends of the piece.
+/// Moves points on an arc of the half outline to the position and direction of a piece. The points,
+/// which are given from root to tip, are either mirrored or reversed, and then turned. The first
+/// and the last point are replaced by the ends of the piece.
+///
 /// Domain    the piece is not a land, there are at least two points, and the moved end points
 ///           lie within 3e-6 mm of the ends of the piece (contract)
 std::vector<Vec2> placed(const Contour& contour, const ContourPiece& piece,

@@ -48,7 +48,7 @@ struct BodyContour {
   }
 };
 
-/// Errors    as closed_contour and bore_contour
+/// Errors    those of closed_contour and bore_contour
 Result<BodyContour> body_contour(const ToothedBody& body);
 
 Error beyond_tolerance(const Arc& arc, double deviation_mm, double tolerance_mm);
@@ -63,7 +63,7 @@ struct ArcFits {
 /// Fits each arc with `fit(arc, tolerance)`. The result of this function must have a member
 /// `deviation_mm`.
 ///
-/// Errors    `tolerance_mm` if an arc cannot be fitted within it
+/// Errors    `tolerance_mm` if an arc cannot be fitted within this tolerance
 template <class Fit>
 Result<ArcFits<Fit>> fit_arcs(const Outline& outline, const Contour& contour, double tolerance_mm,
                               Fit (*fit)(const Arc&, double)) {

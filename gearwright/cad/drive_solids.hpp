@@ -1,7 +1,8 @@
-// The solids of whole gears and of drives, at their positions or laid out for printing.
+// Makes the solids of whole gears and of drives, at their positions or laid out for printing.
 //
 // External gears of one body with the same bore are one solid, in which a plain cylinder joins
-// each gear to the next one. Gears with different bores are separate workpieces, and so are rings.
+// each gear to the next one. Gears with different bores are separate workpieces. Internal gears are
+// separate workpieces, too.
 #pragma once
 
 #include <array>
@@ -15,11 +16,11 @@
 
 namespace gearwright {
 
-/// The body of a gear in its own frame. It includes the bore (for an internal gear, the rim),
-/// both halves of a double-helical gear, and the flank modifications. `which` is 1 or 2. The
-/// halves must mesh with the halves of the mating gear. The stagger therefore turns them in
-/// opposite directions on two external gears, and in the same direction on an external and an
-/// internal gear.
+/// The body of a gear in its own frame. The body includes the bore (for an internal gear, the rim),
+/// both halves of a double-helical gear, and the flank modifications. `which` is the number of the
+/// gear in its pair, 1 or 2. The halves must mesh with the halves of the mating gear. On two
+/// external gears, the stagger therefore turns the halves in opposite directions. On an external
+/// and an internal gear, the stagger turns the halves in the same direction.
 ///
 /// Domain    a gear for which gear_body() returns no error (contract)
 /// Errors    `double_helical.gap` if the halves are staggered but have no gap; the errors of
@@ -30,7 +31,7 @@ Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
 
 /// Returns every copy of every solid, each at its position in the common frame of one file. A
 /// copy refers to the first solid with the same shape. Solids of one body have the same colour.
-/// If a gear is not joined to a gear of its body, `separate` gives the reason.
+/// If a gear is not joined to another gear of its body, `separate` contains the reason.
 ///
 /// Errors    a gear without an outline; the errors of body_as_made()
 Result<std::vector<ToothedBody>> drive_solids(const Drive& drive, const DriveLayout& layout);

@@ -1,4 +1,4 @@
-// DXF drawings of the transverse section: AutoCAD 2000 (AC1015), millimetres.
+// Writes the transverse section as a DXF drawing (AutoCAD 2000, AC1015) in millimetres.
 //
 //   layer PROFILE   the closed outline of all teeth
 //   layer BORE      the bore with its keyway, or the rim of an internal gear

@@ -1,4 +1,5 @@
-// The sections of a DXF file around the entities. Readers of AutoCAD 2000 drawings require them.
+// Writes a DXF file: the entities, and the sections around the entities that readers of AutoCAD
+// 2000 drawings require.
 //
 // DXF is a list of pairs. Each pair is a group code on one line and a value on the next. Every
 // object has a handle (code 5, hexadecimal) and names its owner (330); entities belong to
@@ -17,8 +18,8 @@ namespace gearwright {
 /// Collects entities. Coordinates are in mm in the xy plane.
 class DxfEntities {
  public:
-  /// Sets the position of the entities that follow: a rotation about z and a shift in the plane. If
-  /// no position is set, coordinates are written unchanged.
+  /// Sets the position of the entities that are added afterwards. The position is a rotation about
+  /// z and a shift in the plane. If no position is set, coordinates are written unchanged.
   void place(const Eigen::Isometry3d& pose);
   /// Adds an LWPOLYLINE. bulges[i] belongs to the segment from points[i] to the next point. If
   /// there are as many bulges as points, the polyline is closed and the last bulge leads to the

@@ -108,8 +108,8 @@ class PictureReader {
     return scale_.corner + scale_.mm_per_px * Vec2(p.real(), height_ - p.imag());
   }
 
-  // Draws an element. If `styled` is false, the style sheet is not applied. It does not apply
-  // to shapes in definitions.
+  // Draws an element. If `styled` is false, as for shapes in definitions, the style sheet is not
+  // applied.
   void draw(const std::string& tag, const Tree& node, const Mapping& parent, Style style,
             std::optional<SheetBox> clip, bool styled) {
     if (tag == "defs" || tag == "clipPath") return;

@@ -12,10 +12,10 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps, each as long as a condition allows. This gives the smallest
-// number of steps if the condition, once it fails, also fails for every longer step. The condition
-// "the error is within the tolerance" has this property if the error grows with the length of the
-// step.
+// An interval is covered by steps, each of which is as long as a condition allows. The number of
+// steps is the smallest possible one if every step longer than a failing step fails, too. The
+// condition "the error is within the tolerance" has this property if the error grows with the
+// length of the step.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ inline double osculating_distance(const CurvePoint& w, const Vec2& p) {
 
 struct StepLimits {
   double shortest;  ///< relative to the interval; a step of this length is always accepted
-  double known;     ///< relative to the step; the search ends when its bracket is narrower
+  double known;     ///< relative to the step; the search ends when its bracket is at most this wide
 };
 
 /// Returns the greatest x in (from, to] for which fits(x) is true. The first step of the search

@@ -16,8 +16,8 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Quality of a triangle: the sine of its smallest angle. This is twice the area divided by the
-// product of the two longest sides.
+// Quality of a triangle, which is the sine of its smallest angle. The sine is twice the area
+// divided by the product of the two longest sides.
 double width(const Vec2& a, const Vec2& b, const Vec2& c) {
   std::array<double, 3> side{(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
   std::sort(side.begin(), side.end());

@@ -1,4 +1,4 @@
-// Triangulations of plane regions, used for the two end faces of a body.
+// Triangulates plane regions, which are the end faces of bodies.
 //
 // A triangulation covers a region exactly once if all its triangles are counter-clockwise and its
 // boundary is the boundary of the region. The reason is that the boundary winds once about each
@@ -22,14 +22,13 @@ namespace gearwright {
 /// Domain    a counter-clockwise polygon, n ≥ 3 (contract)
 std::optional<std::vector<Triangle>> clip_ears(const std::vector<Vec2>& polygon);
 
-/// Triangulates the region between an inner loop and a regular polygon around it. Both are
-/// counter-clockwise about the origin and sorted by polar angle.
+/// Triangulates the region between an inner loop and a regular polygon around it. The loop and the
+/// polygon are counter-clockwise about the origin and sorted by polar angle.
 ///
 /// The inner loop is a circle, or a circle with a rectangular slot. Let δ be the angle between two
 /// neighbouring outer corners, R their radius and r the largest inner radius. If R cos δ ≥ r, all
-/// triangles are counter-clockwise. The reason is that an outer step never crosses the circle with
-/// radius r, and that an inner step is taken only if an outer corner lies within δ of both of its
-/// ends.
+/// triangles are counter-clockwise, for two reasons. An outer step never crosses the circle with
+/// radius r. An inner step is taken only if an outer corner lies within δ of both ends of the step.
 ///
 /// Returns   triangles as indices: i means inner[i], inner.size() + j means outer[j]
 /// Domain    the condition above; the first inner point lies on the circle and not in the slot

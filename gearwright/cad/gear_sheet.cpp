@@ -60,8 +60,8 @@ std::string with_fit(const std::string& size, const std::string& fit) {
   return fit.empty() ? size : size + " " + fit;
 }
 
-// Both views have the same scale. The transverse view is centred on the origin, and the axial view
-// is to its right.
+// Draws both views at the same scale. The centre of the transverse view is the origin, and the
+// axial view is to the right of the transverse view.
 class Views {
  public:
   Views(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
@@ -100,7 +100,7 @@ class Views {
 
  private:
   bool ring() const { return input_.body.ring(); }
-  // There are no teeth in the gap of a double-helical gear, so its section is in a half.
+  // There are no teeth in the gap of a double-helical gear, so the section lies in one half.
   std::string where() const {
     return !input_.body.grooved()    ? "Section in the middle of the face width"
            : input_.body.twist > 0.0 ? "Section in the middle of the right-hand half"
@@ -112,7 +112,7 @@ class Views {
     return input_.units == UnitSystem::mm ? short_decimals(mm, 4)
                                           : fixed_decimals(value_in(input_.units, Unit::mm, mm), 4);
   }
-  // A computed diameter is rounded to µm. Its exact value is in the table.
+  // A computed diameter is rounded to µm. The table contains the exact diameter.
   std::string diameter(double radius) const {
     const double d = 2 * radius;
     const bool mm = input_.units == UnitSystem::mm;

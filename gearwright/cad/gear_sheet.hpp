@@ -1,6 +1,6 @@
-// The workshop drawing of a gear: the table of its data, the exact transverse section with bore and
-// keyway, and an axial section with datum, runout and surface texture. A frame and a title block
-// surround them.
+// Makes the workshop drawing of a gear. The sheet contains the table of the data, the exact
+// transverse section with bore and keyway, and an axial section with datum, runout and surface
+// texture, within a frame with a title block.
 //
 // The table uses the symbols and terms of ISO 21771 in the order of DIN 3966-1. In the axial
 // section, teeth are not hatched and the reference circle is a chain line (ISO 2203). The scale is
@@ -29,8 +29,8 @@ struct DataGroup {
   std::vector<DataRow> rows;
 };
 
-/// What a drawing requires of the surfaces of a gear. If a text is empty, its symbol is drawn with
-/// an empty space. If a texture is absent, no symbol is drawn.
+/// The requirements for the surfaces of a gear. If a text is empty, its symbol is drawn with an
+/// empty space. If a texture is absent, no symbol is drawn.
 struct SurfaceRequirements {
   std::optional<std::string> flank_texture, face_texture, bore_texture;  ///< "MRR Ra 0.8"
   std::string tip_runout, face_runout;  ///< circular runout to the axis, in the unit of the sheet
@@ -56,7 +56,7 @@ struct GearSheet {
 
 /// `tolerance_mm` is the tolerance of the outline, in mm on the gear.
 ///
-/// Errors    as dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
+/// Errors    those of dxf_drawing: a severed tooth, a bore that reaches the root circle, or an arc
 ///           that cannot be fitted within the tolerance
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm);
 

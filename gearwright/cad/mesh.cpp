@@ -19,9 +19,9 @@ namespace gearwright {
 
 namespace {
 
-// The turn Δ of a level satisfies ρΔ² = 2ε, with the chord tolerance ε and the largest radius
-// ρ. On the tip land, d = a²/(8ρ). With a chord a = ρΔ, the three terms of (M1), multiplied by
-// 8, are 2ε, 4ε and 2ε. This choice gives the fewest triangles.
+// The turn Δ between two levels satisfies ρΔ² = 2ε, where ε is the chord tolerance and ρ the
+// largest radius. On the tip land, d = a²/(8ρ). With a chord a = ρΔ, the three terms of (M1),
+// multiplied by 8, are 2ε, 4ε and 2ε. This choice gives the fewest triangles.
 constexpr double kLevelShare = 2.0;
 
 // In a thin wall, the chords of the two sides must not meet. The tolerance therefore does not
@@ -82,9 +82,9 @@ std::vector<Column> neck_columns(double radius, double chord, double facet_turn)
 class GearMesh {
  public:
   /// `below` and `above` are the radii of the inner walls that end on the lower and the upper
-  /// end face: the greatest radius of the bore with its keyway, the radius of a neck, or 0.
+  /// end face. Each is the greatest radius of the bore with its keyway, the radius of a neck, or 0.
   ///
-  /// Errors    as tessellate()
+  /// Errors    those of tessellate()
   static Result<GearMesh> divide(const SolidGear& gear, const MeshOptions& options, double below,
                                  double above) {
     GearMesh made(gear, options);
@@ -273,9 +273,9 @@ class GearMesh {
     return std::nullopt;
   }
 
-  // The band of a circular wall of an internal gear: the rim or the groove. At both ends, the
-  // columns of this wall must be turned by the same angle as the teeth, so the wall has the
-  // screw motion of the teeth. On a double-helical gear, whose halves have different screw
+  // The band of a circular wall of an internal gear, which is the rim or the groove. At both ends
+  // of this wall, the columns must be turned by the same angle as the teeth. The wall therefore has
+  // the screw motion of the teeth. On a double-helical gear, whose halves have different screw
   // motions, the wall turns evenly from the angle at one end to the angle at the other end.
   Band around(double width) const {
     if (!body().two_helices) return bands_.front();

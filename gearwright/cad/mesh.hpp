@@ -1,4 +1,4 @@
-// Closed triangle meshes of toothed bodies, for printing, viewing and interference checks.
+// Makes closed triangle meshes of toothed bodies, for printing, viewing and interference checks.
 //
 //   S(u, ζ)   screw surface: the section point P(u), turned by τζ about z, at the height ζ, mm
 //   Δ = τh    turn of one step h along the face, rad      a   chord of a section segment, mm
@@ -14,8 +14,9 @@
 // 2ah|T_uζ| + h²|T_ζζ|)/8 (Filip, Magedson and Markot, 1986), where T_uu = 0, |T_uζ| = |τ|, |T_ζζ|
 // ≤ ρτ². (M1) holds for both diagonals of a grid cell.
 //
-// Only one half tooth is meshed. All others are its mirror images, turned by sincos_turn, so every
-// tooth is an exact copy of tooth 0. Time and size are proportional to |z|.
+// Only one half tooth is meshed, or both halves of one tooth if the flanks are modified. All other
+// teeth are made by mirroring and by turning with sincos_turn, so every tooth is an exact copy of
+// tooth 0. Time and size are proportional to |z|.
 #pragma once
 
 #include <Eigen/Geometry>

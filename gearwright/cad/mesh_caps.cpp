@@ -23,9 +23,9 @@ std::vector<Column> columns_of(const Circle& circle, int copies) {
   return columns;
 }
 
-// Triangles of one half pitch of a cap. Their corners are local indices. 0 … n are the points
-// of the half section from root to tip. n + 1 … n + 1 + q are the points of the circle from the
-// centre line of the tooth to the middle of the space.
+// Triangles of one half pitch of a cap, with local indices of their corners. The indices 0 … n are
+// the points of the half section from root to tip. The indices n + 1 … n + 1 + q are the points of
+// the circle from the centre line of the tooth to the middle of the space.
 std::optional<std::vector<Triangle>> half_pitch_cap(std::vector<Vec2> corners,
                                                     const std::vector<Column>& circle, bool ring) {
   for (std::size_t j = circle.size() / 2 + 1; j-- > 0;) {

@@ -1,4 +1,4 @@
-// The plane end faces of toothed meshes. Internal to cad/.
+// Triangulates the plane end faces of toothed meshes. Internal to cad/.
 //
 //   n    segments of the section of half a tooth      q    points on the circle per half pitch
 //
@@ -23,12 +23,12 @@ struct Circle {
   int q;
 };
 
-/// The circle halfway between the roots and the hole or the groove. Its angular step is small
-/// enough for zip_ring (cad/flat_cap.hpp).
+/// The circle halfway between the roots and the hole or the groove. The angular step of the circle
+/// is small enough for zip_ring (cad/flat_cap.hpp).
 Circle hub_circle(double hole_reach, double root_reach, int copies);
 
-/// The outer circle of the material of an internal gear. Its step follows from (M1) with d =
-/// a²/(8ρ), as for the tip land of an external gear.
+/// The outer circle of the material of an internal gear. The step of the circle follows from (M1)
+/// in mesh.hpp with d = a²/(8ρ), as for the tip land of an external gear.
 Circle rim_circle(double radius, int copies, const SectionTolerance& tolerance);
 
 /// A plane in which walls end.
@@ -51,11 +51,12 @@ class Cap {
   /// The circle as columns of one pitch, for a wall along it.
   std::vector<Column> circle_columns(bool inward) const;
 
-  /// Adds the cap of an internal gear. Its circle is a ring of a wall, with first vertex `circle`.
+  /// Adds the cap of an internal gear. The circle of the cap is a ring of a wall, and `circle` is
+  /// the first vertex of this ring.
   void add(MeshBuilder& builder, const CapPlace& place, std::uint32_t circle) const;
 
-  /// Adds the cap of an external gear. `columns` belong to the wall of its hole and are empty if it
-  /// has no hole. `hole` is the first vertex of the ring in which this wall ends.
+  /// Adds the cap of an external gear. `columns` belong to the wall of the hole and are empty if
+  /// the cap has no hole. `hole` is the first vertex of the ring in which this wall ends.
   void add(MeshBuilder& builder, const CapPlace& place, const std::vector<Column>& columns,
            std::uint32_t hole) const;
 

@@ -122,7 +122,7 @@ std::string json_matrix(const Eigen::Isometry3d& pose) {
   return ",\"matrix\":[" + numbers + "]";
 }
 
-// The lists of the JSON chunk. They are extended part by part, together with the binary chunk.
+// The lists of the JSON chunk, which are extended part by part together with the binary chunk.
 struct Lists {
   std::string nodes, roots, meshes, materials, accessors, views;
   int view_count = 0;
@@ -150,7 +150,7 @@ void add_node(const MeshPart& part, std::size_t node, std::size_t mesh, Lists& l
                                       json_matrix(part.pose)));
 }
 
-// Adds the mesh of a part and its material. Both have the number `index`.
+// Adds the mesh and the material of a part, which both have the number `index`.
 void add_mesh(const MeshPart& part, std::size_t index, std::size_t colour_index, Lists& lists,
               std::string& binary) {
   const TriangleMesh& mesh = part.mesh;

@@ -22,8 +22,8 @@ constexpr int kLineChecks = 12, kFaceChecks = 8;  // checked points between neig
 constexpr int kRowsU = 7;  // number of rows of a layer at which the basis along u is examined
 // Least distance between a plane and the line at which an end relief begins, relative to the
 // height of a slice. The plane and the line must not be too near to each other, because the
-// removal of the material c moves the line out of its plane z = const by c sin β_b, which is
-// about a hundredth of a module.
+// removal of the material c moves the line out of its plane z = const. The displacement c sin β_b
+// of the line is about a hundredth of a module.
 constexpr double kNearPlane = 0.02;
 constexpr int kMoreSlices = 5;
 
@@ -41,8 +41,8 @@ std::vector<double> errors(const BSplineBasis& basis, const Point& exact) {
   });
 }
 
-// Fits one side of the teeth. Along an arc, u is the parameter of the spline that represents
-// the arc as cut. It is either the curve's own parameter or the relative arc length.
+// Fits one side of the teeth. Along an arc, u is the parameter of the spline that represents the
+// arc as cut. This parameter is either the curve's own parameter or the relative arc length.
 class SideFitter {
  public:
   explicit SideFitter(const ModifiedSide& side) : side_(side) {
@@ -118,8 +118,8 @@ bool serves(const BSplineBasis& basis, const SideFitter& fitter, const Layer& la
   return true;
 }
 
-// The basis with the fewest poles, of those tried, that meets the targets on both sides. If
-// none meets them, the result has kMaxPoles poles.
+// Tries bases with an increasing number of poles and returns the first one that meets the targets
+// on both sides. If no basis meets the targets, the result has kMaxPoles poles.
 BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& layer) {
   const auto both = [&](const BSplineBasis& basis) {
     return serves(basis, fitters[0], layer) && serves(basis, fitters[1], layer);
@@ -130,10 +130,10 @@ BSplineBasis basis_along(const std::array<SideFitter, 2>& fitters, const Layer& 
   return {5, kMaxPoles};
 }
 
-// Computes the poles of a face. `begin` and `below` are the samples of two neighbouring faces
-// on the edges that they share with this face, at the start of the arc and at the lower level.
-// They replace the face's own samples, so that common edges are exactly equal. `end` and
-// `above` receive the samples on the other two edges, for the next faces.
+// Computes the poles of a face. `begin` contains the samples of the previous face on the common
+// edge at the start of the arc. `below` contains the samples of the face below on the common edge
+// at the lower level. These samples replace the face's own samples, so that common edges are
+// exactly equal. `end` and `above` receive the samples on the other two edges, for the next faces.
 ModifiedFace fit_face(const SideFitter& fitter, std::size_t arc,
                       const std::vector<ModifiedSide::Row>& rows, const BSplineBasis& along_v,
                       const std::vector<Vec3>* begin, const std::vector<Vec3>* below,

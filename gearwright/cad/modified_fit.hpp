@@ -28,10 +28,10 @@ struct ModifiedFace {
 
 struct ModifiedFit {
   std::vector<ToothLevel> levels;  ///< the levels from tooth_levels()
-  std::vector<WallKnots> along_v;  ///< per layer, in mm
-  /// Per side (right, left) and arc.
+  std::vector<WallKnots> along_v;  ///< knots along v of each layer, mm
+  /// Knots along u of each arc on both sides (right, left).
   std::array<std::vector<WallKnots>, 2> along_u;
-  /// Per side (right, left), layer and arc.
+  /// The faces of both sides (right, left), in the order side, layer, arc.
   std::array<std::vector<std::vector<ModifiedFace>>, 2> faces;
 };
 

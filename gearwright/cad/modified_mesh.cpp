@@ -10,8 +10,8 @@ namespace gearwright {
 
 namespace {
 
-// Permitted error of c within a facet, relative to the greatest c. A crowning is then represented
-// by at least three steps.
+// Permitted error of the removed material c within a facet, relative to the greatest c. With this
+// value, a crowning is represented by at least three steps.
 constexpr double kVisibleShare = 0.1;
 // Steps of the finite differences that give the normals: in u, and in z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;

@@ -3,9 +3,10 @@
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //
 // The first grid represents the teeth as cut, with the fraction kCutShare of ε. A line of vertices
-// is added where each relief begins. Segments and steps along the face are then halved until c in
-// the middle of each facet differs from the mean of its corners by less than the rest of ε, and by
-// less than a tenth of the greatest c.
+// is added where each relief begins. Segments and steps along the face are then halved until the
+// error of c in the middle of each facet is small enough. This error is the difference between c
+// and the mean of c at the corners. The error must be less than the rest of ε and less than a tenth
+// of the greatest c.
 #pragma once
 
 #include <vector>

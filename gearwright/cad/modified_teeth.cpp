@@ -17,8 +17,8 @@ namespace {
 // Two arcs of a flank form one surface if their tangents at the joint differ by at most this angle,
 // rad.
 constexpr double kSmooth = 1e-6;
-// If starts of reliefs are closer than this to each other or to the end of the arc, mm, they do
-// not divide the arc. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
+// Least length of a part of a divided arc, mm. A start of a relief that would give a shorter part
+// does not divide the arc. A linear relief of 1 in 5 changes by 2e-7 mm over this length.
 constexpr double kSameStart_mm = 1e-6;
 // Step of the finite difference that gives the slope of the curvature at the end of an arc, as
 // a fraction of the arc's parameter.
@@ -97,9 +97,9 @@ ModifiedSide::ModifiedSide(const Outline& outline, double twist,
   has_edge_ = roles_[last_ + 1] == Role::land;
 }
 
-// The moved flank must still reach the tip cylinder, so the arc is continued beyond its end.
-// The continuation has the curvature of the end and the slope of this curvature. Its error
-// grows with the fourth power of the distance.
+// The moved flank must still reach the tip cylinder, so the arc is continued beyond its end. The
+// continuation has the curvature of the end and the slope of this curvature. The error of the
+// continuation grows with the fourth power of the distance from the end.
 ModifiedSide::Place ModifiedSide::nominal(std::size_t arc, double u) const {
   const Arc& a = outline_->arcs[arc];
   const auto place = [&](const Vec2& p, double angle) {

@@ -1,4 +1,4 @@
-// The surfaces of teeth with flank modifications. Internal to cad/.
+// Computes the surfaces of teeth with flank modifications. Internal to cad/.
 //
 //   c(u, ζ)   material removed along the normal, mm, at the nominal point with the radius e^u mm
 //             and the height ζ (gear/modifications.hpp)
@@ -11,8 +11,8 @@
 // The lower half, which contains the right flank, is mirrored together with its twist. The flank
 // moves by c along its normal. The edge of the flank on the tip land is the line where the moved
 // flank meets the tip cylinder. The root fillet, and a tip fillet or chamfer, follow the end of the
-// flank: they move by w times the displacement of that end. Since w is a smooth step function of
-// the radius, they meet the root and tip land as cut. Lands are cylinders.
+// flank: they move by w times the displacement of that end. Because w is a smooth step function of
+// the radius, these parts still join the root land and the tip land as cut. Lands are cylinders.
 //
 // Rows   A row is a curve across the half tooth, from root to tip, in a layer between two levels. A
 //        level is a plane z = const, or the image of ζ = const where an end relief begins. On a
@@ -94,8 +94,8 @@ class ModifiedSide {
   bool has_edge_ = false;             // true if the last flank arc ends on a tip land
 };
 
-/// Both sides of the teeth of a body. For a double-helical gear, these are the teeth of the half at
-/// z > 0, in a frame in the middle of this half; the other half is their mirror image.
+/// Both sides of the teeth of a body. For a double-helical gear, the teeth are those of the half at
+/// z > 0, in a frame in the middle of this half. The other half is the mirror image of this half.
 class ModifiedTeeth {
  public:
   /// Makes the teeth of a body from the removal fields of their right and left flanks.
@@ -105,7 +105,7 @@ class ModifiedTeeth {
   static Result<ModifiedTeeth> of(
       const ToothedBody& body, const std::array<std::shared_ptr<const RemovalField>, 2>& removal);
 
-  /// The outline as cut. Its flank is divided where a relief of either side begins.
+  /// The outline as cut, with the flank divided where a relief of either side begins.
   const Outline& outline() const { return right_.outline(); }
   const ModifiedSide& side(bool left) const { return left ? left_ : right_; }
   /// Heights at which an end relief of either side begins, mm, in ascending order.

@@ -1,4 +1,5 @@
-// Part 21 (ISO 10303-21), the text format of a STEP file: numbered instances of entities.
+// Writes Part 21 (ISO 10303-21), the text format of STEP files. The text consists of numbered
+// instances of entities.
 //
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //

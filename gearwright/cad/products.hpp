@@ -1,5 +1,5 @@
-// Products of a STEP file: the tree that a CAD system displays, and the position of each solid.
-// Internal to cad/.
+// Writes the products of a STEP file, which are the tree that a CAD system displays, and the
+// position of each solid. Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. In all other cases, the file describes an
 // assembly whose components are the parts, each at its pose. As the application protocols require,

@@ -264,8 +264,8 @@ class RackShell {
               add_wall({first.reversed()}, d, a, {0, -1, 0})});
   }
 
-  // Adds the walls below the border of the teeth, and the back. Seen from above the teeth, the
-  // border is counter-clockwise. It runs along the low chain and returns along the high chain.
+  // Adds the walls below the border of the teeth, and the back. The border runs along the low chain
+  // and returns along the high chain. Seen from above the teeth, this is counter-clockwise.
   void add_border(const RackNode& start, const RackNode& end, const RackNode& low_corner,
                   const RackNode& high_corner, const Halves& low, const Halves& high) {
     const Foot a = foot(start), b = foot(low_corner), c = foot(end), d = foot(high_corner);

@@ -16,8 +16,8 @@ namespace {
 constexpr double kMostVertices = 2e6;  // vertices of a mesh, as in cad/mesh.cpp
 constexpr double kSameStation_mm = 1e-6;
 
-// A line of constant s: the height of the teeth at s, and the numbers of the vertices at both
-// ends of the line, on the teeth and on the back.
+// A line of constant s, with the height x of the teeth on this line. The vertices at both ends of
+// the line are stored for the teeth and for the back.
 struct Station {
   double s, x;
   std::uint32_t low, high, back_low, back_high;  // vertex numbers
@@ -143,7 +143,8 @@ class RackMesher {
     return made;
   }
 
-  // Adds a wall below the border. Its outward normal is ±z on a side and ±y on an end of the bar.
+  // Adds a wall below the border. The outward normal of the wall is ±z on a side and ±y on an end
+  // of the bar.
   void border(std::uint32_t a, std::uint32_t b, std::uint32_t back_b, std::uint32_t back_a) {
     const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b];
     const bool side = p.z() == q.z() && std::abs(p.z()) == plan_.width() / 2;

@@ -29,8 +29,8 @@ std::vector<RackStrip> endless(const ToothedBody& body, int k_0, int k_1) {
   for (int k = k_0; k <= k_1; ++k) {
     const double middle = body.rack->middle_of(k, body.outline.teeth);
     for (const Arc& arc : arcs) {
-      // Both teeth next to a space compute the s of its middle by the same expression, so the
-      // two values are identical.
+      // For both teeth next to a space, the s of the middle of the space is computed by the same
+      // expression, so the two values are identical.
       const double begin =
           &arc == &arcs.front() ? middle - pitch / 2 : middle - arc.begin_point.y();
       add({arc.name, begin, middle - arc.end_point.y(), &arc, middle, true});
@@ -58,7 +58,7 @@ RackPlan::RackPlan(const ToothedBody& body) {
   corners_ = {-y - climb, std::min(-y + climb, y - climb), std::max(-y + climb, y - climb),
               y + climb};
   // If q > 0, the low end point of the line lies on the end face y = −l/2 of the bar for small
-  // s. If q < 0, it lies on the end face y = l/2 for large s.
+  // s. If q < 0, the low end point lies on the end face y = l/2 for large s.
   low_corner_ = slope_ > 0.0 ? -y + climb : slope_ < 0.0 ? y - climb : first();
   high_corner_ = slope_ > 0.0 ? y - climb : slope_ < 0.0 ? -y + climb : first();
 
@@ -88,8 +88,8 @@ Vec2 RackPlan::at(double s, double z) const {
 
 // Returns the low or the high end point of a line of constant s. (y, z) is the corner that this
 // point passes, and `corner` is the s of the corner. The point lies on the end face y if s is
-// below `corner` and y < 0, or above `corner` and y > 0. Otherwise it lies on the side z, as it
-// always does for a spur rack. Corners are exact.
+// below `corner` and y < 0, or above `corner` and y > 0. Otherwise, and always for a spur rack, the
+// point lies on the side z. Corners are exact.
 Vec2 RackPlan::end_of_line(double s, double z, double corner, double y) const {
   if (slope_ == 0.0) return at(s, z);
   const double top = std::copysign(width_ / 2, slope_);

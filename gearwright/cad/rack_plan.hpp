@@ -1,12 +1,13 @@
-// Plan view of the bar of a rack: a rectangle crossed by the lines of its teeth. Internal to cad/.
+// Computes the plan view of the bar of a rack, which is a rectangle that the lines of the teeth
+// cross. Internal to cad/.
 //
 //   y, z    coordinates along the travel and along the face, mm; −l/2 ≤ y ≤ l/2, −b/2 ≤ z ≤ b/2
 //   q       tan β, slope of the teeth        s   y − q z, constant along a tooth, mm
 //   strip   the part s_0 ≤ s ≤ s_1 of the rectangle that belongs to one arc of the section
 //
-// The surface of the teeth is x = h(s). Each of its faces is therefore a strip, bounded by two
-// lines of constant s and by the border of the rectangle. As s increases, a line of constant s
-// moves over the rectangle from one corner to the opposite one (for a spur rack, from one end to
+// The surface of the teeth is x = h(s). Each face of this surface is therefore a strip, bounded by
+// two lines of constant s and by the border of the rectangle. When s increases, a line of constant
+// s moves over the rectangle from one corner to the opposite one (for a spur rack, from one end to
 // the other). The two ends of the line run along the border, one on the low side and one on the
 // high side of z. Each end of the line passes one corner.
 #pragma once

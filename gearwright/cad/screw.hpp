@@ -1,4 +1,4 @@
-// Rotations about the gear axis, and normals of a screw surface.
+// Computes rotations about the gear axis and normals of a screw surface.
 //
 //   τ  twist, rad/mm     P, n  point and unit normal of a transverse section
 #pragma once
@@ -29,8 +29,8 @@ inline Vec2 section_normal(double side, double tangent_angle) {
   return side * Vec2(-std::sin(tangent_angle), std::cos(tangent_angle));
 }
 
-/// The unit normal of the screw surface. It is perpendicular to the tangent of the section and to
-/// (τJP, 1), the tangent of the screw motion.
+/// The unit normal of the screw surface, which is perpendicular to the tangent of the section and
+/// to the tangent of the screw motion (τJP, 1), where J turns a vector by 90°.
 inline Vec3 screw_normal(const Vec2& p, const Vec2& n, double twist) {
   return Vec3(n.x(), n.y(), twist * (n.x() * p.y() - n.y() * p.x())).normalized();
 }

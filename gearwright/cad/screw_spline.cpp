@@ -42,10 +42,10 @@ std::vector<Complex> interpolate(const BSplineBasis& basis, const std::vector<Co
   return poles;
 }
 
-// Returns the normal distance from q to the curve near its parameter t: the distance from q to the
-// tangent at t, minus the sagitta κ s²/2 of the osculating circle. s is the offset of q along the
-// tangent, and the error is of third order in s. If |κ s| ≥ 0.01, the function returns the distance
-// from q to the point at t, which is larger than the normal distance.
+// Returns the normal distance from q to the curve near the parameter t. The result is the distance
+// from q to the tangent at t, minus the sagitta κ s²/2 of the osculating circle, where s is the
+// offset of q along the tangent. The error is of third order in s. If |κ s| ≥ 0.01, the function
+// returns the distance from q to the point at t, which is larger than the normal distance.
 double normal_distance(const Curve& curve, double t, Complex q) {
   const CurvePoint w = curve.at(t);
   const Vec2 d = Vec2(q.real(), q.imag()) - w.point;

@@ -10,9 +10,9 @@
 // The exact surface is e^{iφ} W, so interpolation on the grid of Greville points gives exactly the
 // product of the two interpolants. The section is fitted only once for all helices, and the
 // distance to the exact surface follows from the errors of two plane curves. With H = e^{iφ}(1 +
-// ε), a point of S becomes C(1 + ε) when it is turned back by φ. Its distance from W is at most e +
-// |C||ε|, where e is the normal distance from C to W. The distance in space is even smaller,
-// because the surface normal is inclined to the plane of the section.
+// ε), a point of S becomes C(1 + ε) when it is turned back by φ. The distance from C(1 + ε) to W is
+// at most e + |C||ε|, where e is the normal distance from C to W. The distance in space is even
+// smaller, because the surface normal is inclined to the plane of the section.
 #pragma once
 
 #include <complex>
@@ -32,9 +32,9 @@ using Complex = std::complex<double>;
 /// is returned.
 inline constexpr double kSectionTarget_mm = 2e-5;
 inline constexpr double kSectionMax_mm = 1e-4;
-/// The target of R|ε|, mm, at the greatest radius R. It is half of 1e-7 mm, the tolerance for all
-/// edges and vertices, because the spline of a helix is the common edge of a flank and a true
-/// cylinder.
+/// The target of R|ε|, mm, at the greatest radius R. The spline of a helix is the common edge of a
+/// flank and a true cylinder. The target is therefore half of 1e-7 mm, which is the tolerance for
+/// all edges and vertices.
 inline constexpr double kHelixTarget_mm = 5e-8;
 
 struct SectionSpline {
@@ -70,8 +70,8 @@ std::vector<double> places_between_knots(const BSplineBasis& basis, int n);
 std::vector<double> worst_by_span(const BSplineBasis& basis, int n,
                                   const std::function<double(double)>& error);
 
-/// The basis in which every span that misses the target is halved. Returns nothing if all these
-/// spans are already so short that more knots do not help. This happens if the curve has a gap.
+/// The basis in which every span that misses the target is halved. Absent if all these spans are
+/// already so short that more knots do not help, for example because the curve has a gap.
 std::optional<BSplineBasis> refined(const BSplineBasis& basis,
                                     const std::vector<double>& span_deviation, double target);
 
@@ -83,8 +83,8 @@ struct HelixSpline {
   Complex at(double v) const;
 };
 
-/// Computes the spline of the rotation by Δ over one slice. Its error at `radius` is at most
-/// `target_mm`.
+/// Computes the spline of the rotation by Δ over one slice. The error of the spline at `radius` is
+/// at most `target_mm`.
 ///
 /// Units     Δ in rad, signed; mm
 /// Domain    |Δ| ≤ π, radius > 0 (contract)

@@ -1,4 +1,4 @@
-// Areas of the transverse section. The volume of the exact solid follows from them without any CAD
+// Computes the areas of the transverse section and the volume of the exact solid, without a CAD
 // kernel.
 //
 //   A    area enclosed by the outline of all teeth, mm²
@@ -39,9 +39,9 @@ double bore_area(const Bore& bore);
 /// Domain    an internal gear has a bore, which is its rim (contract)
 double metal_area(const ToothedBody& body);
 
-/// Volume of the body with its teeth as cut: the area of the metal times the face width, minus
-/// the volume of the groove of a double-helical gear. If the solid contains several gears, the
-/// volume includes all of them and the cylinders between them.
+/// Volume of the body with its teeth as cut. The volume of a gear is the area of the metal times
+/// the face width, minus the volume of the groove of a double-helical gear. If the solid contains
+/// several gears, the result includes all gears and the cylinders between them.
 ///
 /// Units     mm³
 /// Domain    as for metal_area

@@ -12,9 +12,9 @@ namespace gearwright {
 
 namespace {
 
-// Fractions of ε. The density of the points is computed with 0.90, so most segments pass the
-// check with 0.95 without being split. The five points of the check detect at least 0.97 of the
-// height of a parabola. Points that are closer than 0.02 are merged.
+// Fractions of the chord tolerance ε. The density of the points is computed with 0.90 ε, so most
+// segments pass the check with 0.95 ε and are not split. The five points of the check detect at
+// least 0.97 of the height of a parabola. Points that are closer than 0.02 ε are merged.
 constexpr double kDensityShare = 0.90;
 constexpr double kCheckShare = 0.95;
 constexpr double kJoinShare = 0.02;

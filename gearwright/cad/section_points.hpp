@@ -6,8 +6,8 @@
 //
 // The density of points follows from (M1) of mesh.hpp, taken as an equation with d = κa²/8:
 //     κa² + 2a|Δ| + ρΔ² = 8ε   =>   1/a = (|Δ| + √(Δ² + κE)) / E,   E = 8ε − ρΔ².
-// The density is at least κ divided by facet_turn. Its integral along an arc is the number of
-// segments. The points divide this integral into equal parts.
+// The density is at least κ divided by facet_turn. The integral of the density along an arc is the
+// number of segments. The points divide this integral into equal parts.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +35,8 @@ struct SectionTolerance {
 /// Returns the points from the middle of the space to the centre line of the tooth. The first
 /// point lies exactly on the ray π/|z| and the last one exactly on the x axis. Neighbouring
 /// points that are closer than chord/50 are merged, which moves the boundary by less than that
-/// distance. If more than `most` points are needed, the list is incomplete. The caller
-/// recognises this by its size, which then exceeds `most`.
+/// distance. If more than `most` points are needed, the list is incomplete and contains more than
+/// `most` points.
 ///
 /// Accuracy  (M1) < ε on every segment, with d measured at five points inside it
 /// Domain    ρΔ² < 8ε; the ends lie within 1e-6 ρ of their rays (contract)

@@ -1,9 +1,9 @@
-// A drawing on paper: lines, arcs, circles and text on named layers, in mm. The lower left corner
-// of the sheet is (0, 0), with x to the right and y upwards. PDF, SVG and DXF files are written
-// from such a sheet (sheet_files.hpp).
+// Describes a drawing on paper by lines, arcs, circles and text on named layers, in mm. The lower
+// left corner of the sheet is (0, 0). The x axis points to the right and the y axis upwards. PDF,
+// SVG and DXF files are written from such a sheet (sheet_files.hpp).
 //
-//   h    height of capitals, mm (ISO 3098). The font is Helvetica. The widths of its letters are
-//        known (text_width), so that a layout can avoid overlaps of text and lines.
+//   h    height of capitals, mm (ISO 3098). The font is Helvetica. A layout can avoid overlaps of
+//        text and lines, because text_width() computes the width of a text.
 //   b    bulge of a segment of a path: tan(sweep/4), > 0 counter-clockwise, 0 for a line
 #pragma once
 
@@ -43,7 +43,7 @@ struct SheetInk {
   double fill_opacity, stroke_opacity;
   double line_width;           ///< mm
   std::vector<double> dashes;  ///< mm
-  bool even_odd;  ///< true: areas by the even-odd rule; false: non-zero winding numbers
+  bool even_odd;  ///< true if areas are filled by the even-odd rule, false if by the non-zero rule
 };
 
 struct SheetPath {
@@ -51,7 +51,7 @@ struct SheetPath {
   std::vector<Vec2> points;    ///< mm
   std::vector<double> bulges;  ///< bulges[i]: segment from points[i] to the next point
   bool closed = false;
-  bool filled = false;                            ///< true for an arrow head, a black triangle
+  bool filled = false;  ///< true for an arrow head, which is a black triangle
   std::shared_ptr<const SheetInk> ink = nullptr;  ///< null for a mark of a drawing
   bool more = false;                  ///< true if the next path is a further piece of the same area
   std::optional<SheetBox> clip = {};  ///< the visible part; absent if the whole sheet is visible
@@ -103,9 +103,9 @@ double symbol_width(std::string_view symbol, double height);
 /// Returns the box around a text, including capitals and descenders.
 SheetBox box_of(const SheetText& text);
 
-// The letters of a sheet: Helvetica, and Symbol for Greek letters and a few signs. Both belong
-// to the 14 fonts that every PDF reader provides (PDF 1.4, 5.5.1). Their widths are published
-// (Adobe, Core 14 AFM files).
+// The letters of a sheet are those of the font Helvetica. Greek letters and a few signs are those
+// of the font Symbol. Both fonts belong to the 14 fonts that every PDF reader provides (PDF 1.4,
+// 5.5.1). The widths of their letters are published (Adobe, Core 14 AFM files).
 
 enum class SheetFont { helvetica, symbol };
 

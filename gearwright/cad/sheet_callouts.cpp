@@ -35,8 +35,8 @@ SheetBox texture_box(const std::string& words, double shelf) {
 }
 
 // The greatest horizontal distance from the centre of a circle to a point of the circle between
-// two heights. If the horizontal centre line lies between these heights, the distance reaches
-// its end beyond the circle.
+// two heights. If the horizontal centre line lies between these heights, the result is the distance
+// to the end of the centre line, which lies beyond the circle.
 double half_chord(double radius, double lo, double hi) {
   if (lo <= 1 && hi >= -1) return radius + kCentreLine;
   const double y = std::min(std::abs(lo), std::abs(hi));

@@ -1,5 +1,5 @@
-// The callouts of an axial section: runout of tip circle and faces, and surface texture of flanks,
-// bore and faces, with leaders to the section. Internal to cad/.
+// Draws the callouts of an axial section: runout of tip circle and faces, and surface texture of
+// flanks, bore and faces, with leaders to the section. Internal to cad/.
 //
 // The callouts are to the left of the section, in the corners next to the circle of the transverse
 // view, because this space is empty at most scales. Coordinates are relative to the point of the
@@ -46,7 +46,7 @@ class Callouts {
   /// face.
   double distance() const;
   double top() const;    ///< greatest height of a callout above the axis
-  double right() const;  ///< extent beyond the right face; 0 if no callout is there
+  double right() const;  ///< extent beyond the right face; 0 if no callout lies beyond this face
   /// `origin` is the point of the axis at the left face.
   void draw(Sheet& sheet, const Vec2& origin) const;
 

@@ -35,8 +35,8 @@ void append_arc(std::string& out, const Vec2& a, const Vec2& b, double bulge) {
     append_arc(out, a, middle, half);
     append_arc(out, middle, b, half);
   } else {
-    // The handles of the cubic lie on the end tangents. They are c (1 + b²)/3 long, where c is the
-    // length of the chord and b the bulge.
+    // The handles of the cubic lie on the end tangents. The length of a handle is c (1 + b²)/3,
+    // where c is the length of the chord and b the bulge.
     const Vec2 along = (1 - bulge * bulge) * chord / 3, across = 2 * bulge * left / 3;
     out +=
         fmt::format("{} {} {} c\n", point(a + along - across), point(b - along - across), point(b));
@@ -259,8 +259,8 @@ std::string layer_of(const Mark& mark) {
   return mark.ink ? mark.ink->name : style_of(mark.layer).name;
 }
 
-// The AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta. It is 7,
-// the colour of the text, for shades of grey.
+// The AutoCAD colour index nearest to the hue of a colour: 1 red, 2 yellow, …, 6 magenta. For
+// shades of grey, the index is 7, the colour of the text.
 int colour_index(std::uint32_t rgb) {
   const Eigen::Vector3i c(static_cast<int>(rgb >> 16), rgb >> 8 & 255, rgb & 255);
   int i = 0;

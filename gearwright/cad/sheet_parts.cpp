@@ -107,8 +107,8 @@ void draw_dimension(Sheet& sheet, const Dimension& d) {
     else
       draw_datum(sheet, at(d.end, d.line), DatumSide::above);
   }
-  // Upright text is to the left of its dimension line. It is read from the right, where it
-  // appears above the line.
+  // Upright text is to the left of its dimension line, because a reader at the right-hand side of
+  // the sheet then sees the text above the line.
   const double base = up ? d.line - kOverLine : d.line + kOverLine;
   const auto words = [&](double along, Along where) {
     if (up)

@@ -1,4 +1,5 @@
-// The parts of a workshop drawing: frame, title block, data table and dimensions. Internal to cad/.
+// Draws the parts of a workshop drawing: frame, title block, data table and dimensions. Internal to
+// cad/.
 //
 // Frame and margins follow ISO 5457, the fields of the title block follow ISO 7200, and dimensions
 // follow ISO 129-1. Text is placed above its line and is read from below or from the right.
@@ -37,7 +38,7 @@ void draw_data(Sheet& sheet, const Vec2& corner, const std::vector<DataGroup>& g
 
 enum class Direction { across, up };
 
-/// A length or a diameter between two edges. Its dimension line is next to them.
+/// A length or a diameter between two edges. The dimension line is next to the edges.
 struct Dimension {
   Direction direction;
   double begin, end;            ///< mm, along the dimension line; begin < end

@@ -1,5 +1,6 @@
-// Graphical symbols of a workshop drawing: surface texture, runout, datum and edge. They consist of
-// lines and texts of a sheet, so that every file format contains them. Internal to cad/.
+// Draws the graphical symbols of a workshop drawing: surface texture, runout, datum and edge. The
+// symbols consist of lines and texts of a sheet, so that every file format can contain them.
+// Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
 //

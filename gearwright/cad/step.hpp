@@ -1,4 +1,4 @@
-// STEP (ISO 10303-242): toothed bodies as exact solids, for CAD systems.
+// Writes toothed bodies as exact solids into a STEP file (ISO 10303-242), for CAD systems.
 //
 // One named, coloured solid is written per body. Tip land, root land and bore are true cylinders.
 // All other faces are B-splines within kSectionTarget_mm of the screw surface
@@ -55,7 +55,7 @@ struct StepReport {
   std::size_t edge_count = 0;  ///< edges of all solids; each shared edge counts once
 };
 
-inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid, 30 MB of text
+inline constexpr std::size_t kMaxStepFaces = 10'000;  ///< limit for one solid; gives 30 MB of text
 
 struct StepDocument {
   std::string text;
@@ -66,7 +66,7 @@ struct StepDocument {
 ///
 /// Units     mm
 /// Domain    at least one body, face widths > 0 (contract)
-/// Errors    as make_walls (cad/walls.hpp); more than kMaxStepFaces faces in a solid
+/// Errors    those of make_walls (cad/walls.hpp); more than kMaxStepFaces faces in a solid
 /// Accuracy  max_deviation_mm ≤ 1e-4 (kSectionMax_mm), with a target of 2e-5; points, edges and
 ///           faces agree within 1e-7 mm (kBrepUncertainty_mm), as the file states; a reader obtains
 ///           exactly the same reals

@@ -239,7 +239,7 @@ BezierChain chain_of(const Arc& arc, const ByLength& curve, double tolerance) {
 
 BezierChain fit_beziers(const Arc& arc, double tolerance_mm) {
   GW_EXPECTS(tolerance_mm > 0.0);
-  // If the error along a piece has one maximum, 16 samples give its value to 1 %. The final
+  // If the error along a piece has one maximum, 16 samples give this maximum within 1 %. The final
   // verification covers all other cases.
   const ByLength curve(arc);
   BezierChain chain = chain_of(arc, curve, 0.98 * tolerance_mm);

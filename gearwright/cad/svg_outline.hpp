@@ -23,7 +23,7 @@ struct SvgOptions {
 ///
 /// Units     mm, written with ten decimals
 /// Domain    tolerance_mm > 0; the laws of the outline hold within 1e-6 mm (contract)
-/// Errors    as dxf_drawing
+/// Errors    those of dxf_drawing
 /// Accuracy  deviation_mm ≤ tolerance_mm
 Result<Drawing> svg_drawing(const ToothedBody& body, const SvgOptions& options = {});
 

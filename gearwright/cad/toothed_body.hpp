@@ -1,5 +1,5 @@
-// The data of a gear for CAD files: one outline, moved along the face by a screw motion, and an
-// optional bore.
+// Describes a gear for CAD files by one outline, which a screw motion moves along the face, and by
+// an optional bore.
 //
 //   τ    twist, rad/mm: 2π/lead, signed, > 0 right hand, 0 spur
 //   b    face width, mm; the body fills −b/2 ≤ z ≤ b/2, and the outline is its section at z = 0
@@ -7,14 +7,14 @@
 // The section at the height z is the section z = 0 turned by τz. Tip, root and bore are cylinders.
 //
 // A double-helical gear has two screw motions with opposite twist, one for z > 0 and one for z < 0
-// (`TwoHelices`). Its section at the height z is the outline turned by τ|z|, so both halves of a
+// (`TwoHelices`). The section at the height z is the outline turned by τ|z|, so both halves of a
 // tooth point to the apex in the middle plane. A gap between the halves is a groove around the
 // axis.
 //
 // Several external gears on one axis are one solid if plain cylinders join them (`above`).
 //
 // A rack is a bar with straight teeth, between two ends that are perpendicular to y (`RackBlock`).
-// Its section at the height z is the section z = 0 with the teeth shifted by z tan β along y.
+// The section at the height z is the section z = 0 with the teeth shifted by z tan β along y.
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@
 
 namespace gearwright {
 
-/// The data that make an outline a rack. They refer to the frame of pair/rack_pair.hpp, in which
-/// x is the height above the datum line. The bar is as many pitches long as it has teeth, and the
-/// origin is in the middle of its length.
+/// The data that make an outline a rack. The frame is that of pair/rack_pair.hpp, in which x is the
+/// height above the datum line. The length of the bar is the pitch times the number of teeth, and
+/// the origin is in the middle of this length.
 struct RackBlock {
   double pitch;          ///< p_t    mm, along y
   double height;         ///< mm, from the back to the datum line
@@ -76,9 +76,9 @@ struct SolidGear {
   double height = 0.0;  ///< mm, z of the middle of the face
   double turn = 0.0;    ///< rad, rotation about z
 
-  std::vector<Band> bands() const;  ///< its screw motions in the frame of the solid
-  double bottom() const;            ///< z of its lower end face, mm
-  double top() const;               ///< z of its upper end face, mm
+  std::vector<Band> bands() const;  ///< screw motions of the gear in the frame of the solid
+  double bottom() const;            ///< z of the lower end face, mm
+  double top() const;               ///< z of the upper end face, mm
 };
 
 struct ToothedBody {
@@ -121,8 +121,8 @@ struct ToothedBody {
     return {ring(), root, grooved() ? std::optional(two_helices->groove_radius) : std::nullopt};
   }
 
-  /// The radius that limits a bore or a rim, mm. It is the radius of the groove or, if there is no
-  /// groove, `root`.
+  /// The radius that limits a bore or a rim, mm. The limit is the radius of the groove or, if there
+  /// is no groove, `root`.
   double limit_within(double root) const { return grooved() ? two_helices->groove_radius : root; }
 };
 
@@ -150,8 +150,8 @@ inline Error not_a_body(int teeth, const std::string& why) {
               "; more teeth or a greater profile shift would help"};
 }
 
-/// Returns the gear in its own frame. Its pose in a pair is `pair.pose_1().isometry()` or
-/// `pose_2()`.
+/// Returns the gear in its own frame. The pose of the gear in a pair is
+/// `pair.pose_1().isometry()` or `pair.pose_2().isometry()`.
 ///
 /// Errors    `cut_by` for an internal gear without a pinion cutter; `teeth` for a gear whose tooth
 ///           cannot exist (severed by undercut, or with a root beyond the axis)
@@ -166,7 +166,7 @@ Result<ToothedBody> gear_body(const Gear& gear, const std::string& name,
 std::optional<Error> modify(ToothedBody& body, const Gear& gear,
                             const std::array<FlankModifications, 2>& flanks);
 
-/// Returns the rack in its own frame (pair/rack_pair.hpp). Its pose is
+/// Returns the rack in its own frame (pair/rack_pair.hpp). The pose of the rack is
 /// `rack_pair.pose_2().isometry()`.
 ///
 /// Errors    `gear2.height`, with the smallest permissible height, if the back lies above the

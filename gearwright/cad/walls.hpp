@@ -1,13 +1,13 @@
-// The walls of a toothed body. A wall is a piece of one of its closed loops, and each wall becomes
-// one face.
+// Divides the surface of a toothed body into walls. A wall is a piece of a closed loop of the
+// section, and each wall gives one face per slice.
 //
 //   wall      a piece of a loop, counter-clockwise: a spline, a circle about the axis, or a line
 //   loop      walls in order: each starts at the end of the previous one, and the loop is closed
 //   slice     a layer of the body: a body with a large twist is divided into layers of equal height
 //
 // Tooth 0 is symmetric about the x axis. Its lower half is the mirrored outline (root to tip), and
-// its upper half is the outline itself (tip to root). Tooth k is tooth 0 times e^{2πik/z}, exact
-// for quarter turns.
+// its upper half is the outline itself (tip to root). Tooth k is tooth 0 turned by 2πk/z. Quarter
+// turns are exact.
 //
 // Rules that ensure valid faces
 //   lands     an arc named a land is a true circle if its radius is constant within 1e-8 mm. The
@@ -79,7 +79,7 @@ struct BodyWalls {
   double outer_radius;               ///< greatest radius of the outline, mm
 };
 
-/// The outline without slivers. It ends exactly on the centre lines of space and tooth.
+/// The outline without slivers, which ends exactly on the centre lines of space and tooth.
 ///
 /// Domain    the laws of the outline hold within 1e-6 mm (contract)
 Outline tidied(const Outline& outline);
@@ -112,8 +112,8 @@ struct WallLevel {
   Complex turn;  ///< e^{iφ}
 };
 
-/// The layer between two levels. Its helix is the helix of the body, turned by the mean angle of
-/// the two levels.
+/// The layer between two levels. The helix of the layer is the helix of the body, turned by the
+/// mean angle of the two levels.
 struct WallSlice {
   WallLevel low;
   WallLevel high;

@@ -39,14 +39,16 @@ struct CandidateBatch {
     tan_working,         ///< tan α_wt
     contact_ratio,       ///< ε_α
     contact_ratio_true,  ///< ε_α of the path clipped to the usable flanks
-    sliding,             ///< greatest |ζ|; ∞ if the path extends beyond a base tangent point
+    sliding,             ///< greatest specific sliding |ζ|; ∞ if the path extends beyond a base
+                         ///< tangent point
     tip_1,
     tip_2,  ///< s_an
     clearance_1,
     clearance_2,
     interference_1,
-    interference_2,  ///< curvature radius of the flank at the mating gear's tip, minus ρ_F; ∞ for
-                     ///< an internal gear, which has no such limit
+    interference_2,  ///< curvature radius of the flank at its contact with the mating gear's tip,
+                     ///< minus the radius ρ_F at the start of the involute; ∞ for an internal
+                     ///< gear, which has no such limit
     residual,        ///< residual of inv α_wt; the error of tan α_wt is the residual divided by
                      ///< tan² α_wt
     kOut
@@ -75,12 +77,12 @@ inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
 struct SieveConstants {
   double cos_transverse = 1.0;       ///< cos α_t
   double involute_transverse = 0.0;  ///< inv α_t
-  double sum_per_involute = 0.0;     ///< Σ/(R Δinv α) = cos β/tan α_n, R = r_1 + r_2
-  double min_path = 0.0;             ///< K, least length of the path of contact
+  double sum_per_involute = 0.0;  ///< Σ/(R Δinv α) = cos β/tan α_n, Σ = x1 + x2, R = r_1 + r_2
+  double min_path = 0.0;          ///< K, least length of the path of contact
   std::array<double, 2> addendum{};
   bool tight = false, internal = false;
-  bool path = false;  ///< true if the limit of the contact ratio is evaluated; only permitted for
-                      ///< an external pair at extended centres
+  bool path = false;  ///< true if the limit of the contact ratio is evaluated, which is permitted
+                      ///< only for an external pair at extended centres
 };
 
 struct SieveBatch {

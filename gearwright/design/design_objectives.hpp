@@ -1,5 +1,6 @@
-// Objectives of a search that are computed from the other values of a design: the balance of the
-// safety factors, the relative cost, and an estimate of the noise.
+// Computes the objectives of a search that follow from the other values of a design. These
+// objectives are the balance of the safety factors, the relative cost, and an estimate of the
+// noise.
 //
 //   R_H, R_F   load reserves of flank and root: (S_H/S_Hmin)², S_F/S_Fmin
 //   δ          mean deflection of the teeth along the line of action, µm
@@ -24,9 +25,9 @@ namespace gearwright {
 /// Formula   max(R_H, R_F1, R_F2)/min(R_H, R_F1, R_F2), R_H = min(R_H1, R_H2); [T9.17]
 std::optional<double> load_balance(const SearchProblem& problem, const DesignRow& row);
 
-/// The relative cost, kg: the mass times a factor that grows with the face width. It serves only to
-/// rank designs of the same kind. The exponent e is an input, because no published relation between
-/// face width and price was found.
+/// The relative cost, kg, which is the mass times a factor that grows with the face width. The cost
+/// serves only to rank designs of the same kind. The exponent e is an input, because no published
+/// relation between face width and price was found.
 ///
 /// Formula   m (b/d_1)^e; [T9.18]
 double relative_cost(const SearchProblem& problem, const DesignRow& row);
@@ -37,9 +38,9 @@ double relative_cost(const SearchProblem& problem, const DesignRow& row);
 /// Formula   F_t/(b c_γα cos α_t), c_γα of ISO 6336-1, clause 9, method B
 std::optional<double> mean_deflection(const RatedPair& pair, const Rating& rating);
 
-/// The variation of the deflection, peak to peak, µm. It is the transmission error of perfect teeth
-/// under load if every mm of contact line has the same stiffness. Absent if the row has no
-/// deflection, or if its teeth lose contact.
+/// The variation of the deflection, peak to peak, µm. If every mm of contact line has the same
+/// stiffness, this variation is the transmission error of perfect teeth under load. Absent if the
+/// row has no deflection, or if its teeth lose contact.
 ///
 /// Formula   δ_pp = δ ε_α (1/λ_min − 1/λ_max); [T9.16]
 std::optional<double> noise_of(const DesignRow& row, const std::optional<double>& deflection);

@@ -23,7 +23,7 @@ bool line_is_outside(const ShiftGraph& graph, double a, double b) {
   const Vec2 at_1 = balanced_point(t.z1, t.z2, 1.0, graph.problem().lambda);
   const auto limits = graph.shift_limits();
   for (const int i : {0, 1}) {
-    // Along the line, neither shift decreases as Σ increases.
+    // Along the line, neither shift decreases when Σ increases.
     const double rise = at_1[i] - at_0[i];
     const Interval& limit = limits[static_cast<std::size_t>(i)];
     if (!(rise > 0.0)) {

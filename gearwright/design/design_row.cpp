@@ -181,9 +181,8 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // OffWalls::none states that no point away from the borders exists. If designs are drawn,
-  // this is not certain, because the code above may have rejected such a point only for its
-  // drawing.
+  // OffWalls::none means that no point away from the borders exists. If designs are drawn, such a
+  // point may exist, because the code above may have rejected the point only for its drawing.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;
@@ -229,7 +228,7 @@ std::optional<double> cost(const SearchProblem& problem, const DesignRow& row,
 
 namespace {
 
-// Rounds a cost to multiples of kSame. Without this, designs of equal cost would be ranked by their
+// Rounds a cost to multiples of kSame. Otherwise, designs of equal cost would be ranked by their
 // rounding errors, which depend on the module.
 double settled(double cost) {
   constexpr double kSame = 1e-11;

@@ -1,7 +1,7 @@
-// One feasible design: its values at a point of the region, and the criteria by which it is ranked.
+// Computes the values of a feasible design at a point of its region, and ranks designs.
 //
-// All values are computed with the formulas for a mounted pair (pair/mesh.hpp). They are therefore
-// equal to the values of the design after it is mounted.
+// All values are computed with the formulas for a mounted pair (pair/mesh.hpp), so a design keeps
+// these values when it is mounted.
 #pragma once
 
 #include <array>
@@ -26,7 +26,8 @@ struct DesignRow {
   double center_distance = 0.0;           ///< a
   Angle working_angle;                    ///< α_wt; α_n of the rack on crossed axes
   double ratio = 0.0;                     ///< z2/z1
-  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; AE/p_bn on crossed axes
+  double contact_ratio = 0.0;             ///< ε_α, Eq. 10; on crossed axes, the length AE of the
+                                          ///< path of contact divided by p_bn
   double contact_ratio_true = 0.0;        ///< ε_α of the path clipped to the usable flanks
   double overlap_ratio = 0.0;             ///< ε_β
   double backlash_normal = 0.0;           ///< j_bn, along the common normal
@@ -63,24 +64,24 @@ struct DesignRow {
   std::optional<double> max_sliding() const;
 };
 
-/// The row of a trial, if the trial is feasible. With RegionDetail::point, the values of the region
-/// are omitted, because they take a hundred times as long as all other values. Both details give
-/// the same shifts.
+/// The row of a trial, if the trial is feasible. If `detail` is RegionDetail::point, the values of
+/// the region are omitted, because their computation takes a hundred times as long as that of all
+/// other values. The shifts do not depend on `detail`.
 std::optional<DesignRow> design_row(const ShiftGraph& graph,
                                     RegionDetail detail = RegionDetail::whole);
 std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& region);
 
-/// True if a design exists. This requires a region and, if fillets are checked, a point of the
+/// True if a design exists. A design requires a region and, if fillets are checked, a point of the
 /// region at which the tips do not cut into the fillets. If designs are rated, the design must also
-/// meet the limits of the safety factors. If designs are drawn, the verdict must accept it.
+/// meet the limits of the safety factors. If designs are drawn, the verdict must accept the design.
 bool has_design(const ShiftGraph& graph);
 /// The row at any point of the graph.   Domain: a working angle exists there (contract)
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 /// The cost of a design for one objective; a smaller cost is better. Only rows on the line of
 /// balanced strength have costs. All other rows are ranked last.
 std::optional<double> cost(const SearchProblem& problem, const DesignRow& row, Objective objective);
-/// The key by which rows are sorted: the objective, then contact ratio, module, z1, z2 and trial
-/// number. The order is total, and the smaller key comes first.
+/// The key by which rows are sorted. Rows are compared by the objective and then by contact ratio,
+/// module, z1, z2 and trial number. The order is total, and the smaller key comes first.
 struct RankKey {
   bool without_cost;
   double cost, contact_ratio, module;

@@ -38,8 +38,9 @@ bool is_on_straight_flank(const ShiftGraph& graph, const DesignRow& row, std::si
   return row.cut_shift(i, graph.problem()) >= undercut && row.tip_thickness[i] >= 0.0;
 }
 
-// The cut of the internal gear. Absent if the pair has no closed form, because the tip of the
-// pinion reaches the fillet, the tips are shortened, or the internal gear has an allowance.
+// The cut of the internal gear. Absent if the pair has no closed form. This is the case if the tip
+// of the pinion reaches the fillet, if the tips are shortened, or if the internal gear has an
+// allowance.
 std::optional<RingCut> cut_off_fillet(const ShiftGraph& graph, const DesignRow& row) {
   const auto& rating = graph.problem().rating;
   if (!rating || !rating->ring_cuts || row.tip_alteration != 0.0 || row.allowance[1] != 0.0)
@@ -82,7 +83,7 @@ RatedPair pair_on_straight_flanks(const ShiftGraph& graph, const DesignRow& row,
     g.reference_diameter = reference.reference_diameter;
     g.base_diameter = reference.base_diameter;
     g.tip_form_diameter = tip_diameter(graph, row, i);
-    g.tip_diameter = g.tip_form_diameter;  // these flanks reach the whole tip of the mating gear
+    g.tip_diameter = g.tip_form_diameter;  // the usable flank of the mating gear is long enough
     g.root_diameter = root_diameter(graph, row, i);
     g.tooth_height = std::abs(g.tip_diameter - g.root_diameter) / 2;
     g.profile_shift = row.shift[i];

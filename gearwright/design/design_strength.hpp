@@ -1,4 +1,5 @@
-// Strength and mass of a design. The pair is rated by ISO 6336, as with the verb `rate`.
+// Computes the strength and the mass of a design. The pair is rated by ISO 6336 with the functions
+// that the verb `rate` uses.
 //
 //   S_H, S_F   safety factors of flank and root of each gear, at the shifts of the design
 //
@@ -20,17 +21,18 @@
 
 namespace gearwright {
 
-/// Returns the pair of a design in the form that the rating requires. It uses closed forms if
-/// possible, and mounted gears otherwise.
+/// Returns the pair of a design in the form that the rating requires. The pair is computed from
+/// closed forms if possible, and otherwise from mounted gears.
 ///
-/// Errors    as make_gear, mount and rated_pair
+/// Errors    those of make_gear, mount and rated_pair
 /// Accuracy  both methods agree to 1e-12 (design/design_strength_test.cpp)
 Result<RatedPair> pair_of_design(const ShiftGraph& graph, const DesignRow& row);
 /// The pair of a design, computed from gears that are cut and mounted.
 Result<RatedPair> mounted_design(const ShiftGraph& graph, const DesignRow& row);
 /// Returns the row with its safety factors. The face width is the smallest one of the band that
-/// gives sufficient safety factors. If no face width does, it is the greatest one of the band. If
-/// drawings are checked, the row also contains the verdict on the drawing.
+/// gives sufficient safety factors. If none gives sufficient safety factors, the face width is the
+/// greatest one of the band. If drawings are checked, the row also contains the verdict on the
+/// drawing.
 DesignRow rated(const ShiftGraph& graph, DesignRow row);
 /// The first limit that the row violates: a safety factor that is too low or has no value, or the
 /// verdict. Absent if the row meets all limits.
@@ -56,8 +58,9 @@ double mass_of(const ShiftGraph& graph, const DesignRow& row);
 //
 // The strength of an internal gear depends on the number of teeth of its cutter. Its path of
 // contact depends on the radius at which its fillet begins. Both values are known only after a
-// tooth has been generated, which takes as long as a hundred ratings. Measured in modules, they
-// are equal for all wheels with the same number of teeth, rack, helix angle and profile shift.
+// tooth has been generated, which takes as long as a hundred ratings. If the radius is measured in
+// modules, both values are equal for all wheels with the same number of teeth, rack, helix angle
+// and profile shift.
 //                                              theory: docs/theory/09-design-search.md, 9.7
 
 /// The cutter of an internal gear, and the start of its fillets. If every cutter would remove a

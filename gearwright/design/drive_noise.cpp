@@ -10,8 +10,9 @@ namespace gearwright {
 
 namespace {
 
-// Every stage of a train has its own mesh frequency. The output torque is 1. λ_m/T_o of a stage is
-// therefore the torque on its wheel divided by the number of teeth of the wheel.
+// Every stage of a train has its own mesh frequency. The output torque T_o is 1. The tooth load λ_m
+// of a stage, divided by T_o, is therefore the torque on the wheel of the stage divided by the
+// number of teeth of this wheel.
 std::optional<double> noise_of_train(const StandardTeeth& teeth, const DriveCandidate& candidate) {
   std::vector<WindupMesh> meshes;
   double torque = 1.0;

@@ -174,8 +174,9 @@ class SetSearch {
   }
 
   // Clearance between the planet gears at the centre distance of the first mesh. If the second
-  // planet gear has another centre distance without profile shifts, it needs profile shifts.
-  // These are computed only when the drive is made, so the second gear is not checked here.
+  // planet gear would have another centre distance, its profile shifts must correct the centre
+  // distance. These shifts are computed only when the drive is made, so the second gear is not
+  // checked here.
   double clearance_of(const TeethOfSet& z, const SetMeshes& meshes, double step) const {
     const double a = distance(meshes.list[0]);
     double tip = z[at(M::planet)] * transverse_ + 2.0;

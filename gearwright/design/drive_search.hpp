@@ -98,7 +98,7 @@ struct DriveSearchProblem {
 
 /// The members of this kind of set whose numbers of teeth are tried; empty for a train.
 std::vector<SetMember> members_of(const DriveSearchProblem& problem);
-/// The band of the number of teeth of a member, as given or by default.
+/// The band of the number of teeth of a member. If the problem gives no band, the default is used.
 TeethBand teeth_band(const DriveSearchProblem& problem, SetMember member);
 
 /// Reasons for rejecting a set, in the order in which they are checked.
@@ -115,15 +115,17 @@ struct DriveCandidate {
   long long places = 0;    ///< N*; 0 for a train
   double clearance = 0.0;  ///< c  modules, without shifts; infinite for a train and for one planet
   double size =
-      0.0;  ///< mm, without shifts: greatest diameter over planets, suns and root circles of rings;
-            ///< for a train, sum of centre distances
+      0.0;  ///< mm, without shifts; for a set, the greatest of the diameter over the planets, the
+            ///< tip diameters of suns and the root diameters of rings; for a train, the sum of the
+            ///< centre distances
   /// Efficiencies with given or estimated losses; 0 if self-locking or not requested.
   double efficiency = 0.0, efficiency_backward = 0.0;
   /// b of each mesh  mm, in the order of the graph; empty if the search does not size the faces. A
   /// gear with several meshes has the greatest of their face widths.
   std::vector<double> face_widths{};
   GearShifts shifts{};                  ///< x  if the search chooses the profile shifts
-  std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, all have `module`
+  std::vector<double> stage_modules{};  ///< m_n of each stage  mm; if empty, every stage has
+                                        ///< `module`
   /// Variation of the elastic rotation, peak to peak, divided by this rotation [T13.33]. Absent if
   /// not requested, or if a mesh loses contact.
   std::optional<double> noise{};
@@ -150,8 +152,8 @@ struct DriveSearchResult {
 };
 
 /// kMostTrains is the greatest number of trains that a search finds, before modules are
-/// considered. kMostTrainTrials is the greatest number of combinations of all numbers of teeth
-/// except the last one that a search tries.
+/// considered. A search tries combinations of the numbers of teeth of all gears except the last
+/// wheel. kMostTrainTrials is the greatest number of these combinations.
 inline constexpr std::size_t kMostTrains = 1'000'000;
 inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 
@@ -174,14 +176,15 @@ PlanetarySpec set_of(const DriveSearchProblem& problem, const DriveCandidate& ca
 /// to stage, so that both gears of an intermediate shaft have the same hand and their axial forces
 /// have opposite directions.
 double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
-/// True if the output of this train gets the axis of its input: `coaxial_teeth` is given, all stages
-/// have one module, and the search chooses the profile shifts.
+/// True if the output of this train gets the axis of its input. This requires that `coaxial_teeth`
+/// is given, that the train has several stages with one module, and that the search chooses the
+/// profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
 /// The train with these modules of its stages, and with the size and the mass that follow from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);
-/// The candidate with the greatest face widths that the search may choose. They are limited by the band
-/// of face widths and by the greatest b/d. Unchanged if the search does not size the faces.
+/// The candidate with the greatest face widths that the band of face widths and the greatest b/d
+/// permit. If the search does not size the faces, the candidate is unchanged.
 DriveCandidate widest(const DriveSearchProblem& problem, DriveCandidate candidate);
 /// b of the gears of a set, by member. Empty for a train, or if the search does not size the faces.
 PerMember member_face_widths(const DriveCandidate& candidate);
@@ -194,9 +197,10 @@ double cost_of(const DriveSearchProblem& problem, const DriveCandidate& candidat
 /// losses of a mesh is far less accurate.
 inline constexpr double kSameEfficiency = 1e-4;
 
-/// Sorts a list by the first objective of the search, the best first, and then by size. If this
-/// objective is an efficiency, candidates that are at most kSameEfficiency worse than the best of
-/// them are sorted by size, and likewise the candidates after them.
+/// Sorts a list by the first objective of the search, the best first, and then by size. If the
+/// first objective is an efficiency, the sorted list is divided into groups. The candidates of a
+/// group are at most kSameEfficiency worse than its first candidate, and each group is sorted by
+/// size.
 template <class T, class CandidateOf>
 void sort_by_objective(const DriveSearchProblem& problem, std::span<T> list,
                        const CandidateOf& candidate_of) {

@@ -38,9 +38,9 @@ GearShifts undercut_limits(const DriveGraph& graph) {
   return limits;
 }
 
-// Among the shifts of two external gears for which neither gear is undercut, those with the
-// least sum ≥ 0. The sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of
-// the sum. A sum of 0 stays 0 after both shifts are rounded.
+// Returns the shifts of two external gears with the least sum ≥ 0 for which neither gear is
+// undercut. The sum is divided by [T2.18a], so each shift grows by z/(z1 + z2) per unit of the sum.
+// If the sum is 0, the sum of the rounded shifts is also 0.
 std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
                                       const std::array<double, 2>& limits) {
   const auto start = divided_shift_sum(z[0], z[1], 0.0);

@@ -18,8 +18,8 @@ inline int coaxial_slack(const DriveSearchProblem& problem) {
   return problem.kind == DriveKind::wolfrom && one_gear ? problem.planets[1] : 1;
 }
 
-/// The efficiency η of a mesh with the coefficient of friction μ. It is estimated from the numbers
-/// of teeth (z < 0 for a ring) and used for ranking only.
+/// Estimates the efficiency η of a mesh from the numbers of teeth (z < 0 for a ring) and the
+/// coefficient of friction μ. The estimate is used for ranking only.
 double estimated_efficiency(int z1, int z2, double friction);
 
 /// Sets the noise of all candidates, for gears without profile shift. If the search has a face
@@ -28,9 +28,9 @@ double estimated_efficiency(int z1, int z2, double friction);
 void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidate>& candidates,
                     int threads);
 
-/// The mass of a candidate for gears without profile shift, kg; none if it is not requested or
-/// without modules. Faces that the search sizes have their greatest width. The estimate is used
-/// for ranking until the teeth are computed.
+/// The mass of a candidate for gears without profile shift, kg. Absent if the mass is not requested
+/// or if the problem has no modules. If the search sizes the faces, their greatest width is used.
+/// The estimate is used for ranking until the teeth are computed.
 std::optional<double> estimated_mass(const DriveSearchProblem& problem,
                                      const DriveCandidate& candidate);
 

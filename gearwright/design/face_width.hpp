@@ -1,12 +1,12 @@
-// The face widths that are permissible for a design.
+// Computes the face widths that are permissible for a design.
 //
 //   b    face width of both gears, mm: either a given value, or the smallest value of a band for
 //        which the design meets its limits
 //   ε_β  overlap ratio
 //
-// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. It is
-// a multiple of a step, because drawings show round numbers, unless no multiple lies within the
-// bands.
+// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. If the
+// bands contain multiples of a step, the face width is one of these multiples, because drawings
+// show round numbers.
 #pragma once
 
 #include <array>

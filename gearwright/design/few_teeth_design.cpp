@@ -50,7 +50,7 @@ struct Rank {
 struct DesignVerdict {
   int stage = 0;
   double shortfall =
-      0.0;  // amount by which the check failed; among candidates that failed at the same check, the
+      0.0;  // amount by which the check failed; of the candidates that failed at the same check, the
             // one with the smallest amount is reported
   std::string limit;
   std::optional<FewTeethDesign> design;
@@ -232,8 +232,9 @@ class FewTeethSearch {
     return std::nullopt;
   }
 
-  // The generating centre distance E for a given helix angle and centre distance a, from the
-  // equation E + σ j/(2 tan α_wt) = a with the backlash j. The shift of the wheel follows from E.
+  // Computes the generating centre distance E for a given helix angle and centre distance a. E is
+  // the solution of E + σ j/(2 tan α_wt) = a, where j is the backlash. The shift of the wheel
+  // follows from E.
   std::optional<double> distance_within(const Gear& cutter) const {
     const double r =
         cutter.base_radius() * std::abs(1.0 + static_cast<double>(p_.teeth[1]) / p_.teeth[0]);
@@ -380,8 +381,8 @@ class FewTeethSearch {
     return std::abs(*whole.tooth->tip_form_radius - end) > kSameRadius * end;
   }
 
-  // Width of the finished tip: the width of the land or, if the tip fillet ends the tooth, the
-  // diameter of this fillet.
+  // Width of the finished tip. If a fillet rounds the whole tip, the width is the diameter of this
+  // fillet. Otherwise, the width is that of the land.
   static double tip_width(const Gear& g) {
     if (g.tooth->rounded_tip && g.tooth->tip_fillet) return 2 * g.tooth->tip_fillet->radius;
     return g.tip_tooth_thickness_normal.value_or(0.0);

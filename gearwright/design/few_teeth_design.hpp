@@ -1,4 +1,4 @@
-// Design of a pinion with few teeth and its wheel. Among the profile shifts that cause no undercut,
+// Designs a pinion with few teeth and its wheel. Among the profile shifts that cause no undercut,
 // cusp, pointed tooth or interference, those with the longest path of contact are chosen.
 //
 //   x1, x2   profile shifts of pinion and wheel, the unknowns     C    clearance at both tips, mm
@@ -58,8 +58,8 @@ struct FewTeethDesign {
 
 struct FewTeethAnswer {
   std::optional<FewTeethDesign> design;
-  /// If there is no design: the condition that rejected the most successful candidate, which is the
-  /// one that passed the most checks.
+  /// If there is no design, this is the condition that rejected the candidate that passed the most
+  /// checks.
   std::string limit;
   int candidates = 0;  ///< number of candidates tried
 };

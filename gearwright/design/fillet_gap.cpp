@@ -36,8 +36,9 @@ class Fillet {
   }
   double end() const { return end_; }
 
-  // The gap at the point that is cut with the normal angle tau. It is ∞ if the corner does not
-  // reach the radius of that point.
+  // The gap at the fillet point that is cut at the angle tau of the rack's tip rounding. The angle
+  // is measured from the deepest point of the rounding. The gap is ∞ if the corner does not reach
+  // the radius of the fillet point.
   double gap(double tau, const Corner& c) const {
     const double sine = std::sin(tau);
     const double cosine = std::cos(tau);
@@ -88,8 +89,9 @@ double least_gap(const Fillet& fillet, const Corner& corner) {
     return gap == kInfinite ? least : gap - least;
   };
   if (best == kNodes || least > std::max(rise(best - 1), rise(best + 1))) return least;
-  // There is one minimum between the neighbours of the lowest node. Golden section locates it to a
-  // thousandth of a step. This causes an error of only a millionth of a step in the gap.
+  // Between the neighbours of the lowest node, the gap has one minimum. Golden section locates this
+  // minimum to a thousandth of a step, which gives the gap with an error of only a millionth of a
+  // step.
   constexpr double kGolden = 0.6180339887498949;
   double lo = node(std::max(best - 1, 0));
   double hi = node(std::min(best + 1, kNodes));
@@ -124,7 +126,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double sum = shifts[0] + shifts[1];
   // If Σ = 0, both gears are conjugate to the same rack. If, in addition, no addendum exceeds
   // the depth of the straight edges, the tip corners touch only flanks that these edges cut.
-  // They do not reach the fillets, which are cut by the rounding of the rack.
+  // The tip corners do not reach the fillets, which are cut by the rounding of the rack.
   if (sum == 0.0 &&
       std::max(g[0].addendum, g[1].addendum) <= std::min(g[0].flank_depth, g[1].flank_depth) + 1e-3)
     return std::nullopt;
@@ -134,7 +136,7 @@ std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts) {
   const double alpha_w = std::atan2(at.N, B);
   const double inv_t = std::tan(std::asin(g[0].sin_transverse)) - std::asin(g[0].sin_transverse);
   const double inv_w = at.N / B - alpha_w;
-  // Backlash along the line of action. It exists if the centre distance exceeds the
+  // Backlash along the line of action, which exists if the centre distance exceeds the
   // backlash-free centre distance.
   const double opened = inv_w - inv_t - 2.0 * std::tan(alpha_n) * sum / (g[0].teeth + g[1].teeth);
   const double backlash = std::max(0.0, 2.0 * B * opened);

@@ -1,6 +1,6 @@
-// Clearance between tip corners and root fillets. If the tips of a pair touch the flanks only at
-// their usable parts and clear the root circles, the only interference that can remain is between
-// tip corners and root fillets. It occurs mostly at tight centres.
+// Computes the clearance between tip corners and root fillets. If the tips of a pair touch the
+// flanks only at their usable parts and clear the root circles, the only interference that can
+// remain is between tip corners and root fillets. This interference occurs mostly at tight centres.
 //
 //   fillet   the trochoid cut by the tip rounding of the rack; its points have a closed form
 //   corner   the corner of the mating tip; its angle at a given radius of the gear follows from a
@@ -8,8 +8,8 @@
 //   gap      the minimum over the fillet of (angle of the fillet − angle of the corner)·radius
 //                                              theory: docs/theory/09-design-search.md, 9.3
 //
-// The gap is measured along a circle. It has the same sign as the distance between corner and
-// fillet, and it is at least as great in magnitude. Near the start of the flank, the gap is small,
+// The gap is measured along a circle. The gap has the same sign as the distance between corner and
+// fillet and is at least as great in magnitude. Near the start of the flank, the gap is small,
 // because the corner has just left the flank. Therefore, only the sign of the gap is checked. The
 // form clearance serves as the margin.
 #pragma once
@@ -21,8 +21,8 @@
 
 namespace gearwright {
 
-/// The smaller of the gaps of both gears for given shifts, modules. It is negative if a corner cuts
-/// into a fillet. Absent for internal and crossed pairs, and if no corner reaches a fillet.
+/// The smaller of the gaps of both gears for given shifts, modules. The gap is negative if a corner
+/// cuts into a fillet. Absent for internal and crossed pairs, and if no corner reaches a fillet.
 ///
 /// Domain    a working pressure angle exists, and no gear is undercut
 std::optional<double> fillet_gap(const ShiftGraph& graph, const Vec2& shifts);

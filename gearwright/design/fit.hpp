@@ -1,8 +1,8 @@
-// Finds gears for a given centre distance, shaft angle and ratio. This is the inverse of the
+// Finds gears for a given centre distance, shaft angle and ratio, which is the inverse of the
 // computation of a pair from its gears.
 //
-//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, with β_w2 = Σ − β_w1: the sum of the pitch diameters in
-//        units of p_n/π
+//   H(β_w1) = z1/cos β_w1 + z2/cos β_w2, where β_w2 = Σ − β_w1; H is the sum of the pitch diameters
+//        in units of p_n/π
 //   T = 2 a cos α_wn/(m_n cos α_n), the required value of H
 //                                              theory: docs/theory/04-conjugate-action.md, 4.9
 //
@@ -34,8 +34,8 @@ struct FitProblem {
   std::optional<double> center_distance;               ///< a
   std::optional<Angle> shaft_angle;                    ///< Σ
   std::optional<Angle> working_normal_pressure_angle;  ///< α_wn
-  /// Both gears, if their helix angles and shifts are known. Their module and pressure angle may
-  /// differ from the values above.
+  /// Both gears, if their helix angles and shifts are known. The modules and pressure angles of
+  /// these gears may differ from the values above.
   std::optional<std::array<CylindricalSpec, 2>> known;
 };
 

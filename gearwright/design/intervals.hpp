@@ -1,14 +1,14 @@
-// The closed intervals in which a continuous function of one variable is not negative. Their ends
-// are computed as roots of the function.
+// Computes the closed intervals in which a continuous function of one variable is not negative. The
+// ends of the intervals are roots of the function.
 //
 // The function is evaluated at nodes. Between two nodes of different sign, one root is found by
-// bracketing. If the function is negative at a node but smaller at both neighbours, golden section
-// first searches for the maximum between these neighbours, so that a narrow interval between nodes
-// is also found. If the function is quasiconcave, which means that its superlevel sets are
-// intervals, the result is exact except for rounding.
+// bracketing. A narrow interval may also lie between nodes. If the function is negative at a node
+// and smaller at both neighbours, golden section therefore searches for the maximum between these
+// neighbours. If the function is quasiconcave, which means that its superlevel sets are intervals,
+// the result is exact except for rounding.
 // docs/theory/09-design-search.md proves for which arguments the functions of the s1–s2 graph are
-// quasiconcave. For other functions, a maximum may be missed if it is narrower than the distance of
-// the nodes and lies next to a higher maximum.
+// quasiconcave. For other functions, a maximum may be missed if its interval is narrower than the
+// distance between two nodes and lies next to a higher maximum.
 #pragma once
 
 #include <algorithm>
@@ -38,10 +38,9 @@ inline std::optional<double> nearest_zero(const std::vector<Interval>& intervals
   return nearest;
 }
 
-/// Known properties of a function. They reduce the number of evaluations.
+/// Known properties of a function, which reduce the number of evaluations.
 struct Hump {
-  /// Upper limit of f″. It does not apply at creases, where f changes from one smooth function to
-  /// another.
+  /// Upper limit of f″, except at creases, where f changes from one smooth function to another.
   double bend = std::numeric_limits<double>::infinity();
   double below = -1e-9;  ///< maxima below this value are ignored
 };
@@ -67,8 +66,8 @@ inline double ceiling_of_hump(double a, double f_a, double x, double f_x, double
 template <class F>
 double climb(const F& f, double a, double b, const Hump& hump = {}) {
   constexpr double kGolden = 0.6180339887498949;
-  // Width of the interval at which the search ends. It suits variables of the order of 1, such as
-  // shifts and their sums.
+  // Width of the interval at which the search ends. This width suits variables of the order of 1,
+  // such as shifts and their sums.
   constexpr double kNarrow = 1e-13;
   constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   double x = b - kGolden * (b - a);
@@ -98,9 +97,9 @@ double climb(const F& f, double a, double b, const Hump& hump = {}) {
   return f_x > f_y ? x : y;
 }
 
-/// True if the node x is a root except for rounding. This is the case if the chord to the next node
-/// crosses zero within the rounding error of x, for example at a corner of the shift limits.
-/// Bracketing would not improve such a root.
+/// True if the node x is a root except for rounding, for example at a corner of the shift limits.
+/// Then the chord to the next node crosses zero within the rounding error of x, and bracketing
+/// would not improve the root.
 inline bool is_root(double x, double f_x, double next, double f_next) {
   const double away = std::abs(next - x) * -f_x;
   return away <=
@@ -150,8 +149,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node with f = 0 is a root, for example at a corner of the shift limits. It is not the end of
-  // the interval if f has a positive maximum between this node and a negative neighbour.
+  // A node with f = 0 is a root, for example at a corner of the shift limits. If f has a positive
+  // maximum between this node and a negative neighbour, the node is not the end of the interval.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
     const double r = at[i + 1].value;
@@ -199,9 +198,9 @@ template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // A maximum that is zero except for rounding counts as an interval. If there are no
-  // intervals, the condition f ≥ −touch is therefore used. It is not used otherwise, because it
-  // would change the ends of the intervals.
+  // A maximum that is zero except for rounding counts as an interval. If there are no intervals,
+  // the condition f ≥ −touch is therefore used. If there are intervals, this condition would change
+  // their ends.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

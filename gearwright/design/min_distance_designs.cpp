@@ -1,6 +1,7 @@
 // Computes the helix angles and shifts of the pairs for which the given a is the minimum centre
 // distance at the given Σ.
 //
+//   H      sum of the pitch diameters in units of p_n/π (design/fit.hpp)
 //   β_w1   the only unknown; all other values follow in closed form:
 //          β_w2 = σ (Σ − β_w1), H, cos α_wn = H m_n cos α_n/(2a), sin β = sin β_w cos α_wn/cos α_n,
 //          2 tan α_n Σx = Σ z (inv α_wt − inv α_t)                             [T4.29]…[T4.32]
@@ -34,7 +35,7 @@ constexpr double kParallel = 1e-9;               // greatest |Σ| of parallel ax
                                                  // pair/partners.cpp
 constexpr int kCells = 512;  // number of cells into which the range of β_w1 is divided to find the
                              // roots of functions of unknown shape
-// H as a function of β_w1 at one shaft angle, and its minimum.
+// The function H(β_w1) at one shaft angle, and the minimum of this function.
 class PitchSum {
  public:
   PitchSum(const std::array<int, 2>& teeth, double sigma)

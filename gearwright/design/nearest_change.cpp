@@ -116,7 +116,7 @@ class Least {
     knob_->set(problem_, far_);
     const SearchProblem at_far = problem_;
     const SearchSpace space(at_far);
-    std::mt19937_64 random(1);  // the result does not depend on the seed
+    std::mt19937_64 random(1);  // if all trials are evaluated, the seed does not affect the result
     const double enough = kEnough * std::max(1.0, std::abs(knob_->value));
     std::optional<double> best;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -187,7 +187,7 @@ class Least {
   const Knob* knob_;
   const SearchWatch* watch_;
   std::int64_t max_questions_;
-  SearchProblem problem_;  // with the knob at the current value
+  SearchProblem problem_;  // the problem with the current value of the changed member
   double far_ = 0.0;
   std::optional<Trial> witness_;
   std::int64_t questions_ = 0;

@@ -1,13 +1,13 @@
-// If a search has no feasible design, computes the smallest change of a single number that
-// makes a design feasible.
+// Computes, for a search without a feasible design, the smallest change of a single number with
+// which a design is feasible.
 //
 // Each number is changed separately, by the smallest amount with which a design exists. Numbers
 // that do not help at any value are omitted. There are two kinds of numbers:
 //   limits          A change widens the region of every trial. The result is the smallest change
-//                   over all trials. The trials are evaluated in random order, each one first
-//                   with a change slightly smaller than the smallest one found so far. If the
-//                   trial is feasible with it (about ln n of n trials are), the smallest change
-//                   for this trial is found by bisection.
+//                   over all trials. The trials are evaluated in random order. Each trial is first
+//                   evaluated with a change slightly smaller than the smallest one found so far.
+//                   If the trial is then feasible, which is true for about ln n of n trials,
+//                   bisection finds the smallest change for this trial.
 //   ratio, teeth    A change adds trials but keeps the limits. The nearest feasible trial is used.
 //
 // For rated designs, the load, the face width and the steel are changed as well.
@@ -48,8 +48,8 @@ struct NearestChanges {
 /// Greatest number of trials of a search for which changes are computed. The number is limited,
 /// because each trial is evaluated several times for every member.
 inline constexpr std::int64_t kMaxForChange = 2'000'000;
-/// Greatest number of graphs computed for one member. It takes 1 s to compute 2000 graphs with
-/// shortened tips, which are the slowest ones.
+/// Greatest number of graphs computed for one member. The slowest graphs are those with shortened
+/// tips, of which 2000 take 1 s.
 inline constexpr std::int64_t kMaxChangeQuestions = 10'000;
 
 /// Returns the changes by ascending effort. The watch receives the number of evaluations of trials.

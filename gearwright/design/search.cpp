@@ -21,8 +21,8 @@ SearchCounts& SearchCounts::operator+=(const SearchCounts& other) {
   return *this;
 }
 
-// Represents an absent limit of a shift or a centre distance, modules. It exceeds all shifts and
-// distances that occur, and its square is finite.
+// Represents an absent limit of a shift or a centre distance, modules. The value exceeds all shifts
+// and distances that occur, and the square of the value is finite.
 constexpr double kNoLimit = 1e9;
 
 Search::Search(SearchProblem problem) : problem_(std::move(problem)), space_(problem_) {

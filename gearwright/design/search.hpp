@@ -1,5 +1,5 @@
-// The design search. For every trial, it computes either a design or the limit that rejects the
-// trial. The best designs are sorted.
+// Searches for designs: computes, for every trial, either a design or the limit that rejects the
+// trial, and sorts the best designs.
 //
 // Ranges of trials are searched independently, so a search can be divided among threads, shards
 // and ranks. The first three limits need only a few operations and reject most trials. The
@@ -23,8 +23,8 @@
 namespace gearwright {
 
 struct SearchCounts {
-  std::int64_t tested = 0;  ///< number of trials; if numbers of teeth must be coprime, all other
-                            ///< trials are not counted
+  std::int64_t tested = 0;  ///< number of trials; if numbers of teeth must be coprime, only coprime
+                            ///< trials are counted
   std::int64_t feasible = 0;
   std::array<std::int64_t, kLimits> rejected{};  ///< number of trials that each limit rejects; each
                                                  ///< trial counts for the first such limit only
@@ -34,15 +34,15 @@ struct SearchCounts {
   friend bool operator==(const SearchCounts&, const SearchCounts&) = default;
 };
 
-/// `decided` is the number of trials that the filter decided. `asked` is the number of trials that
-/// it could not decide.
+/// `decided` is the number of trials for which the filter gave a verdict. `asked` is the number of
+/// trials for which the filter could not decide.
 struct SieveCounts {
   std::int64_t decided = 0, asked = 0;
 };
 
-/// A callback for long searches. It receives the number of trials since the last call and returns
-/// true if the search shall continue. Any working thread may call it, many times per second. The
-/// callback may be empty.
+/// A callback for long searches, which receives the number of trials since the last call and
+/// returns true if the search shall continue. Any working thread may call the callback, many times
+/// per second. The callback may be empty.
 using SearchWatch = std::function<bool(std::int64_t trials)>;
 
 struct RangeOptions {

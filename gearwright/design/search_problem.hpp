@@ -1,4 +1,4 @@
-// The input of a design search: the numbers to try, the limits, and the objectives.
+// Defines the input of a design search: the numbers to try, the limits, and the objectives.
 //
 //   m_n, z1, z2, β   the numbers of a trial
 //   x1, x2           profile shifts; for every trial, the exact region of feasible shifts is
@@ -6,7 +6,7 @@
 //   Σ                x1 + x2, ISO 21771 signs (internal gear: z2 < 0)
 //                                              theory: docs/theory/09-design-search.md
 //
-// Lengths are in mm, and limits of a tooth in normal modules.
+// Lengths are in mm. The limits of a tooth are in normal modules.
 #pragma once
 
 #include <algorithm>
@@ -107,7 +107,7 @@ struct SearchLimits {
 
 class RingCuts;
 
-/// The inputs for the rating of every design, as with the verb `rate`.
+/// The inputs for the rating of every design, which are those of the verb `rate`.
 struct SearchRating {
   RatingInput input;
   std::optional<double> web, rim;       ///< b_s, s_R  mm, for a gear body with rim and web
@@ -145,8 +145,8 @@ inline constexpr double kFaceModules = 10.0;      ///< default b/m_n
 inline constexpr double kSteelDensity = 7.83e-6;  ///< kg/mm³
 inline constexpr double kUsualFriction = 0.05;    ///< μ for the objective `efficiency`
 
-/// Limits, modules, with which the designs run. A caller can use them as defaults, but they are
-/// not the defaults of SearchLimits.
+/// Limits with which designs run, modules. A caller can use these limits as defaults. SearchLimits
+/// itself has other defaults.
 inline constexpr double kRunningTipClearance = 0.02;
 inline constexpr double kRunningFormClearance = 0.02;
 
@@ -224,8 +224,7 @@ struct SearchProblem {
   }
 };
 
-/// One combination of rack, helix angles, module and numbers of teeth. It does not contain
-/// shifts.
+/// One combination of rack, helix angles, module and numbers of teeth, without shifts.
 struct Trial {
   std::int64_t index = 0;  ///< number of the trial
   double module = 0.0;     ///< m_n  mm

@@ -1,5 +1,5 @@
-// The trials of a search, numbered 0 … size − 1. Every trial can be computed from its number, with
-// the same result on every machine.
+// Enumerates the trials of a search. Every trial can be computed from its number, 0 … size − 1,
+// with the same result on every machine.
 //
 //   order     rack, helix, module, z1, z2; z2 changes fastest
 //   z2        numbers of teeth whose ratio lies in the band, ends included, with a tolerance of
@@ -59,8 +59,8 @@ class SearchSpace {
     int z1, first, last;  ///< first and last z2
   };
   std::vector<Wheels> pinions_;              ///< pinions that have at least one wheel
-  std::vector<std::int64_t> before_pinion_;  ///< for each pinion: number of trials, for one module,
-                                             ///< whose z1 is smaller
+  std::vector<std::int64_t> before_pinion_;  ///< for each pinion, the number of trials of one
+                                             ///< module that have a smaller z1
   std::int64_t per_module_ = 0;
   std::optional<std::int64_t> size_;
   std::array<int, 2> wheels_{};

@@ -1,7 +1,7 @@
-// The formulas of the s1–s2 graph: the bounds that each limit imposes on x1 along a line Σ = const,
-// and the bounds that it imposes on Σ.
+// Computes the bounds that each limit of the s1–s2 graph imposes on Σ, and on x1 along a line
+// Σ = const.
 //
-// The bounds are the leaf formulas (pair/leaf_formulas.hpp), solved for a shift.
+// The bounds are solutions of the leaf formulas (pair/leaf_formulas.hpp) for a shift.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +28,8 @@ struct Tightest : LineEnds {
 }  // namespace
 
 void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, double& hi) const {
-  // With t = ρ2/(u ρ1) at A and at E, the limit |ζ| ≤ Z is 1/(1 + Z) ≤ t ≤ 1 + Z. [T9.8]
+  // With t = ρ2/(u ρ1) at the ends A and E of the path, the limit |ζ| ≤ Z of the specific sliding
+  // is equivalent to 1/(1 + Z) ≤ t ≤ 1 + Z. [T9.8]
   const double u = static_cast<double>(trial_.z2) / trial_.z1;
   const double most = 1.0 + *problem_->limits.sliding;
   const double A_1 = gears_[0].r + gears_[0].addendum + at.k;
@@ -52,12 +53,12 @@ void ShiftGraph::bound_sliding(const SumPlace& at, double sum, double& lo, doubl
   }
 }
 
-// The form clearance c_F is the least distance, along the line of action, from the start of a
-// flank to the point at which the mating gear's tip touches it: ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥
-// ρ_F2 + c_F. For a given sum of the profile shifts, each condition has the form w q(u) ≤ c + s
-// u. Here, u is the tip radius of the mating gear, and q is the curvature radius of the mating
-// gear's flank at its tip. Squaring the condition gives a quadratic in u. For an external pair,
-// the condition is violated between the roots. [T9.9]
+// The form clearance c_F is a least distance along the line of action. The distance is measured
+// from the start of a flank to the point of the flank that the mating gear's tip touches. The
+// conditions are ρ_1A ≥ ρ_F1 + c_F and ρ_2E ≥ ρ_F2 + c_F. For a given sum of the profile shifts,
+// each condition has the form w q(u) ≤ c + s u. Here, u is the tip radius of the mating gear, and q
+// is the curvature radius of the mating gear's flank at its tip. Squaring the condition gives a
+// quadratic in u. For an external pair, the condition is violated between the roots. [T9.9]
 void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2,
                                     double& hi_1) const {
   const auto greater_root = [](double w, double c, double s, double b) {
@@ -98,8 +99,8 @@ void ShiftGraph::bound_interference(const SumPlace& at, double sum, double& lo_2
 }
 
 // The range of the shift of gear i in which its usable flank is long enough. The usable flanks
-// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The path clipped to the usable flanks must be at
-// least K long. This requires w_1 q_1 − f_1 ≥ K, w_2 q_2 − f_2 ≥ K and N − f_1 − f_2 ≥ K. This
+// begin at f_i = max(0, w_i ρ_Fi) [T9.1]. The length of the path clipped to the usable flanks must
+// be at least K. This requires w_1 q_1 − f_1 ≥ K, w_2 q_2 − f_2 ≥ K and N − f_1 − f_2 ≥ K. This
 // function solves the condition of gear i. If f_1, f_2 > 0, the third condition depends on Σ
 // alone (sum_margin). For an internal gear, there is no bound, because the start of its flank
 // is unknown. [T9.7]

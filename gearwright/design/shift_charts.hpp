@@ -1,5 +1,5 @@
-// Two charts over the number of teeth: the range of possible profile shifts, and the contact ratio
-// of two identical gears in this range.
+// Computes two charts over the number of teeth: the range of possible profile shifts, and the
+// contact ratio of two identical gears in this range.
 //
 //   x_u      the undercut limit                     s_an     normal tip tooth thickness
 //   x_t(s)   the shift at which s_an = s modules    ε_α      contact ratio of two identical gears
@@ -42,7 +42,7 @@ std::vector<ShiftLimits> shift_limit_chart(const SearchProblem& problem, int rac
 /// The point of the chart at which the curve of x_u intersects the curve of x_t for
 /// kChartTips[tip]. Absent if the curves do not intersect.
 ///
-/// Accuracy  0.01 teeth, because between whole numbers of teeth, chords replace the curves
+/// Accuracy  0.01 teeth, because chords replace the curves between whole numbers of teeth
 struct LimitsMeet {
   double teeth, shift;
   int fewest;  ///< the next greater whole number of teeth
@@ -55,8 +55,8 @@ struct IdenticalGears {
   std::array<std::optional<double>, 5>
       contact_ratio;  ///< ε_α; absent if there is no working pressure angle or no possible shift
 };
-/// Identical gears with the rack of gear 1 and opposite hands, on parallel axes. They are mounted
-/// as the problem specifies, at the centre distance that follows from their shifts.
+/// Pairs of identical gears with the rack of gear 1 and opposite hands, on parallel axes. The gears
+/// are mounted as the problem specifies, at the centre distance that follows from their shifts.
 ///
 /// Domain    1 ≤ from ≤ to (contract)
 /// Accuracy  1e-12, absolute

@@ -81,7 +81,7 @@ ShiftGraph::ShiftGraph(const SearchProblem& problem, const Trial& trial, const T
   }
 }
 
-// [T9.4]
+// The formulas of [T9.4].
 SumPlace ShiftGraph::place(double sum) const {
   SumPlace at{R_ + sum, 0.0, 0.0};
   if (crossed_) {
@@ -107,7 +107,7 @@ double ShiftGraph::sum_of_distance(double distance) const {
 }
 
 // The range of Σ that follows from the limits with a closed form. The corners of the rectangle
-// of shifts do not limit it.
+// of shifts do not limit this range.
 ShiftGraph::Sums ShiftGraph::plain_sums(int limits, Band band_asked) const {
   Sums s{-kInfinity, kInfinity, ShiftEdge::mesh, ShiftEdge::mesh};
   const auto from_below = [&](double sum, ShiftEdge edge) {
@@ -166,8 +166,9 @@ ShiftGraph::Sums ShiftGraph::all_sums(int limits) const {
 }
 
 // Finds a sum at which every path is shorter than K, because the tips are shortened by k. The
-// same is true for all greater sums, because k decreases. On a line Σ = const, E is greatest if
-// both tip pressure angles are equal. It is then √((a + h_a1 + h_a2 + k)² − B²) − N. [T9.6]
+// same is true for all greater sums, because k decreases. On a line Σ = const, the path length E
+// has its maximum √((a + h_a1 + h_a2 + k)² − B²) − N where both tip pressure angles are equal.
+// [T9.6]
 double ShiftGraph::beyond_long_paths(double sum) const {
   if (internal_) return sum;  // tips are not shortened
   sum = std::max(sum, 0.0);
@@ -180,7 +181,7 @@ double ShiftGraph::beyond_long_paths(double sum) const {
 }
 
 // The sum above which the tips are too thin, although they are shortened by k. If 60 steps do not
-// find it, the sum of the last step is returned.
+// find this sum, the sum of the last step is returned.
 double ShiftGraph::beyond_thin_tips(double sum, double least) const {
   constexpr double kLastRise = 1e-13;  // modules: rounding of a shift
   constexpr double kBeyond = 1e-9;     // modules, bound for the sum of all further increases

@@ -1,5 +1,5 @@
-// The s1–s2 graph of a pair of gears with given numbers of teeth: the ranges of the two profile
-// shifts that meet all limits.
+// Computes the s1–s2 graph of a pair of gears with given numbers of teeth. The graph contains the
+// ranges of the two profile shifts that meet all limits.
 //
 //   Σ = x1 + x2     sum of shifts. Centre distance, working pressure angle and tip alteration
 //                   depend on Σ alone. On a line Σ = const, every limit leaves one interval of x1
@@ -52,13 +52,13 @@ inline constexpr std::size_t kShiftEdges = 13;
 /// For example "s1min" or "Cmax". Beyond an edge with the name "mesh", there is no working
 /// pressure angle.
 std::string_view name(ShiftEdge edge);
-/// Tolerance, modules, within which two limits count as touching. It is needed because a centre
-/// distance divided by a module has a rounding error.
+/// Tolerance, modules, within which two limits count as touching. The tolerance is needed because a
+/// centre distance divided by a module has a rounding error.
 inline constexpr double kTouching = 1e-11;
 /// Bounds of x1 that differ by less than this, modules, count as equal. Otherwise, rounding
 /// errors would determine which limit is named.
 inline constexpr double kOneBound = 1e-12;
-/// The interval of x1 on a line Σ = const. It is empty if lo > hi + kTouching.
+/// The interval of x1 on a line Σ = const, which is empty if lo > hi + kTouching.
 struct LineEnds {
   double lo, hi;
   bool empty() const { return !(lo <= hi + kTouching); }
@@ -71,7 +71,8 @@ enum class LineSide { lo, hi };
 struct ShiftSlice : LineEnds {
   ShiftEdge lo_edge, hi_edge;
 };
-/// The lower and upper bound of x1 that each limit imposes. They are ∓∞ if a limit imposes none.
+/// The lower and upper bound of x1 that each limit imposes. If a limit imposes no bounds, its
+/// bounds are ∓∞.
 struct ShiftBounds {
   std::array<double, kShiftEdges> lo, hi;
   ShiftBounds() {
@@ -107,7 +108,7 @@ class ShiftGraph {
   double overlap_of(double face) const;  ///< ε_β of a face width in modules; 0 on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-  /// The range of Σ that the first `limits` limits leave, as far as they depend on Σ alone.
+  /// The range of Σ that is left by those of the first `limits` limits that depend on Σ alone.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -155,8 +156,8 @@ class ShiftGraph {
   /// the margin is minus the distance of Σ from that range. Within sums(), the margin is −1 if
   /// the overlap ratio is too small.
   double margin(double x1, double x2) const;
-  /// For each shift, the limits that do not depend on the other shift. If tips are shortened,
-  /// these do not include limits that depend on the tip.
+  /// For each shift, the range that follows from the limits that do not depend on the other shift.
+  /// If tips are shortened, limits that depend on the tip are omitted.
   std::array<Interval, 2> shift_limits() const;
   /// The distance of a point from the nearest border: the same as margin(), but without the
   /// band of centre distances. The ends of this band do not count as borders, because the user

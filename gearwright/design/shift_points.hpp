@@ -1,4 +1,4 @@
-// The feasible points of a grid of shifts, as a table.
+// Computes a table of the feasible points of a grid of shifts.
 //
 //   h           step of the grid; x1 = i h, x2 = j h
 //   candidate   a grid point within the shift limits of both gears and within the range of Σ

@@ -37,8 +37,8 @@ double value_of(const ShiftSlice& s, Side side) { return side == Side::lo ? s.lo
 // The difference between the bounds of x1 that the edges a and b impose at a given Σ.
 double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, double sum) {
   const ShiftBounds bounds = graph.bounds_before_path(sum);
-  // The value of an edge that imposes no bound is infinite. It is replaced by a large number,
-  // because the root finder needs finite values.
+  // If an edge imposes no bound, its value is infinite. This value is replaced by a large number,
+  // because the root finder requires finite values.
   constexpr double kFar = 1e3;
   const auto at = [&](ShiftEdge e) {
     const auto& all = side == Side::lo ? bounds.lo : bounds.hi;
@@ -52,14 +52,14 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Greatest number of corners of a side. It is exceeded only if two bounds are equal except for
-// rounding.
+// Greatest number of corners of a side. Only if two bounds are equal except for rounding, more
+// corners are found.
 constexpr std::size_t kMaxChanges = 40;
 // Relative difference of two sums that have no double between them.
 constexpr double kSameSum = 4e-16;
-// Distance from a corner at which the edges are compared: relative to the interval (kBeside)
-// and in modules (kMinBeside). kMinBeside must exceed kOneBound, because two bounds that differ
-// by less than kOneBound have the same name.
+// The edges are compared at a distance from a corner. The distance is kBeside times the interval,
+// but at least kMinBeside, modules. kMinBeside must exceed kOneBound, because two bounds that
+// differ by less than kOneBound have the same name.
 constexpr double kBeside = 1e-9;
 constexpr double kMinBeside = 1e-10;
 // At an end of a piece, several edges meet. At this distance from the end, relative to the
@@ -130,9 +130,9 @@ std::vector<Stretch> stretches(const ShiftGraph& graph, Side side, const Interva
   return found;
 }
 
-// Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end,
-// x1 varies as the square root of the distance from this end, but it is a smooth function of
-// the angle.
+// Maps an angle to a sum between `from` and `to`. If the two x1 with E = K coincide at an end, x1
+// is proportional to the square root of the distance from this end. As a function of the angle, x1
+// is smooth.
 double sum_at(double from, double to, double theta) {
   return from + (to - from) * (1.0 - std::cos(theta)) / 2.0;
 }
@@ -187,8 +187,8 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The smallest margin of the bounds of x1 and of the path length at a point. Its Σ must lie
-// within the range of a piece.
+// The smallest margin of the bounds of x1 and of the path length at a point. The sum Σ of the point
+// must lie within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];
   const SumPlace at = graph.place(sum);

@@ -1,5 +1,5 @@
-// The feasible region of the s1–s2 graph: its ends, its area, its boundary, and the part of the
-// line of balanced strength that it contains.
+// Computes the feasible region of the s1–s2 graph: its ends, its area, its boundary, and the part
+// of the line of balanced strength inside the region.
 //
 //   lo, hi   middles of the slices with the least and with the greatest Σ
 //   Eq. 11   x1 = (λ z2 + (Σ − λ) z1)/(z1 + z2), the line on which the strengths of both gears are
@@ -24,7 +24,7 @@ struct RegionEdge {
   std::vector<Vec2>
       points;  ///< both ends of a straight edge, or points on a curve including its ends
 };
-/// The extent of the computation: without (`point`) or with (`whole`) the area of the region.
+/// `whole` if the area of the region is computed, and `point` if the area is omitted.
 enum class RegionDetail { point, whole };
 /// `sought` if point_off_walls() is to be computed; `none` if it is known that there is no such
 /// point.
@@ -54,12 +54,12 @@ std::optional<ShiftRegion> shift_region(const ShiftGraph& graph,
 /// count as a border.
 inline constexpr double kWallDistance = 0.05;
 /// Returns the point on the line of balanced strength with Σ nearest 0 that keeps the distance
-/// kWallDistance from the borders. If no point of the line keeps it, half of the greatest
-/// distance is required instead. Absent if all points of the line lie at a border or outside
-/// the region. If interference is permitted, no distance is required, and the result is absent
-/// if the point with Σ nearest 0 lies at a border or outside the region. In this case,
-/// ShiftRegion::balanced contains the point, if there is one. If Σ = 0 is feasible, all limits
-/// are usually evaluated only once.
+/// kWallDistance from the borders. If no point of the line keeps this distance, half of the
+/// greatest distance is required instead. Absent if all points of the line lie at a border or
+/// outside the region. If interference is permitted, no distance is required, and the result is
+/// absent if the point with Σ nearest 0 lies at a border or outside the region. The caller then
+/// uses ShiftRegion::balanced, if that point exists. If Σ = 0 is feasible, all limits are usually
+/// evaluated only once.
 std::optional<Vec2> point_off_walls(const ShiftGraph& graph);
 /// True if the line of balanced strength is certainly infeasible between the sums a and b,
 /// because it violates a limit of x1 or x2 alone. In this case, no point of the line needs to
@@ -73,9 +73,8 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
 /// The point of a design: `off_walls` if present, otherwise `balanced` if present, otherwise
 /// middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
-/// The middle between lo and hi. However, if the region consists of several pieces, or if this
-/// middle is too close to a border, the result is the middle of the slice at the mean Σ of the
-/// longest piece.
+/// Returns the middle between lo and hi if the region is one piece and this middle is far enough
+/// from the borders. Otherwise, returns the middle of the slice at the mean Σ of the longest piece.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point on the line of balanced strength (Eq. 11) with the given sum Σ.

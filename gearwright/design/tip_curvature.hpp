@@ -13,7 +13,7 @@
 
 namespace gearwright::detail {
 
-/// q for the tip radius u. It is 0 if the tip lies inside the base circle. The signs of u and b
+/// q for the tip radius u. If the tip lies inside the base circle, q is 0. The signs of u and b
 /// have no effect.
 inline double curvature(double u, double b) { return leaf::curvature_at(std::abs(u), std::abs(b)); }
 /// |u| for the curvature radius q.

@@ -103,7 +103,9 @@ class TrainSearch {
 }  // namespace
 
 double estimated_efficiency(int z1, int z2, double friction) {
-  constexpr double kPath = 0.7;  // usual value of 1 − ε_α + ε_1² + ε_2²
+  // Usual value of 1 − ε_α + ε_1² + ε_2², where ε_1 and ε_2 are the parts of ε_α before and after
+  // the pitch point.
+  constexpr double kPath = 0.7;
   return 1.0 - kPath * std::numbers::pi * friction * (1.0 / z1 + 1.0 / z2);
 }
 

@@ -1,10 +1,11 @@
-// Estimates the greatest safeties of a train from trains that the same search has already rated. A
-// search uses the estimate to skip the rating of trains that cannot have the required safeties.
+// Estimates the greatest safety factors of a train from trains that the same search has already
+// rated. A search uses the estimate to skip the rating of trains that cannot have the required
+// safety factors.
 //
 //   T_k      Π u_j of the earlier stages, which is the torque on the pinion of stage k divided by
 //            the torque on the input
-//   w        T_k/(b z_1), in proportion to the load per face width
-//   κ        w (u + 1)/(u z_1), with S_H ∝ 1/√κ and S_F ∝ 1/w if all other factors are equal
+//   w        T_k/(b z_1), proportional to the load per face width
+//   κ        w (u + 1)/(u z_1); if all other factors are equal, S_H ∝ 1/√κ and S_F ∝ 1/w
 //                                              theory: docs/theory/11-rating.md
 //
 // All trains of an estimate have the same module, helix angle, material, load and life. For each
@@ -26,8 +27,9 @@ struct RatedTrain {
   std::vector<Safeties> stages;
 };
 
-/// Margins that are added to the greatest residuals of the fits, in ln S. They were determined with
-/// 3000 trains with modules of 1.5 mm to 3 mm. For each module, 64 trains were used for the fits.
+/// Margins that are added to the greatest residuals of the fits, in ln S. The margins were
+/// determined with 3000 trains of modules from 1.5 mm to 3 mm. For each module, 64 trains were used
+/// for the fits.
 /// No residual of the other trains exceeded the greatest residual of the fit by more than 0.020
 /// (S_H) or 0.057 (S_F).
 inline constexpr double kFlankMargin = 0.05, kRootMargin = 0.12;
@@ -35,7 +37,7 @@ inline constexpr std::size_t kLeastRatedTrains = 24;
 
 class TrainStrength {
  public:
-  /// Without rated trains, may_hold() is always true.
+  /// If there are no rated trains, may_hold() always returns true.
   TrainStrength() = default;
   /// Fits the safeties of all stages. Stages that have the same index, counted from the input,
   /// share one fit.

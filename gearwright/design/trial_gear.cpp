@@ -25,8 +25,8 @@ double tip_thickness(const TrialGear& gear, double x, double k) {
 
 namespace {
 
-// The shift at which the tip lies on the base circle. It is the smallest possible shift of an
-// external gear and the greatest one of an internal gear.
+// The shift at which the tip lies on the base circle. This shift is the smallest possible one of an
+// external gear and the greatest possible one of an internal gear.
 double shift_of_base_circle(const TrialGear& g, double k) {
   const double x = g.r_b - g.r - g.addendum - k;
   // The tip thickness is evaluated at this shift. The shift is therefore moved by the rounding

@@ -1,11 +1,11 @@
-// One gear of a trial, in normal modules: the values that depend only on the number of teeth, the
-// helix angle and the rack, and the limits of the profile shift.
+// Computes one gear of a trial: the limits of its profile shift, and the values that depend only on
+// the number of teeth, the helix angle and the rack. All lengths are in normal modules.
 //
 //   r, r_b    reference and base radius, negative for an internal gear (ISO 21771 signs), so that
 //             |r_a| = |r + h_a + x + k| and the other formulas hold for external and internal gears
 //   h_a, h_f  addendum and dedendum of the rack
 //   h_F       depth of the straight edge of the rack
-//   k         tip alteration: ≤ 0 at tight centres with shortened tips, otherwise 0
+//   k         tip alteration; ≤ 0 if tips are shortened at tight centres, otherwise 0
 //                                              theory: docs/theory/09-design-search.md, 9.1
 #pragma once
 
@@ -28,24 +28,25 @@ struct TrialGear {
   double cos_base_helix = 1.0;     ///< cos β_b
   double tan_base_helix = 0.0;     ///< tan β_b, unsigned
   double min_tip_thickness = 0.0;  ///< lower limit of s_an
-  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus inv α_t (internal gear: minus inv
-                                      ///< α_t)
+  double reference_half_angle = 0.0;  ///< s_t/d at x = 0, plus inv α_t for an external gear, minus
+                                      ///< inv α_t for an internal gear
   double half_angle_per_shift = 0.0;  ///< 2 tan α_n/|z|
   double x_min = 0.0,
          x_max = 0.0;  ///< the limits of x for k = 0; if x_min > x_max, no x is possible
-  /// The greatest x at which the tip is thick enough, for k = 0. It is present only in the usual
-  /// case that the tip of an external gear becomes thinner as x increases from 0.
+  /// The greatest x at which the tip is thick enough, for k = 0. Present only in the usual case,
+  /// which is that the tip of an external gear is thick enough at x = 0 and too thin at a great x.
   std::optional<double> thick_until{};
 };
 
-/// The gear and the limits of its shift: undercut (external gears only), tip thickness, the lower
-/// and upper limit of the problem, and the base circle, which the tip must not enter.
+/// The gear and the limits of its shift. The limits follow from undercut (external gears only),
+/// from the tip thickness, from the base circle, which the tip must not enter, and from the
+/// problem.
 ///
 /// Units     modules
 TrialGear trial_gear(const SearchProblem& problem, int teeth, Angle helix, int rack, int which);
 
-/// Normal tip tooth thickness s_an for the shift x and the tip alteration k, modules. It is
-/// negative if the flanks intersect below the tip. [T9.3]
+/// Normal tip tooth thickness s_an for the shift x and the tip alteration k, modules. If the flanks
+/// intersect below the tip, s_an is negative. [T9.3]
 ///
 /// Domain    |r + h_a + x + k| ≥ |r_b| (contract)
 double tip_thickness(const TrialGear& gear, double x, double k = 0.0);
@@ -56,8 +57,8 @@ double max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 /// A lower bound of max_shift() that is computed without solving an equation.
 double least_max_shift(const SearchProblem& problem, const TrialGear& gear, double k);
 
-/// The gears for all numbers of teeth with one helix angle and rack. They are stored because many
-/// trials use them.
+/// Stores the gears for all numbers of teeth with one helix angle and rack, because many trials use
+/// the same gears.
 class TrialGears {
  public:
   TrialGears(const SearchProblem& problem, int least, int greatest, Angle helix, int rack,

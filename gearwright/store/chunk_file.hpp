@@ -1,4 +1,5 @@
-// The files of the finished chunks of a campaign, each with a descriptive header.
+// Reads and writes the files of the finished chunks of a campaign. A campaign is a search that is
+// divided into chunks, and each file has a header that describes its chunk.
 //
 //   offset   bytes
 //   0        8      "GWCHUNK1"
@@ -37,9 +38,9 @@ struct ChunkRead {
   enum class State { whole, damaged, foreign };  ///< foreign: undamaged, but of another campaign
   State state = State::whole;
   std::string damage;     ///< for example "is 12 bytes long instead of 96 bytes"; empty if whole
-  ChunkCounts counts;     ///< if whole
-  std::int64_t size = 0;  ///< length of the payload, if whole
-  std::string payload;    ///< if whole and requested
+  ChunkCounts counts;     ///< set if whole
+  std::int64_t size = 0;  ///< length of the payload; set if whole
+  std::string payload;    ///< set if whole and if the payload was requested
 };
 
 class ChunkFolder {
@@ -71,7 +72,7 @@ class ChunkFolder {
   std::string host_;
 };
 
-/// True if `path` exists.   Throws  IoError if the system cannot determine this
+/// True if `path` exists.   Throws  IoError if the system cannot determine whether `path` exists
 bool path_exists(const std::filesystem::path& path);
 
 /// CRC-32, as in ZIP.

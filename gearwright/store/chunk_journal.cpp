@@ -34,8 +34,8 @@ bool is_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// The quoted column names of the constraints. All names differ even if case is ignored, as SQLite
-// does.
+// The quoted column names of the constraints. SQLite ignores case, so no two names differ only in
+// case.
 std::vector<std::string> column_names(const std::vector<std::string>& constraints) {
   std::set<std::string> taken = {"chunk", "tested", "feasible", "bytes", "writer", "finished"};
   std::vector<std::string> columns;
@@ -68,8 +68,8 @@ ChunkJournal::ChunkJournal(const fs::path& path, const std::vector<std::string>&
   const std::u8string name = path.u8string();  // SQLite reads names in UTF-8 on all systems
   const int status = sqlite3_open_v2(reinterpret_cast<const char*>(name.c_str()), &database,
                                      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
-  database_.reset(database);  // also after a failure, because fail() reads the message from the
-                              // connection
+  database_.reset(database);  // required even after a failure, because fail() reads the message
+                              // from the connection
   if (status != SQLITE_OK) fail();
   if (sqlite3_busy_handler(database, nap, nullptr) != SQLITE_OK) fail();
   // A rollback journal is used, because the write-ahead log needs memory shared by all writers,
@@ -182,8 +182,8 @@ std::set<std::int64_t> ChunkJournal::chunks() {
   return found;
 }
 
-// `verb` is the SQL verb, which determines how an existing row is treated. A row without a writer
-// has no time.
+// `verb` is the SQL verb, which determines how an existing row is treated. If `writer` is null, the
+// columns `writer` and `finished` of the row are null.
 void ChunkJournal::insert(const char* verb, const ChunkRow& row, const std::string* writer) {
   GW_EXPECTS(row.counts.rejected.size() == columns_.size());
   Statement& statement = inserts_[verb];

@@ -1,5 +1,6 @@
-// The journal of a campaign, which is a search cut into chunks. It is an SQLite database. Users and
-// the progress output read it, and it coordinates the writers.
+// Reads and writes the journal of a campaign, which is an SQLite database. A campaign is a search
+// that is divided into chunks. Users and the progress output read the journal, and the locks of the
+// journal coordinate the writers.
 //
 //   campaign(key, value)    `fingerprint`, `chunks`, `counts`
 //   chunks(chunk, tested, feasible, <one column for each constraint>, bytes, writer, finished)

@@ -120,7 +120,7 @@ std::optional<Error> refusal(const fs::path& folder, const Record& old, const Re
                           files.path(chunks[i]).filename().string());
   }
   // If the folder contains this campaign without any chunk, the search was killed before its first
-  // chunk was finished. It can then start again.
+  // chunk was finished, and a fresh search may use the folder.
   const bool just_begun = changed.empty() && chunks.empty();
   if (as == OpenAs::fresh && !just_begun) {
     const std::string all = old.empty() ? now.at("chunks") : Record(old)["chunks"];
@@ -198,7 +198,7 @@ std::optional<std::string> ChunkStore::Impl::retire(std::int64_t chunk) {
   return again ? std::optional(again->damage) : std::nullopt;
 }
 
-// Reads a finished chunk, which must be whole.
+// Reads a finished chunk. Throws IoError if the chunk is missing or broken.
 ChunkRead ChunkStore::Impl::read(std::int64_t chunk, Depth depth) {
   GW_EXPECTS(ours(chunk));
   const std::string path = files.path(chunk).string();
@@ -260,7 +260,7 @@ Result<ChunkStore> ChunkStore::open(const fs::path& folder, const Campaign& camp
   GW_EXPECTS(campaign.chunks >= 0 && rejected_names.size() <= kMaxConstraints);
   const Record record = record_of(campaign, rejected_names);
   ChunkFolder files(folder / "chunks", checksum(text_of(record)));
-  // A rejected request does not change the folder.
+  // The mode is checked before the folder is made, so that a rejected request changes nothing.
   if (!is_in(folder)) {
     if (auto error = refusal(folder, {}, record, files, as)) return *std::move(error);
   }

@@ -1,4 +1,5 @@
-// The folder of a large search: numbered chunks of work, each saved as soon as it is finished.
+// Saves the results of a large search in a folder. The search is divided into numbered chunks, and
+// each chunk is saved as soon as it is finished.
 //
 //   out/chunks/000123.chunk         a finished chunk: header with its counts, then its bytes
 //   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when it is whole
@@ -26,15 +27,16 @@
 
 namespace gearwright {
 
-/// One search, cut into chunks 0 … chunks − 1.
+/// One search, divided into the chunks 0 … chunks − 1.
 struct Campaign {
-  /// Everything that determines the result, as lines "key = value": normalised spec, version of the
-  /// program, size of a chunk. Two campaigns with the same text may share their chunks.
+  /// All data that determine the result: the normalised spec, the version of the program and the
+  /// size of a chunk. The text consists of lines "key = value". Two campaigns with the same text
+  /// may share their chunks.
   std::string fingerprint;
   std::int64_t chunks = 0;
 };
 
-/// The numbers of candidates in a chunk that were tested, are feasible, and were rejected.
+/// The numbers of tested, feasible and rejected candidates in a chunk.
 struct ChunkCounts {
   std::int64_t tested = 0;
   std::int64_t feasible = 0;

@@ -1,4 +1,4 @@
-// The layout of the file:                          format: github.com/apache/parquet-format
+// Writes files with this layout:                   format: github.com/apache/parquet-format
 //
 //   PAR1 | chunk of column 0, group 0 | chunk of column 1, group 0 | ... | footer | its size | PAR1
 //
@@ -81,7 +81,7 @@ struct ParquetWriter::State {
   std::size_t text_bytes = 0;      // bytes of all texts of this group
   std::size_t written_rows = 0;    // rows of the groups that have been written
   std::size_t written_groups = 0;  // number of groups that have been written
-  std::string group_entries = {};  // entries of these groups in the footer
+  std::string group_entries = {};  // footer entries of the groups that have been written
 
   explicit State(const std::filesystem::path& part) : path(part) {
     if (!zstd) throw std::bad_alloc();
@@ -204,7 +204,8 @@ std::string ParquetWriter::State::footer() const {
     out.binary(4, chunk.column.name);
     if (chunk.column.type == ParquetType::text) {
       out.i32(6, kUtf8);
-      // Newer readers use this union to recognise UTF-8. It contains the empty struct for strings.
+      // Field 10 is a union by which newer readers recognise UTF-8. Its member 1 is the empty
+      // struct for strings.
       out.open(10);
       out.open(1);
       out.close();
@@ -327,7 +328,7 @@ std::optional<std::string> parquet_note(const fs::path& file, std::string_view k
   for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(end[i]);
   if (length > size - kEnd) return std::nullopt;
   const std::string footer = last(length + kEnd);
-  // The entry is a struct of two binaries, with the key in field 1 and the value in field 2.
+  // A key and its value form a struct of two binary fields: field 1 is the key, field 2 the value.
   std::string before = "\x18";
   append_varint(before, key.size());
   before += key;

@@ -1,16 +1,16 @@
-// Result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and MATLAB read.
+// Writes the result tables of a search as Apache Parquet files, which DuckDB, pandas, Spark and
+// MATLAB can read.
 //
 // A table is flat: it has named columns, each of one type, and rows are added one after another.
-// Rows are kept in memory until a row group is full and are then written column by column. The
-// memory does not grow with the table, except for about 100 bytes of footer for each column of a
-// group.
+// Rows are kept in memory until a row group is full and are then written column by column. For each
+// written row group, only about 100 bytes of footer per column remain in memory.
 //
 //   int32, int64   PLAIN
 //   float64        BYTE_STREAM_SPLIT: first bytes of all values, then second bytes, ..., which
 //                  places similar exponents next to each other
 //   text           PLAIN, UTF-8
 //
-// All pages are compressed by zstd and contain its checksum, so a reader detects a damaged file.
+// All pages are compressed by zstd and contain a checksum, so a reader detects a damaged file.
 // For each column of numbers, a row group states the least and the greatest value, so that readers
 // can skip groups that a query does not need. The same rows and the same version of zstd give the
 // same bytes.
@@ -33,7 +33,7 @@ enum class ParquetType { int32, int64, float64, text };
 struct ParquetColumn {
   std::string name;  ///< UTF-8, unique in its table even if the case of A to Z is ignored
   ParquetType type;
-  bool optional = false;  ///< a row may omit it, which gives null
+  bool optional = false;  ///< true if a row may omit the value, which is then null
 };
 
 /// Writes one table. The values of a row are set in any order, and end_row() then adds the row:
@@ -49,8 +49,8 @@ struct ParquetColumn {
 class ParquetWriter {
  public:
   static constexpr std::size_t kGroupRows = 65'536;
-  /// A group also ends with the row in which the total length of its texts reaches this many bytes.
-  /// This limits the memory for long texts and keeps a page within the 2 GiB that the format
+  /// A row group also ends as soon as the total length of its texts reaches this many bytes. This
+  /// limit bounds the memory for long texts and keeps a page within the 2 GiB that the format
   /// allows.
   static constexpr std::size_t kGroupTextBytes = std::size_t{64} << 20;
 
@@ -67,8 +67,7 @@ class ParquetWriter {
   ParquetWriter(const ParquetWriter&) = delete;
   ParquetWriter& operator=(const ParquetWriter&) = delete;
 
-  /// Sets the value of `column`, counted from 0, in the current row. The file contains every bit of
-  /// the value.
+  /// Sets the value of `column`, counted from 0, in the current row. The value is stored exactly.
   ///
   /// Domain    the column has the type of the value and was not set in this row before; the value
   ///           of an int32 column fits into int32; text is UTF-8 below 1 GiB (contract)

@@ -16,10 +16,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Returns the definition levels, 1 for a value and 0 for null. The format encodes them as a mixture
-// of runs and bits, preceded by its length in bytes. If there are no nulls, or only nulls, one run
-// represents all rows. Otherwise only bits are used, which take at most 8 kB before compression.
-// Runs of equal levels would need up to 16 times as much.
+// Returns the definition levels, which are 1 for a value and 0 for null. The format encodes the
+// levels as a mixture of runs and bits, after the length of this mixture in bytes. If there are no
+// nulls, or only nulls, one run represents all rows. Otherwise only bits are used, which take at
+// most 8 kB before compression. Runs of equal levels would take up to 16 times as many bytes.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {
@@ -54,13 +54,13 @@ void write_range(Thrift& out, const std::string& values) {
     not_numbers = static_cast<std::size_t>(
         std::count_if(numbers.begin(), numbers.end(), [](Number x) { return x != x; }));
   }
-  // Readers order NaN differently, so no range is written for values that include NaN.
+  // Different readers order NaN differently, so no range is written for values that include NaN.
   if (!numbers.empty() && not_numbers == 0) {
     auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     Number range[] = {*least, *greatest};
     if constexpr (real) {
-      // The two zeros are equal, so the format requires that a range that ends at one zero also
-      // includes the other.
+      // The numbers −0 and +0 compare equal. The format therefore requires that a range that ends
+      // at one of them also includes the other.
       if (range[0] == 0) range[0] = -0.0;
       if (range[1] == 0) range[1] = 0.0;
     }

@@ -32,7 +32,7 @@ struct ColumnChunk {
 /// Ends row number `row` of the group. If no value was set in this row, the value is null.
 void end_row(ColumnChunk& chunk, std::size_t row);
 
-/// The data page, before compression: definition levels if nulls are possible, then the values.
+/// The data page before compression. An optional column has definition levels before its values.
 std::string page_of(const ColumnChunk& chunk, std::size_t rows);
 
 /// Writes the fields of the struct Statistics: the number of nulls and, for numbers, the range.
