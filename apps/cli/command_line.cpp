@@ -44,7 +44,7 @@ constexpr const char* kIntroduction =
 
 constexpr std::size_t kLettersOff = 3;  // in a verb with n letters, n/3 letters may be wrong
 
-// The version and, for a lean build (cmake/gw_lean.cmake), the functions that this build lacks.
+// The version. For a lean build (cmake/gw_lean.cmake), also the functions that this build lacks.
 std::string version_text() {
   return fmt::format(
       "gearwright {}{}", kVersion,

@@ -34,8 +34,8 @@ class CommandLine {
   void add_files();
   void add_others();
 
-  /// Handles `help`, `help VERB`, and a first word that is not a verb. Returns nothing in all other
-  /// cases.
+  /// Handles `help`, `help VERB`, and a first word that is not a verb. For other command lines,
+  /// returns nothing.
   std::optional<int> answer_at_once(const std::vector<std::string>& words) const;
   int unknown_verb(const std::string& word) const;
   int unknown_option(const std::string& word) const;

@@ -1,6 +1,5 @@
-// The verbs that write files, run and export, and the verb import, which prints a REXS file as
-// a spec. `run` writes all files that are possible for a spec, and `export` writes the
-// requested files.
+// The verbs run, export and import. `run` writes all files that are possible for a spec, `export`
+// writes the requested files, and `import` prints a REXS file as a spec.
 #include <fmt/format.h>
 
 #include <algorithm>

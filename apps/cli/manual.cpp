@@ -9,8 +9,8 @@ namespace gearwright::apps {
 
 namespace {
 
-// Escapes a text for troff. With the escapes, hyphens can be copied as they were typed, and no
-// line of the text is treated as a request.
+// Escapes a text for troff. The escapes preserve hyphens when the text is copied, and prevent troff
+// from treating a line of the text as a request.
 std::string troff(std::string_view text) {
   std::string out;
   bool begin = true;

@@ -25,8 +25,8 @@ void print_json(const Json& j);
 /// Prints a spec that a verb proposes, as JSON or as TOML. The notes precede the TOML. With JSON,
 /// all notes except the first one are written to stderr.
 void print_spec(const Json& spec, bool json, const std::vector<std::string>& notes = {});
-/// Prints an answer as JSON, as CSV or as text. If `take` is given, only the spec with this number
-/// is printed, or an error is returned if the answer has no such spec.
+/// Prints an answer as JSON, as CSV or as text. If `take` is given, prints only the spec with this
+/// number, or returns an error if the answer has no such spec.
 std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
                                   const std::optional<int>& take);
 /// The error for a number after `--take` that exceeds the number of specs. If there are no
@@ -39,8 +39,8 @@ std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
 /// The keys in the error must already be keys of the spec.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
 /// Reports that the input is wrong or that the gears are impossible, and returns status 1. If
-/// `json` is true, also prints the error as JSON. The keys in the error must already be keys of
-/// the spec (catalogue/spelling.hpp). If `text`, the spec that contains the error, is given,
+/// `json` is true, also prints the error as JSON. The keys in the error must already be keys of the
+/// spec (catalogue/spelling.hpp). `text` is the spec that contains the error. If `text` is given,
 /// the report also contains the name of the spec and the line.
 int fail(const Error& error, bool json, const SpecText* text = nullptr);
 /// Reports a wrong command line and returns status 2.
@@ -51,14 +51,13 @@ inline constexpr int kViolated = 5;
 /// reported and, if requested, also printed as JSON.
 int guarded(const std::function<int()>& work, bool json);
 
-/// The line on stderr that shows the progress of a computation, from two seconds after its start.
-/// On a terminal, the line is overwritten every half second and finally cleared. Elsewhere, a new
-/// line is printed every ten seconds.
+/// The line on stderr that shows the progress of a computation. The line first appears two seconds
+/// after the start. On a terminal, the line is overwritten every half second and finally cleared.
+/// Elsewhere, a new line is printed every ten seconds.
 class StatusLine {
  public:
   ~StatusLine() { clear(); }
-  /// Calls `text` with the seconds since the start and shows the result, but only if the next
-  /// text is due.
+  /// If the next text is due, calls `text` with the seconds since the start and shows the result.
   void show(const std::function<std::string(double seconds)>& text);
   void clear();
 

@@ -13,8 +13,8 @@
 
 namespace gearwright::apps {
 
-// Command-line options for work that several processes can divide among themselves by means of
-// a common folder: the verb search, and the verb scatter over the designs of a search.
+// Command-line options for work that several processes can share through a common folder. This work
+// is the verb search, or the verb scatter over the designs of a search.
 
 struct CampaignCommand {
   std::string spec;

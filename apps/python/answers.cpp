@@ -87,7 +87,7 @@ py::object load_positions_of(const LoadedValue& loaded) {
 }
 
 // Returns the quantity with this name for all positions, converted to mm and rad. `info` describes
-// it if no position has it.
+// the quantity if no position has a value.
 py::object column(const ContactValue& c, const std::string& name, const QuantityInfo* info) {
   for (const Value& position : *quantity(c.record(), "positions").list())
     if (const Member* found = member_of(*position.record(), name)) info = found->info;

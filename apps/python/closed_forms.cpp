@@ -24,7 +24,7 @@ using Column = py::array_t<double, py::array::c_style>;
 template <std::size_t N>
 using Columns = std::array<Column, N>;
 
-// A result with this number of rows, which are not yet set.
+// A column of results with this number of rows. The values are not yet set.
 py::array_t<double> results(std::size_t rows) {
   return py::array_t<double>(static_cast<py::ssize_t>(rows));
 }

@@ -98,7 +98,7 @@ void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                   [&q, value](const Self& self) { return by_name(q.info, value(self, q)); });
 }
 
-// The quantity of a gear. For a double-helical gear, it is the quantity of the whole gear.
+// The quantity of a gear. For a double-helical gear, the result is the quantity of the whole gear.
 Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
   return g.halves() ? Value(quantity(g.record(), q.info.key)) : value_of(q, g.gear());
 }

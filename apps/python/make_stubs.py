@@ -17,8 +17,9 @@ PLAIN = {"number": "float", "whole": "int", "index": "int", "flag": "bool", "wor
 
 
 def class_of(table):
-    """Returns the name of the class for a table: _PairBacklash for "pair.backlash", _Scatter_Probability for
-    "scatter probability", because there is a table "scatter.probability" too."""
+    """Returns the name of the class for a table, such as _PairBacklash for "pair.backlash". A space
+    becomes an underscore, because "scatter probability" and "scatter.probability" are different
+    tables."""
     parts = [part.replace(".", " ").replace("_", " ").split() for part in table.split(" ")]
     return "_" + "_".join("".join(word[0].upper() + word[1:] for word in words) for words in parts)
 

@@ -34,8 +34,9 @@ const Key* find(const std::vector<const KeyTable*>& tables, const std::string& k
   return nullptr;
 }
 
-// Raises SpecError if only the number without conversion is allowed for the key. The caller has
-// probably forgotten the unit, such as helix_angle = 15 for helix_angle_deg = 15.
+// Raises SpecError if the number is within the range of the key without conversion, but not with
+// it. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
+// helix_angle_deg = 15.
 void check_unit(const Key& key, const std::string& name, const Json& given, const Json& converted) {
   if (!given.is_number() || !key.range.limited()) return;
   const auto x = given.get<double>();

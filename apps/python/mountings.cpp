@@ -15,7 +15,7 @@ namespace gearwright::python {
 
 namespace {
 
-// Converts a row of numbers in mm and rad to a table [errors]. The order of the numbers is
+// Converts a row of numbers in mm and rad to a table [errors]. The numbers are in the order of
 // gearwright.ERRORS.
 Json errors_of_row(py::handle row) {
   const auto numbers = real_numbers(row);

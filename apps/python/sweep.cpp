@@ -102,8 +102,8 @@ Result<SolvedJob> solved_row(JobSpec spec, const std::vector<Swept>& keys, std::
   return job;
 }
 
-// Returns the array with one more column. It is as wide as its longest text, whose length is known
-// only after the computation.
+// Returns the array with one more column. The column is as wide as its longest text, whose length
+// is known only after the computation.
 py::array with_texts(const py::array& rows, const char* name,
                      const std::vector<std::string>& texts) {
   const py::object numpy = py::module_::import("numpy");

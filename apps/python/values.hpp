@@ -26,7 +26,7 @@ std::string name_of(const QuantityInfo& info);
 /// The size of one unit in mm or rad; 1 if the unit is neither a length nor an angle.
 double house_unit(Unit unit);
 /// The text that help() prints for the attribute `name`: "m_n, mm: normal module, as in the spec".
-/// If several keys of the table have this name, it describes each of them.
+/// If several keys of the table have this name, the text describes each of these keys.
 std::string docstring(const QuantityTable& table, const std::string& name);
 
 /// Converts a value to the form that it has in JSON. Null becomes None, lists become lists, and
@@ -38,9 +38,8 @@ py::object to_python(const Json& tree);
 py::object by_name(const QuantityInfo& info, const Value& value);
 py::object by_name(const Value& without_unit);
 
-/// Converts a Python value to a tree of a spec. Accepted are dicts, lists, numbers and texts, and
-/// also numbers and arrays of numpy, paths and Gears. `path` is the name of the value in error
-/// messages.
+/// Converts a Python value to a tree of a spec. Dicts, lists, texts, paths, Gears, arrays of numpy,
+/// and numbers of Python or numpy are accepted. `path` is the name of the value in error messages.
 ///
 /// Throws    SpecError if a number is not finite, TypeError if a spec cannot contain a value of
 ///           this type

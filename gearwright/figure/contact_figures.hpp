@@ -13,8 +13,8 @@
 
 namespace gearwright {
 
-/// Successive positions at which the same tooth pair is in contact. The contact is at an edge at
-/// all of them, or on the flanks at all of them.
+/// Successive positions at which the same tooth pair is in contact. Either the contact is at an
+/// edge at all these positions, or it is within the flanks at all of them.
 struct TeRun {
   int pair = 0;  ///< k, number of the tooth pair
   bool edge = false;
@@ -23,7 +23,7 @@ struct TeRun {
 
 /// Divides the curve of successive positions into runs. A position without contact ends a run.
 /// Where the next tooth pair takes over, the curves of both pairs are extended to their
-/// intersection. The value there is limited to the range of the computed values.
+/// intersection. The value at the intersection is limited to the range of the computed values.
 std::vector<TeRun> te_runs(const std::vector<ContactPoint>& positions);
 
 /// Transmission error over the rotation of gear 1, with the tooth pairs and kinds of contact.
@@ -33,14 +33,14 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                                                 const ContactResult& result);
 /// Returns true if all harmonics are rounding errors.
 bool waves_are_rounding(const std::vector<Angle>& waves);
-/// The harmonics of the transmission error. There is no figure if contact is lost, because the
-/// curve is then not periodic, or if there is no harmonic.
+/// The harmonics of the transmission error. There is no figure if no harmonic exists. There is also
+/// no figure if contact is lost, because the curve is then not periodic.
 std::optional<Figure> spectrum_figure(const ContactResult& result);
 
 /// The gaps of a raster, mm, as a field for contours.
 ContourField field_of(const FlankRaster& raster);
-/// The regions in which a field of a raster is below a level, as points (height along the face,
-/// diameter), mm.
+/// The regions of a raster in which the field is below a level. The points are (axial position,
+/// diameter), mm, with kNewPiece between two loops.
 std::vector<Vec2> region_below(const FlankRaster& raster, const ContourField& field, double level);
 /// The range of step i of a map, counted from the lowest step: "below 10 µm", "10 µm to 20 µm".
 /// Empty if the map has one step.
@@ -62,9 +62,9 @@ struct PathPiece {
 };
 std::vector<PathPiece> path_on_tooth(const ContactScene& scene);
 
-/// An empty developed flank with the face from left to right, the root at the bottom and the tip at
-/// the top. It shows the limits of the usable part and a little of the tooth beyond them. `side` is
-/// the side σ of the gear.
+/// An empty developed flank. The face runs from left to right, the root is at the bottom and the
+/// tip is at the top. The figure shows the limits of the usable flank and a little of the tooth
+/// beyond these limits. `side` is the side σ of the gear.
 Figure flank_frame(std::string id, std::string title, const FlankRaster& extent, double side,
                    std::size_t which);
 

@@ -1,6 +1,7 @@
 // Contains the data of the contact figures: the gears, their axes as mounted, and the results.
 //
-//   TE   transmission error, rad: rotation by which gear 2 is ahead of |z1/z2| φ1
+//   TE   transmission error, rad: rotation by which gear 2 is ahead of |z1/z2| φ1, where φ1 is the
+//        rotation of gear 1
 //   δ    thickness of the marking compound, mm
 #pragma once
 
@@ -33,9 +34,9 @@ struct ContactScene {
   bool gear2_drives = false;
   double marking = 0.0;   ///< δ  mm
   int positions = 0;      ///< number of positions per pitch of gear 1
-  ContactResult driving;  ///< `positions` positions of one pitch, starting at −half a pitch
-  /// Peak to peak of the continuous TE of the working and of the non-working flanks. None if
-  /// contact is lost or if it was not computed.
+  ContactResult driving;  ///< results at `positions` positions of one pitch, from −½ pitch
+  /// Peak-to-peak values of the continuous TE of the working flanks and of the non-working flanks.
+  /// A value is missing if contact is lost or if the value was not computed.
   std::array<std::optional<Angle>, 2> span{};
   std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
 };
@@ -55,7 +56,7 @@ const char* words_of(TouchKind kind);
 
 /// The number of a tooth pair with its sign. "0" is the pair nearest the centre line.
 std::string pair_words(int k);
-/// Style class of a tooth pair: one of three classes of figure_style.css, in rotation.
+/// The style class of a tooth pair. Successive pairs use three classes of figure_style.css in turn.
 const char* pair_style(int k);
 
 /// A value in arc seconds, with a number of decimals that suits its size.

@@ -61,9 +61,9 @@ class Framed {
   double level_;
 };
 
-// Adds the pieces of the border in one cell. Counter-clockwise around the cell, the region ends at
-// some edges and begins again at others. Each piece leads from an edge at which the region ends to
-// an edge at which it begins.
+// Adds the pieces of the border in one cell. On a path counter-clockwise around the cell, the
+// region ends at some edges and begins again at others. Each piece leads from an edge at which the
+// region ends to an edge at which the region begins.
 void add_cell(const Framed& grid, std::size_t row, std::size_t column,
               std::map<std::size_t, std::size_t>& next) {
   const std::array<bool, 4> in{grid.below(row, column), grid.below(row, column + 1),

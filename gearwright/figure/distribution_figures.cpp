@@ -49,7 +49,7 @@ void add_percentiles(Figure& f, const DistributionScene& scene, double top) {
   auto sorted = scene.percentiles;
   std::sort(sorted.begin(), sorted.end());
   std::vector<Label> labels;
-  std::vector<double> ends;  // of the last label of each row, on the x axis
+  std::vector<double> ends;  // end of the last label of each row, on the x axis
   for (const auto& [percent, value] : sorted) {
     f.line({{value, -std::numeric_limits<double>::infinity()},
             {value, std::numeric_limits<double>::infinity()}},

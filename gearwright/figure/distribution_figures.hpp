@@ -66,7 +66,7 @@ Figure ranking_figure(const RankingScene& scene);
 struct DensityScene {
   std::string id;
   std::size_t which = 0;                 ///< 0 for gear 1, 1 for gear 2
-  double side = 1.0;                     ///< σ of the gear
+  double side = 1.0;                     ///< σ, +1 for an external gear, −1 for an internal gear
   std::vector<double> diameter, height;  ///< mm, of each row and of each column, ascending
   std::vector<double> share;             ///< 0 to 1, [row · columns + column]
   double marking = 0.0;                  ///< thickness of the marking compound, mm

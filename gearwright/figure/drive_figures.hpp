@@ -24,7 +24,8 @@ Figure scheme_figure(const Drive& drive, const DrivePlaces& places);
 std::optional<Figure> power_figure(const Drive& drive);
 
 /// The load share of each planet of a set over one period, and the displacement of the floating
-/// body of the set, if it has one. Both are drawn over the rotation of the input.
+/// body of the set. There is no second figure if the set has no floating body. Both are drawn over
+/// the rotation of the input.
 ///
 /// Domain    a drive under load, index of one of its loaded sets (contract)
 Figure planet_share_figure(const Drive& drive, std::size_t set);

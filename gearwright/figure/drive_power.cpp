@@ -197,8 +197,8 @@ class PowerDiagram {
     return line;
   }
 
-  // A line from the right side of one node to the left side of another, at the height `low`
-  // below all nodes.
+  // A line from the right side of one node to the left side of another. Between them, the line is
+  // at the height `low`, which is below all nodes.
   std::vector<Vec2> loop(const Vec2& a, const Vec2& b, double low, double reach) const {
     std::vector<Vec2> line;
     const auto half_turn = [&](const Vec2& from, double to, double side) {
@@ -300,8 +300,8 @@ class PowerDiagram {
     write_name({x, top}, name_of(n), under, end);
   }
 
-  // Writes a name and the words under it above a node. If they would overlap the words of another
-  // node, they are moved up, and a line leads to the node.
+  // Writes a name and the words under it above a node. Words that would overlap the words of
+  // another node are moved up and joined to their node by a line.
   void write_name(const Vec2& at, const std::string& name, const std::string& under, bool end) {
     const double px = kWidth / (f_.x.hi - f_.x.lo);
     const std::string& longest = name.size() > under.size() ? name : under;

@@ -11,8 +11,8 @@ namespace gearwright {
 
 namespace {
 
-// Units of the picture: the greatest radius is kTall or kTallSet, and the distance between slots is
-// kSlot.
+// Units of the picture: the greatest radius is kTall or kTallSet. The distance between neighbouring
+// slots (axial sections, drive_places.hpp) is kSlot.
 constexpr double kTall = 2.0, kSlot = 2.7;
 constexpr double kTallSet = 3.0;  // with planetary sets, whose names need room between the lines
 constexpr double kBeside = 8.0;   // px from a gear to its name, on the right or on the left
@@ -62,8 +62,9 @@ class Scheme {
   bool is_end(std::size_t body) const {
     return graph_.is_input(body) || graph_.output == body || graph_.is_fixed(body);
   }
-  // True if the shaft of a body ends at the left. Inputs end at the left, and the output ends
-  // at the right. A fixed body ends at the left, unless an input has the same axis.
+  // True if the shaft of a body ends at the left. The shafts of inputs end at the left, and the
+  // shaft of the output ends at the right. The shaft of a fixed body ends at the left, or at the
+  // right if an input has the same axis.
   bool leaves_left(std::size_t body) const {
     return graph_.output != body && (graph_.is_input(body) || !left_taken(body));
   }
@@ -76,7 +77,7 @@ class Scheme {
   double slot_x(int slot) const { return kSlot * slot; }
   double axis_y(std::size_t body) const { return scale_ * heights_[body]; }
 
-  // The heights of the axes. If they do not lie in one plane, they are unfolded into the plane of the
+  // The heights of the axes. Axes that do not lie in one plane are unfolded into the plane of the
   // picture, so that each mesh keeps its centre distance.
   void unfold() {
     for (const Vec2& axis : places_.axes) heights_.push_back(axis.x());
@@ -173,7 +174,7 @@ class Scheme {
       } else {
         rises_[gear.body].push_back({x, y + r});
       }
-      // The writer places the name where it overlaps no line and no other name.
+      // figure_labels.cpp moves the name if it would overlap a line or another name.
       f_.point({x, y + r * 0.55}, 0.0, "", name, {kBeside, 0.0});
       f_.marks.back().label_style = "halo";
       top_ = std::max(top_, y + r + 0.35);
@@ -261,8 +262,8 @@ class Scheme {
     for (auto& [place, shafts] : axes) draw_axis(shafts);
   }
 
-  // Shafts that overlap get different levels. If one of them is longer, it is drawn inside the
-  // other.
+  // Shafts that overlap get different levels. Of two such shafts, the longer one is drawn inside
+  // the other.
   void draw_axis(std::vector<Shaft>& shafts) {
     for (Shaft& s : shafts) {
       if (s.left) s.from = left_;
@@ -381,7 +382,7 @@ class Scheme {
   const DrivePlaces& places_;
   Figure f_;
   double scale_ = 1.0;
-  std::vector<double> heights_;           // of the axis of each body  mm
+  std::vector<double> heights_;           // height of each axis, mm
   bool is_plane_ = true;                  // true if all axes in the housing lie in one plane
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body

@@ -45,7 +45,7 @@ struct FigureLength {
   double value;
   int decimals;
   std::string unit = "mm";
-  bool zeros = true;  ///< false: without trailing zeros
+  bool zeros = true;  ///< false if trailing zeros are omitted
 
   std::string text() const;
 };
@@ -70,7 +70,7 @@ struct FigureMark {
   Anchor anchor = Anchor::start;
   Vec2 offset = Vec2::Zero();  ///< px, of a text from its point
   double radius = 3.0;         ///< px, of a dot
-  int frame = -1;              ///< position of the slider at which the mark is shown; −1: all
+  int frame = -1;              ///< position of the slider at which the mark is shown; −1 for all
   /// The name of a line, dot, circle or cross as SVG markup. The name of a line or a circle is
   /// drawn only if there is room. The label of a dot is tried first at `offset` and −`offset`.
   std::string label = {};
@@ -83,7 +83,7 @@ struct FigureMark {
   double per_pitch = 0.0;  ///< rotation of a shape, degrees clockwise, per pitch of gear 1
   int gear = -1;           ///< 0, 1: gear of the mark; also places the label of a circle
   bool head = false;       ///< true for a line with an arrowhead at its end
-  int group = -1;          ///< index of the group with which the mark turns; −1: none
+  int group = -1;          ///< index of the group with which the mark turns; −1 for none
   std::optional<FigureLength> length = {};  ///< at the end of a text or of a label
 
   /// The markup of a text, or of the label of another mark, including its length.

@@ -7,11 +7,11 @@
 
 namespace gearwright {
 
-/// {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name", "points": [[x,
-/// y], …]}]}. Each named line is a curve, and all bars together are one more curve. The point
-/// [null, null] marks a break of a line. Circles and named dots, if there are any, are in "circles"
-/// and "points". The values of a map are in "grid": {"words", "unit", "x": […], "y": […], "values":
-/// [[…], …]}, with a row for each y and with null where there is no value.
+/// Returns {"id", "title", "description", "x": {"words", "unit"}, "y", "curves": [{"name",
+/// "points": [[x, y], …]}]}. Each named line is a curve, and all bars together are one more curve.
+/// The point [null, null] marks a break of a line. Circles and named dots, if there are any, are in
+/// "circles" and "points". The values of a map are in "grid": {"words", "unit", "x": […], "y": […],
+/// "values": [[…], …]}. "values" has one row for each y, and null for a point without a value.
 nlohmann::ordered_json figure_data(const Figure& figure);
 
 }  // namespace gearwright

@@ -15,8 +15,8 @@ using Places = std::vector<LabelPlace>;
 
 constexpr double kDot = 5.0;     // px, half the side of the box around a dot, which labels avoid
 constexpr double kMiddle = 5.0;  // px from the middle of the letters down to the base line
-// kTurn in rad, and kStep in px along the circle. The smaller of these two distances separates
-// neighbouring candidate positions on a circle.
+// Neighbouring candidate positions on a circle are kTurn (rad) or kStep (px along the circle)
+// apart, whichever distance is smaller.
 constexpr double kTurn = 0.035, kStep = 24.0;
 constexpr int kMostSteps = 4000;
 constexpr std::size_t kEnough = 60;
@@ -117,7 +117,8 @@ class Labels {
   Places about_dot(const FigureMark& m) const {
     const Vec2 p = at_.px(m.points[0]);
     const auto beside = [&](const Vec2& offset) {
-      // Words start at the offset, and single symbols are centred on it.
+      // A label of four or more bytes begins or ends at the offset. A shorter label is centred on
+      // the offset.
       const bool letter = without_tags(m.text()).size() < 4;
       return LabelPlace{p, offset,
                         letter             ? Anchor::middle
@@ -131,9 +132,9 @@ class Labels {
     return places;
   }
 
-  // Most positions are outside the area, on the right of its border, because borders run
-  // counter-clockwise. A position on the left is used only if it lies within an area, because in a
-  // narrow region it could otherwise lie beyond the opposite edge.
+  // Most positions are outside the area. They are on the right of its border, because borders run
+  // counter-clockwise. A position on the left is used only if it lies within an area. In a narrow
+  // region, it could otherwise lie beyond the opposite edge.
   Places beside_border(const FigureMark& m) const {
     const std::vector<Vec2> line = px(m.points);
     Places places;

@@ -1,4 +1,4 @@
-// Shows at the pointer on a figure the values of the nearest curve, or those of a map.
+// Shows the values of the nearest curve, or of a map, at the pointer.
 (function () {
   'use strict';
   var near = 32, touch = 6;  // px, greatest distance from the pointer: vertically to a curve,
@@ -23,8 +23,9 @@
     }
     return path.pieces;
   }
-  // Returns the point, nearest to the pointer, at which a path crosses the vertical through the
-  // pointer or at which a vertical line passes beside the pointer.
+  // Returns the candidate point that is nearest to the pointer. A candidate is a point at which a
+  // path crosses the vertical through the pointer, or the point of a vertical line that is level
+  // with the pointer.
   function passing(plot, at) {
     var best = null;
     plot.querySelectorAll('path[data-name]').forEach(function (path) {

@@ -25,7 +25,7 @@ constexpr double kColumn = 24.0,
                  kBesidePlot = 12.0;          // px: width of a column of names beside the plot
                                               // without the names, and gap before the names
 constexpr double kLeaderGap = 19.0;           // px between the names of a column
-constexpr double kShade = 19.0;               // px, width of the key of a map, greatest step height
+constexpr double kShade = 19.0;               // px, width and greatest step height of a map's key
 constexpr double kAcross = 58.0, kUp = 26.0;  // px, least distance between ticks on x, on y
 
 double width_of(std::string_view markup) { return label_width(without_tags(markup)); }

@@ -134,8 +134,9 @@ double way_between(const ContactPoint& a, const ContactPoint& b) {
   return std::hypot(b.height[0] - a.height[0], (b.diameter[0] - a.diameter[0]) / 2);
 }
 
-// The least distance that counts as a jump, for example between the two arcs of a flank: six times
-// the median distance between successive positions, and at least a tenth of the face width.
+// The least distance that counts as a jump, for example from one arc of a flank to the other. The
+// result is six times the median distance between successive positions, but at least a tenth of the
+// face width.
 double jump_of(const std::vector<const ContactPoint*>& points, double face) {
   constexpr double kTimes = 6.0, kPart = 0.1;
   std::vector<double> ways;
@@ -242,7 +243,7 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   }
   const std::vector<PathPiece> pieces =
       layers.way ? path_on_tooth(scene) : std::vector<PathPiece>();
-  // A single position has one ellipse or line.
+  // If a single position is shown, only the ellipse or contact line of this position is drawn.
   if (layers.now && !gap_alone)
     add_instants(f, scene, {{false, {layers.now}}}, which);
   else

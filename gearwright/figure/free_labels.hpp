@@ -1,9 +1,9 @@
 // Places labels at free positions of a picture.
 //
 // Lines, dots and labels that are already drawn are recorded. A new label gets the first of its
-// possible positions at which it touches none of these. If there is none, it gets the position
-// with the fewest overlaps, provided that the caller permits this number. Sizes are computed
-// for the letters on a narrow screen, which are the largest.
+// possible positions at which it touches none of these. If no position is free, the label gets the
+// position with the fewest overlaps, provided that the caller permits this number. Sizes are
+// computed for the letters on a narrow screen, which are the largest.
 #pragma once
 
 #include <string_view>

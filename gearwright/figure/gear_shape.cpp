@@ -109,8 +109,8 @@ Vec2 on_side(const Vec2& p, int side) { return {p.x(), side * p.y()}; }
 void draw(Pen& pen, const Gear& gear, const Arc& arc, int side, bool to_tip) {
   const Vec2 target = on_side(to_tip ? arc.end_point : arc.begin_point, side);
   if (about_the_axis(arc)) {
-    // Towards the tip, the polar angle decreases on the generated side. With y up, this is
-    // clockwise.
+    // Towards the tip, the polar angle decreases on the generated side. This direction is clockwise
+    // if y points up.
     pen.arc(arc.begin_point.norm(), to_tip == (side > 0), target);
     return;
   }

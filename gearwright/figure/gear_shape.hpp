@@ -3,8 +3,8 @@
 //
 // Path units are kOutlineUnit normal modules. The numbers are integers relative to the preceding
 // point, which keeps paths short. The y axis of the gear frame is reversed for SVG. Arcs about the
-// axis of the gear (the lands) are circles, and other arcs are chains of chords, halved until they
-// are within the tolerance.
+// axis of the gear (the lands) are circles. Other arcs are chains of chords, which are halved until
+// they are within the tolerance.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ constexpr double kOutlineUnit = 5e-5;       ///< m_n; rounding moves a point by 
 constexpr double kOutlineTolerance = 1e-4;  ///< m_n; total deviation of chords and rounding is less
                                             ///< than this
 
-/// Returns points of an arc, root to tip, both ends included, such that the chords stay within
-/// `tolerance`.
+/// Returns points of an arc from root to tip, including both ends. The chords between the points
+/// deviate from the arc by at most `tolerance`.
 ///
 /// Units     mm
 /// Accuracy  the deviation is measured at a quarter, half and three quarters of each chord's
@@ -34,8 +34,8 @@ std::string outline_path(const std::vector<Vec2>& points, double unit_mm);
 std::string tooth_path(const Gear& gear);
 
 /// Definitions of the shapes "NAME-tooth" and "NAME". "NAME" is the body of the gear with its
-/// teeth, or for an internal gear a rim of width kRim with its teeth. The result is empty if the
-/// gear has no outline.
+/// teeth. For an internal gear, the body is a rim of width kRim. The result is empty if the gear
+/// has no outline.
 std::string gear_definition(const Gear& gear, const std::string& name);
 
 bool has_outline(const Gear& gear);

@@ -33,8 +33,8 @@ std::optional<Figure> compared_te_figure(const std::vector<TeCurve>& curves);
 std::optional<Figure> harris_figure(const LoadScene& scene);
 
 /// The greatest pressure during a mesh at each place of a flank of gear `which` (0, 1). The raster
-/// contains pressures in MPa instead of gaps, with 0 where there is no contact. Pressures are
-/// interpolated linearly between positions and slices.
+/// contains pressures in MPa instead of gaps. The pressure is 0 at places without contact.
+/// Pressures are interpolated linearly between positions and slices.
 FlankRaster pressure_raster(const LoadScene& scene, std::size_t which);
 
 /// The greatest pressure at each place of a flank during a mesh. For each position of the slider,

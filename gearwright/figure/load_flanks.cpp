@@ -39,8 +39,8 @@ std::vector<Sample> samples_of(const LoadScene& scene, std::size_t which, std::s
   return all;
 }
 
-// The greatest pressure at a radius. A mating edge may pass a radius twice, on its way out and
-// back, and the greater value is used.
+// The greatest pressure at a radius. A mating edge may pass a radius twice, once outwards and once
+// inwards. The greater value is then used.
 double greatest_at(const std::vector<Sample>& way, double step, double radius) {
   double most = 0.0;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -152,7 +152,8 @@ Figure pressure_figure(const LoadScene& scene, std::size_t which) {
   const std::vector<double> levels = levels_between(0.0, t.max_pressure, kMostLevels);
   add_map(f, raster, levels, "greatest pressure during a mesh", "N/mm²", 0.0);
   f.shades = {levels, "≤ " + fixed(t.max_pressure, 0), ""};
-  // The key of the shades replaces the diameters of tip and root in the frame.
+  // The tip and root diameters beside the plot are removed, because the key of the shades is drawn
+  // there.
   std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });

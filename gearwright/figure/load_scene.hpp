@@ -19,7 +19,7 @@ struct LoadScene {
   std::array<const Gear*, 2> gears{};
   const ParallelPair* pair = nullptr;  ///< turns with the slider; null if teeth touch at points
   bool gear2_drives = false;
-  LoadedContact contact;  ///< positions evenly spaced over one pitch, starting at −half a pitch
+  LoadedContact contact;  ///< positions evenly spaced over one pitch, from −½ pitch
   std::vector<LoadStandard> standard;      ///< results of the standard at each torque; may be empty
   std::optional<std::size_t> chosen = {};  ///< index of the shown torque; by default the greatest
   std::string part{};  ///< suffix of the ids of figures; "-2" for the second half of a pair
@@ -29,7 +29,7 @@ struct LoadScene {
 };
 
 /// Returns the torques that pictures and tables show, as indices of `contact.torques`. If there are
-/// too many to distinguish, a selection is returned that includes the first and the last.
+/// too many torques to distinguish, returns a selection that includes the first and the last.
 std::vector<std::size_t> shown_torques(const LoadScene& scene);
 const LoadedTorque& shown_torque(const LoadScene& scene);
 /// The torque in words, "250 N m".

@@ -23,8 +23,8 @@ std::string escaped(std::string_view text);
 /// unchanged.
 std::string with_minus(std::string_view markup);
 
-/// The value with a fixed number of decimals, never "-0.000". kNoValue if it is absent or not
-/// finite.
+/// The value with a fixed number of decimals, never "-0.000". Returns kNoValue if the value is
+/// absent or not finite.
 std::string fixed(const std::optional<double>& value, int decimals);
 /// The number with its digits in groups of three, "2 754".
 std::string counted(std::int64_t n);
@@ -42,7 +42,7 @@ struct SymbolPiece {
 /// A subscript extends from '_' over letters, digits and UTF-8 bytes. '*' is a superscript.
 std::vector<SymbolPiece> symbol_pieces(std::string_view symbol);
 
-/// "d_Ff" as <var>d</var><sub>Ff</sub>. The symbol is trusted and not escaped.
+/// "d_Ff" as <var>d</var><sub>Ff</sub>. The symbol is not escaped.
 std::string symbol_html(std::string_view symbol);
 /// The symbol as tspan elements for an SVG text.
 std::string symbol_svg(std::string_view symbol);

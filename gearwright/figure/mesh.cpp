@@ -15,8 +15,8 @@ namespace gearwright {
 namespace {
 
 constexpr double kRoom = 0.06;  // margin relative to the extent of the pair
-// If the gears are drawn side by side: the distance from the edge of gear 1 to the axis of gear 2,
-// divided by the radius of gear 2.
+// The distance from the edge of gear 1 to the axis of gear 2, divided by the radius of gear 2, if
+// the gears are drawn side by side.
 constexpr double kBesideTooth = 1.12;
 
 Vec2 flat(const Point<Housing>& p) { return {p.r.x(), p.r.y()}; }

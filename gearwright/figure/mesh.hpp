@@ -31,8 +31,8 @@ struct NamedCircle {
 /// symbol.
 std::string symbol_of(const NamedCircle& circle, std::size_t i);
 
-/// Line style by the symbol: solid for tip and root, dash-dot for pitch, dashed for base, dotted
-/// for other circles.
+/// The line style that belongs to the symbol. It is solid for tip and root circles, dash-dotted for
+/// pitch circles, dashed for base circles, and dotted for other circles.
 const char* style_of_circle(std::string_view symbol);
 
 /// Tip, working pitch and base circle of gear `i` (0, 1).
@@ -52,7 +52,7 @@ MeshScene mesh_scene(const InvolutePair& pair, const std::array<std::string, 2>&
 /// Extent of a picture: the whole gears, their mesh, or the path of contact. Gears that do not mesh
 /// are shown whole.
 enum class MeshFrame { whole, mesh, flank };
-/// The box, enlarged to this ratio of width to height.
+/// Returns the box, enlarged to this ratio of width to height.
 Bounds with_aspect(const Bounds& box, double aspect);
 Bounds mesh_window(const MeshScene& scene, MeshFrame frame, double aspect);
 
@@ -77,15 +77,15 @@ void add_circles(Figure& figure, const MeshScene& scene, bool named);
 /// point on the working pitch circle onto the centre line.
 ///
 /// Formula   φ_1 = ψ_1, φ_2 = −σ (π/|z_2| − ψ_2). The ψ_i = s_bti/d_bi − inv α_wt are the half
-///           angles of the teeth on the working pitch circles; for an internal gear, ψ_2 =
-///           s_bt2/d_b2 + inv α_wt
+///           angles of the teeth on the working pitch circles. For an internal gear 2, σ = −1 and
+///           ψ_2 = s_bt2/d_b2 + inv α_wt, otherwise σ = 1
 /// Units     rad        Domain  parallel axes
 std::array<double, 2> rotation_to_pitch_point(const InvolutePair& pair);
 
 /// Degrees by which gear `i` (0, 1) turns while gear 1 turns clockwise by one pitch. Clockwise is
 /// positive, as in SVG.
 ///
-/// Formula   360/z_1, −σ 360/|z_2|
+/// Formula   360/z_1, −σ 360/|z_2|; σ = −1 if gear 2 is internal, else 1
 double turn_per_pitch(const MountedGears& pair, std::size_t i);
 
 }  // namespace gearwright

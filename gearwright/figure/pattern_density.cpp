@@ -36,7 +36,8 @@ Figure density_figure(const DensityScene& scene) {
           scene.samples, fixed(scene.marking / kMmPerUm, 2), fixed(most, 0)) +
       proportions;
   f.shades = {kLevels, "≤ 100 %", ""};
-  // The key of the shades replaces the diameters of tip and root in the frame.
+  // The tip and root diameters beside the plot are removed, because the key of the shades is drawn
+  // there.
   std::erase_if(f.marks, [](const FigureMark& m) {
     return m.kind == FigureMark::Kind::text && std::isinf(m.points[0].x());
   });

@@ -18,8 +18,8 @@ double pitch_radius(const RackPair& pair) { return pair.pinion.reference_diamete
 
 double alpha_of(const RackPair& pair) { return pair.pinion.reference().transverse_pressure_angle; }
 
-// A point of the line of action at the distance g from the pitch point. If `side` is −1, it is on
-// the trailing line.
+// A point of the line of action at the distance g from the pitch point. If `side` is −1, the point
+// is on the line of action of the trailing flanks.
 Vec2 on_action(const RackPair& pair, double g, double side = 1.0) {
   return {pitch_radius(pair) + g * std::sin(alpha_of(pair)), -side * g * std::cos(alpha_of(pair))};
 }
@@ -64,8 +64,8 @@ Result<std::string> rack_definition(const RackPair& pair, const std::string& nam
 
 Vec2 rack_place(const RackPair& pair) {
   const RackGeometry& rack = pair.rack;
-  // Half the transverse tooth thickness of the rack at the pitch line, which lies at the distance a
-  // − r from the datum line.
+  // Half the transverse tooth thickness of the rack at the pitch line. The distance from the datum
+  // line to the pitch line is the centre distance minus the reference radius of the pinion.
   const double half = (rack.thickness / 2 - (pair.center_distance - pitch_radius(pair)) *
                                                 std::tan(rack.normal_pressure_angle.rad())) /
                       std::cos(rack.helix_angle.rad());

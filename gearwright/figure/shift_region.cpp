@@ -44,7 +44,7 @@ constexpr double kMapGap = 0.015;  // from the map to the corner of the plot, re
 // named only if it is the longest stretch of this edge.
 constexpr double kShortStretch = 0.025;
 
-// The part of the line Σx = sum inside the window. Empty if there is none.
+// The part of the line x1 + x2 = sum inside the window. Empty if there is none.
 std::vector<Vec2> line_of_sum(const Bounds& box, double sum) {
   const double from = std::max(box.lo.x(), sum - box.hi.y());
   const double to = std::min(box.hi.x(), sum - box.lo.y());
@@ -128,8 +128,8 @@ void add_distances(Figure& f, const ShiftGraph& graph, const Bounds& window, boo
   }
 }
 
-// Draws the line of balanced shifts [T2.18a] through the window. It is thick where the shifts are
-// feasible.
+// Draws the line of balanced shifts [T2.18a] through the window. The line is thick where the shifts
+// are feasible.
 void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Trial& t = chart.graph.trial();
   const SearchProblem& problem = chart.graph.problem();
@@ -140,8 +140,8 @@ void add_balanced(Figure& f, const ShiftChart& chart, const Bounds& window) {
   for (const Interval& i : chart.region.balanced_sums) f.line({on(i.lo), on(i.hi)}, "balanced");
 }
 
-// Draws a map of all limits, with the window marked, in the corner where it covers least of the
-// region.
+// Draws a small map of all limits, in which the window is marked. The map is in the corner where it
+// covers least of the region.
 void add_map(Figure& f, const ShiftChart& chart, const Bounds& window) {
   const Bounds limits = limits_box(chart.graph);
   const double size = kMap * window.size().x(), gap = kMapGap * window.size().x();

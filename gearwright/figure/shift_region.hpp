@@ -2,8 +2,8 @@
 // The figure contains the rectangle of the shift limits, the region with its named edges, the lines
 // of the centre distances and the line of balanced shifts.
 //
-// Points are (x1, x2) in normal modules. Both axes have the same scale, so lines Σx = const fall at
-// 45°.
+// Points are (x1, x2) in normal modules. Both axes have the same scale, so lines with a constant
+// sum Σx = x1 + x2 fall at 45°.
 //                                              theory: docs/theory/09-design-search.md
 #pragma once
 
@@ -25,9 +25,9 @@ std::string_view style_of(ShiftEdge edge);
 /// The rectangle of the shift limits of both gears.
 Bounds limits_box(const ShiftGraph& graph);
 
-/// The window of the picture. It covers all limits if the longer side of the region is at least
-/// `fair_part` times the longer side of the limits, and otherwise only the region (`zoomed`). It
-/// has the given ratio of width to height and is never empty.
+/// The window of the picture. If the longer side of the region is at least `fair_part` times the
+/// longer side of the limits, the window covers all limits. Otherwise, it covers only the region
+/// (`zoomed`). The window has the given ratio of width to height and is never empty.
 struct RegionWindow {
   Bounds box;
   bool zoomed;

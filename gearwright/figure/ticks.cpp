@@ -16,7 +16,7 @@ Ticks round_ticks(double lo, double hi, int most) {
   double power = std::floor(std::log10(rough));
   double step = std::pow(10.0, power);
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-    // The tolerance 1e-9 also accepts a step that only a rounding error makes too small.
+    // The tolerance 1e-9 also accepts a step that is too small only because of rounding.
     if (factor * std::pow(10.0, power) < rough * (1 - 1e-9)) continue;
     step = factor * std::pow(10.0, power);
     if (factor == 10.0) power += 1;

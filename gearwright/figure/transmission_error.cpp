@@ -13,7 +13,7 @@ namespace gearwright {
 namespace {
 
 constexpr double kRounding = 1e-6;  // arcsec; smaller harmonics are not drawn
-constexpr double kFlat = 0.01;      // arcsec; a smaller peak to peak is drawn as if it were this
+constexpr double kFlat = 0.01;      // arcsec; the axis is scaled for at least this peak-to-peak TE
 
 // Returns the positions of the shown pitch and of half a pitch on each side of it. The rotations
 // and tooth pairs of the repeated positions are shifted.
@@ -225,7 +225,8 @@ std::optional<Figure> spectrum_figure(const ContactResult& result) {
     f.bar({h - 0.35, 0.0}, {h + 0.35, amplitude(h)}, "bar alpha", hover);
     by_size.push_back(h);
   }
-  // The values of the three highest peaks are shown, unless a bar is in the way.
+  // The values of at most three peaks are shown. A peak is omitted if it is lower than 2 % of the
+  // axis, or if its harmonic is within three of a higher peak that is shown.
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](int a, int b) { return amplitude(a) > amplitude(b); });
   std::vector<int> named;

@@ -5,7 +5,7 @@
 //   figureZoom(holder, on)   holder: the picture or an element around it, whose picture may change
 //     on.always   the wheel zooms at once, not only after the pointer has moved on the picture
 //     on.touch    one finger moves the picture, two fingers zoom
-//     on.home()   restores the view; without it, the initial view is restored
+//     on.home()   restores the view; by default, the initial view is restored
 //     on.settled()  called after the view has not changed for a moment
 (function () {
   'use strict';

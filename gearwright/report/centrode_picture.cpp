@@ -50,9 +50,9 @@ Figure with_axes(const std::string& id, const std::string& title, const std::str
   return f;
 }
 
-// Draws the dimension of the distance between two points of the centre line. The dimension is
-// below the centre line. Its arrows are between the points, or outside them if there is no
-// room. Its text is beside it, because the pitch circles pass through the space between the
+// Draws the dimension of the distance between two points of the centre line. The dimension is below
+// the centre line. Its arrows are between the points, or outside the points if there is no room.
+// The text is beside the dimension, because the pitch circles pass through the space between the
 // points.
 void add_dimension(Figure& f, double x_1, double x_2, double length) {
   const double unit = (f.x.hi - f.x.lo) / kCentrodeWidth;  // mm per px

@@ -144,7 +144,8 @@ Figure rack_figure(const ArcPair& pair, const ArcPairContact& contact) {
   add_arc_radius(f, O_v, M, arcs.convex, false);
   const Vec2 n = (M - O_v).normalized();
   f.line({upright(M), upright(M + 1.1 * m * n)}, "action-line");
-  // The angle θ_0 is drawn at the point where the normal crosses the pitch line.
+  // The angle θ_0 between the common normal and the pitch line is drawn at the point where they
+  // cross.
   const Vec2 foot = M - n * (M.x() / n.x());
   const double around = 0.62 * m;
   std::vector<Vec2> angle;
@@ -250,8 +251,9 @@ std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& cont
     for (const Vec2& p : tooth) {
       const double radius = p.norm();
       const double polar = turned + std::atan2(p.y(), p.x());
-      // The helix through the point r intersects the plane where (r − p)·t = 0. Newton's method
-      // starts in the transverse section of the contact point.
+      // The helix of the points r intersects the plane where (r − p)·t = 0. Here p is the origin of
+      // the plane, and t is its normal. Newton's method starts in the transverse section of the
+      // contact point.
       double z = plane.origin.z();
       Vec3 r;
       for (int step = 0; step < 50; ++step) {

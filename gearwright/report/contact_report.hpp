@@ -1,5 +1,5 @@
-// The data of the report on tooth contact: in addition to ContactScene, the patterns, the maps,
-// and the names and values of the assumed errors.
+// The data of the report on tooth contact. In addition to ContactScene, they contain the patterns,
+// the maps, and the names and values of the assumed errors.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace gearwright {
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  Angle peak_to_peak;         ///< of the continuous TE if contact is not lost; NaN without contact
+  Angle peak_to_peak;         ///< TE, continuous if contact is not lost; NaN if no teeth touch
   bool as_specified = false;  ///< true for all errors together, as in the other pictures
 };
 
@@ -37,13 +37,13 @@ struct ContactReport : ContactScene {
   std::vector<ContactReport> halves;
 };
 
-/// arcsec. If the peak-to-peak transmission error is smaller, it is due to rounding, and the
-/// flanks are conjugate.
+/// Peak-to-peak transmission errors below this value, arcsec, are due to rounding. The flanks are
+/// then conjugate.
 inline constexpr double kConjugate = 1e-6;
 
-/// The result of tooth contact in one or two sentences of plain text, for all interfaces: the
-/// transmission error, and whether the flanks touch along lines, at points or at edges. `span` is
-/// the peak to peak of the continuous transmission error, if it was computed.
+/// The result of tooth contact in one or two sentences of plain text, for all interfaces. The text
+/// contains the transmission error, and whether the flanks touch along lines, at points or at
+/// edges. `span` is the peak to peak of the continuous transmission error, if it was computed.
 std::string contact_words(const ContactResult& contact, std::optional<Angle> span = {});
 
 }  // namespace gearwright

@@ -12,7 +12,8 @@
 //   h         to the right, in the direction of motion of the rack    x   up, along the centre
 //             line, from gear 1 to gear 2
 //   z_L       offset of the plane along the teeth from the centre line, mm
-//   f, f′     face widths of one flank, and of both flanks about the common perpendicular, mm
+//   f, f′     face widths required by one flank, and by both flanks about the common
+//             perpendicular, mm
 //   s_i       axial position on gear i, from the middle of its face, mm
 //
 // Domain    crossed axes (contract), for all functions below

@@ -26,7 +26,8 @@ constexpr double kMaxReduction = 5.0;
 constexpr double kMaxEnlargement = 12.0;
 constexpr int kTeethShown = 400;  // with more teeth, no tooth lines are drawn
 
-// Unit vectors along the axis of a gear and across it, in plan. Axis 2 lies along (sin Σ, cos Σ).
+// Unit vectors along the axis of a gear and across it, in plan. Axis 2 lies along (sin Σ, cos Σ),
+// where Σ is the shaft angle.
 struct PlanFrame {
   Vec2 along, across;
   Vec2 at(double s, double t) const { return s * along + t * across; }
@@ -76,7 +77,7 @@ Vec2 plan_window(const InvolutePair& pair) {
   return whole / std::clamp(whole.x() / close.x(), 1.0 / kMaxReduction, kMaxEnlargement);
 }
 
-// Draws both axes from border to border of the picture and beyond, with their names at the border.
+// Draws both axes beyond the borders of the picture. The names of the axes are at the border.
 void add_axes(Figure& f, const InvolutePair& pair, double width) {
   const Vec2 half(f.x.hi, f.y.hi);
   const double px = 2 * half.x() / width;  // mm per px
@@ -168,7 +169,7 @@ bool plan_is_within(const InvolutePair& pair) {
 
 Figure whole_figure(const InvolutePair& pair) {
   const Vec2 half = whole_window(pair);
-  // Gear 2 is in front, unless it is an internal gear, which would hide its pinion.
+  // Gear 2 is in front. If gear 2 is internal, gear 1 is in front, because gear 2 would hide it.
   const std::size_t front = pair.side() > 0.0 ? 1 : 0;
   Figure f = plane_figure("whole", "The whole pair",
                           fmt::format("Both gears seen along the centre line, gear {} in front, "

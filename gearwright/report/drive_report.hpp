@@ -1,5 +1,6 @@
-// Writes one HTML page about a whole drive: verdict, scheme, sections of the drive with the control
-// that turns the gears, power, phases, and finally each mesh as a pair of gears.
+// Writes one HTML page about a whole drive. The page contains the verdict, the scheme, sections of
+// the drive with the control that turns the gears, power, phases, and finally each mesh as a pair
+// of gears.
 //
 // The laws of report_html() hold for this page too.
 #pragma once

@@ -18,10 +18,10 @@ namespace {
 
 double degrees_of(double rad) { return Angle::radians(rad).deg(); }
 
-// The upper end of the axis of face widths. The axis contains the required and the actual
-// widths. It also contains the curves for ε ≥ 1 up to 1.8 times the greatest of these widths.
-// Above this limit, the curves are cut off, because f′ is unbounded if the lines of action move
-// along the teeth.
+// The upper end of the axis of face widths. The axis contains the required and the actual widths.
+// Where the contact ratio is at least 1, the axis also contains the curves, but only up to 1.8
+// times the greatest of these widths. The curves are cut off above this limit, because the required
+// face width is unbounded if the lines of action move along the teeth.
 double max_shown(const CrossedPair& pair, const std::vector<CrossedSample>& samples) {
   double there = 0.0;
   double curves = 0.0;

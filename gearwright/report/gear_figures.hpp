@@ -1,7 +1,7 @@
-// The pictures of one gear: the tooth, the root (for a gear with few teeth, compared with the root
-// that the rack alone would cut), and the tooth at other profile shifts.
+// The pictures of one gear: the tooth, the root, and the tooth at other profile shifts. For a gear
+// with few teeth, the root is compared with the root that the rack alone would cut.
 //
-//   F    where undercut begins: the flank on the base circle, ξ = 0
+//   F    point of the flank on the base circle (roll angle ξ = 0), where undercut begins
 //   C, J where the circular root fillet and the circular tip fillet touch the flank
 //   r_r, r_t  radii of the circular root fillet and of the circular tip fillet, mm
 //   l    distance along the straight flank of the rack from its lower end, mm

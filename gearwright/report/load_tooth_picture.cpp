@@ -21,7 +21,7 @@ constexpr double kLongest = 0.7;  // normal modules, length of the bar of the gr
 
 struct Fillet {
   std::vector<Vec2> at, in;    // points in mm, and directions into the material
-  std::vector<double> stress;  // MPa, greatest value over the face width
+  std::vector<double> stress;  // MPa, in the slice with the greatest stress
   std::size_t worst = 0;
   Index slice = 0;
 };

@@ -14,22 +14,22 @@
 
 namespace gearwright {
 
-/// The form in which a section shows its figures: the unit of lengths, and a text in front of the
-/// ids of figures, which must be unique in a page.
+/// The form in which a section shows its figures. It consists of the unit of lengths and a prefix
+/// for the ids of the figures, because ids must be unique in a page.
 struct FigureForm {
   UnitSystem units = UnitSystem::mm;
   std::string prefix;
 
-  // A system of units is a form without a prefix.
+  // This constructor converts a system of units to a form without a prefix.
   FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
       : units(in), prefix(std::move(before)) {}
   /// Returns figure_html() of the figure in this form.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
 };
 
-/// The style sheet of every page. It is light or dark as the user prefers, and always light on
-/// paper. The colours are those of Okabe and Ito, which can be distinguished with any colour
-/// vision. Colour alone never carries information.
+/// The style sheet of every page. On screen, the preference of the user determines whether the page
+/// is light or dark. On paper, the page is always light. The colours are those of Okabe and Ito,
+/// which can be distinguished with any colour vision. Colour alone never carries information.
 std::string_view page_style();
 
 /// Additional styles for the page of a design search: the wide table, colours of the edges of a

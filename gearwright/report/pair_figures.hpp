@@ -75,10 +75,10 @@ NormalPlane normal_plane(const ArcPair& pair, const ArcPairContact& contact);
 std::vector<Vec2> normal_section(const ArcPair& pair, const ArcPairContact& contact, std::size_t i,
                                  int teeth);
 
-/// Two figures: the racks that cut the teeth, in one normal section, and the teeth in the plane
-/// normal to the teeth through the contact point. If the arcs touch at the mounted centre distance
-/// but not at the reference centre distance, only the second figure exists. If the arcs do not
-/// touch, there is no figure.
+/// Two figures. The first shows the racks that cut the teeth, in one normal section. The second
+/// shows the teeth in the plane that is normal to them and contains the contact point. If the arcs
+/// touch at the mounted centre distance but not at the reference centre distance, only the second
+/// figure exists. If the arcs do not touch, there is no figure.
 std::vector<Figure> arc_contact_figures(const ArcPair& pair);
 
 }  // namespace gearwright

@@ -69,7 +69,8 @@ std::string advice(const ProposeView& v, const std::string& taken) {
 
 std::string propose_section(const ProposeView& view, UnitSystem units) {
   ProposeView v = view;
-  // A spec that already has the modifications of a proposal is a decision of the user.
+  // If the spec already has the modifications of a proposal, the user has decided, and no proposal
+  // is marked as recommended.
   const std::string taken = words_of_same(v.proposals, same_proposals(v.proposals, 0));
   if (!taken.empty()) v.recommended = 0;
   std::string tables;

@@ -34,10 +34,10 @@ struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
-  /// The halves of a double-helical gear, of which `gears` then contains one.
+  /// If a gear is double-helical, its halves. `gears` then contains one of the halves.
   std::array<std::optional<Halves>, 2> halves{};
   std::optional<Pair> pair;        ///< none if the gears are not mounted
-  const RackPair* rack = nullptr;  ///< null if there is no rack; its pinion is then the only gear
+  const RackPair* rack = nullptr;  ///< null if there is none; else its pinion is the only gear
   /// Quantities of the pair at both ends of the tolerances, least backlash first; may be empty.
   std::vector<ValueRecord> pair_ends;
   std::vector<double> masses;         ///< kg, of the gears whose mass is known

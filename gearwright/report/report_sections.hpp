@@ -42,9 +42,9 @@ std::string halves_part(std::string_view shared, std::string_view alike,
 /// Links to the files that were written together with the page. Empty if there are none.
 std::string file_section(const std::vector<ReportFile>& files);
 
-/// The inspection dimensions, with a column for each gear: the records of
-/// catalogue/gear_quantities.hpp, the values at both ends of the tolerances if there are any,
-/// and the K-diagrams. Empty if there are no dimensions.
+/// The inspection dimensions, with a column for each gear. They consist of the records of
+/// catalogue/gear_quantities.hpp, the values at both ends of the tolerances if there are any, and
+/// the K-diagrams. Empty if there are no dimensions.
 std::string measure_section(const std::vector<ValueRecord>& measures,
                             const std::vector<std::vector<ValueRecord>>& ends,
                             const std::vector<KDiagram>& diagrams, UnitSystem units);

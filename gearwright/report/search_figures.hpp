@@ -2,8 +2,8 @@
 // shifts, and the limits for each number of teeth.
 //
 //   front    the designs that no other design dominates; a staircase joins them
-//   x1, x2   to the right and up, normal modules, at the same scale, so that lines Σx = const
-//            fall at 45°
+//   x1, x2   profile shifts, to the right and up, normal modules, at the same scale
+//   Σx       x1 + x2; lines of constant Σx fall at 45°
 //   lo, hi   midpoints of the region on its lines of least and greatest Σx
 //                                              theory: docs/theory/09-design-search.md
 #pragma once

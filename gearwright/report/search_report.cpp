@@ -42,8 +42,8 @@ std::string kind_of(const SearchProblem& problem, UnitSystem units) {
   return kind;
 }
 
-// The order of the designs in words: "by contact ratio" for one objective, and for several
-// objectives "by size; the designs on the Pareto front over size and contact ratio come first".
+// The order of the designs in words. For one objective, "by contact ratio". For several objectives,
+// "by size; the designs on the Pareto front over size and contact ratio come first".
 std::string order_in_words(const SearchProblem& problem) {
   const auto& objectives = problem.objectives;
   std::string text = fmt::format("by {}", words_of(objectives[0]).name);
@@ -74,7 +74,7 @@ std::string rejected_table(const SearchCounts& counts) {
 std::string reason_list(const std::vector<std::string>& reasons) {
   if (reasons.empty()) return {};
   std::string text = "<ul class=\"reasons\">\n";
-  bool inner = false;  // true within the items of the reason before, which begin with a blank
+  bool inner = false;  // true within the items of a reason, which begin with a blank
   for (const std::string& reason : reasons) {
     if (const bool item = reason.starts_with(' '); item != inner) {
       text += item ? "<ul>\n" : "</ul>\n";

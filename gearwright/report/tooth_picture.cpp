@@ -122,7 +122,7 @@ Bounds window(const std::vector<ShiftedTooth>& teeth) {
   return {Vec2(0.0, middle) - half, Vec2(0.0, middle) + half};
 }
 
-// The outline of one tooth over its pitch, closed through the axis.
+// The outline of one tooth over one pitch, closed by straight lines to the axis of the gear.
 std::vector<Vec2> slice_of(const Gear& gear) {
   const std::vector<Vec2> side = tooth_points(gear);
   std::vector<Vec2> slice{Vec2::Zero()};
@@ -197,7 +197,7 @@ void add_upright_arcs(Figure& f, const Gear& gear,
 }
 
 void lead_circle(Figure& f, double radius, std::string_view symbol, int decimals) {
-  constexpr double kSteepest = 0.94;  // greatest x over radius of the point that the name marks
+  constexpr double kSteepest = 0.94;  // greatest ratio of x to the radius for the named point
   const double x = std::min(f.x.hi, kSteepest * radius);
   const double y = std::sqrt(std::max(0.0, (radius - x) * (radius + x)));
   if (!(y > f.y.lo && y < f.y.hi)) return;

@@ -16,7 +16,7 @@ Progress = Callable[[str, int, int], object]
 
 
 class _Line:
-    """Reports the progress of a search on stderr, after its first second."""
+    """Reports the progress of a search on stderr, from 1.5 s after the start."""
 
     def __init__(self) -> None:
         self.start = self.printed = time.monotonic()
@@ -69,7 +69,8 @@ def identify(spec: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def measure(value: Gear | Pair) -> Any:
-    """Returns the inspection dimensions of a gear by key, or for a Pair a list for both gears."""
+    """Returns the inspection dimensions of a gear by key. For a Pair, returns a list with the
+    dimensions of both gears."""
     gears = [gear["measure"] for gear in _core.solve(value, "measure")["gears"]]
     return gears if isinstance(value, Pair) else gears[0]
 

@@ -66,8 +66,9 @@ class Drive:
     """A planetary set, a train or any other drive, with its speeds, torques, positions, phases and backlash, and the
     pairs of its meshes.
 
-    The object is immutable. Attributes are in mm and rad, `drive.ratio`, `drive.backlash.output`. Items and as_dict()
-    have the keys of the program's JSON. `bodies` and `meshes` are dicts by name.
+    The object is immutable. Attributes, such as `drive.ratio` and `drive.backlash.output`, are in
+    mm and rad. Items and as_dict() have the keys of the program's JSON. `bodies` and `meshes` are
+    dicts by name.
     """
 
     def __init__(self, spec: Mapping[str, Any], folder: str | os.PathLike[str] | None = None) -> None:
@@ -115,8 +116,9 @@ class Drive:
         return {name: Part(record) for name, record in rated.items() if record}
 
     def replace(self, **changes: Any) -> Drive:
-        """Returns the drive with other tables of a spec, such as rating={...}, or, for a planetary set, other keys of
-        [planetary], such as planets=4. A table is replaced as a whole. None removes a table or key."""
+        """Returns the drive with other tables of the spec, such as rating={...}. For a planetary
+        set, keys of [planetary] are also accepted, such as planets=4. A table is replaced as a
+        whole. None removes a table or key."""
         spec = self.spec
         own = spec["planetary"] if "planetary" in spec else spec
         tables = {entry["key"] for entry in _core._keys()["spec"]}
@@ -169,5 +171,6 @@ def train(*stages: Mapping[str, Any]) -> Drive:
 
 
 def load_drive(path: str | os.PathLike[str]) -> Drive:
-    """Makes the drive of a spec file, in TOML or JSON. Relative file names in the spec start at its folder"""
+    """Makes the drive of a spec file, in TOML or JSON. Relative file names start at the folder of
+    the spec"""
     return Drive(*_core._read(path))

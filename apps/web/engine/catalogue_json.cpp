@@ -16,7 +16,8 @@ namespace gearwright::web {
 
 namespace {
 
-// The form has no field for numbers by name, and none for a list of texts.
+// The word "any" also stands for numbers by name and for lists of texts, because the form has no
+// fields for them.
 constexpr std::array<const char*, 8> kKinds{"number", "whole", "boolean", "text",
                                             "word",   "any",   "table",   "any"};
 constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",
@@ -29,8 +30,8 @@ const char* name_of(const Names& names, E value) {
 }
 
 // A suffix of keys and its unit as users read it. The list contains only the suffixes for which
-// key_unit() does not return the displayed unit: suffixes that are displayed in another form,
-// and units that the catalogue does not convert.
+// key_unit() does not return the displayed unit. These are suffixes that are displayed in another
+// form, and units that the catalogue does not convert.
 struct Ending {
   std::string_view suffix, unit;
 };

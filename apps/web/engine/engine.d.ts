@@ -1,7 +1,7 @@
 // The engine in WebAssembly, for a page or a node program.
 //
-// It contains no formulas: every call passes a spec to the C++ code of `gearwright` and returns
-// the result. Rules:
+// It contains no formulas. Every call passes a spec to the C++ code of `gearwright` and returns the
+// result. Rules:
 //
 //   * No call throws. An error is a `Failed` with the message and the line that the program
 //     prints. `failed(x)` tests a result for an error.
@@ -30,8 +30,8 @@ export interface Failed {
     file?: string;
     line?: number; // line of the key, or of its table, in the text; counted from 1
     column?: number; // in characters, counted from 1
-    // Set only by `open`, and only if the spec is incomplete: the verb that computes the
-    // missing values.
+    // The verb that computes the missing values. It is set only by `open`, and only if the spec is
+    // incomplete.
     finder?: "search" | "fit" | "identify";
   };
 }
@@ -356,14 +356,17 @@ export interface Session {
   pattern(positions: number, rows?: number, columns?: number): Work<FlankRaster[]> | Failed;
   /** The peak-to-peak transmission error as a function of two errors, which are keys of [errors]. */
   errorMap(x: ErrorAxis, y: ErrorAxis, positions?: number): Work<ErrorMap> | Failed;
-  /** Teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine keeps the
-   *  compliance of the teeth, so a change of torque, errors or modifications takes much less time. */
+  /** Teeth under the torques of [load]. `accuracy` replaces the accuracy in the spec. The engine
+   *  keeps the compliance of the teeth. If only torque, errors or modifications have changed, the
+   *  next call therefore takes much less time. */
   load(accuracy?: "draft" | "full"): Work<LoadResult> | Failed;
   /** An estimate, to first order, of the effect of the tolerances of [scatter] on the peak-to-peak
-   *  transmission error. It takes a fraction of a second. `width` is the width of a figure in px. */
+   *  transmission error. The estimate takes a fraction of a second. `width` is the width of a
+   *  figure in px. */
   scatterSketch(width: number): Scattered | Failed;
   /** The effect of the tolerances of [scatter], computed by complete contact analyses. The number
-   *  of samples is limited to 1024, or to the number that takes about three seconds. */
+   *  of samples is at most 1024. It is smaller if 1024 samples would take longer than about three
+   *  seconds. */
   scatter(width: number): Scattered | Failed;
   shiftRegion(view?: ShiftView | null): ShiftRegion | Failed;
   /** The bytes of a file of gear 1 or 2, or of the mounted pair or the drive if `gear` is 0. report and json require 0. */
@@ -391,9 +394,9 @@ export interface SearchSession extends Work<SearchResult> {
 
 export interface Engine {
   version(): string;
-  /** The output of `gearwright VERB --json`, byte for byte. If there is an error, it is the JSON of a
-   *  `Failed`. A text that begins with a brace is read as JSON, any other text as TOML. `search` runs to
-   *  its end in this call. */
+  /** The output of `gearwright VERB --json`, byte for byte. If there is an error, the output is the
+   *  JSON of a `Failed`. A text that begins with a brace is read as JSON, any other text as TOML.
+   *  `search` runs to its end in this call. */
   run(verb: Verb, spec: string): string;
   /** JSON Schema of specs or results, as `gearwright schema` prints it. */
   schema(of: "spec" | "result"): string;

@@ -14,7 +14,7 @@ export function failed(x) {
   return typeof x === "object" && x !== null && "error" in x;
 }
 
-/** Calls that return text. For these, an error is also returned as text. */
+/** Calls that return text. For these calls, an error is also returned as text. */
 const kTexts = ["run", "json", "best"];
 /** Default values of arguments that the caller omits. */
 const kDefaults = {

@@ -226,8 +226,8 @@ Result<Json> Session::lines() const {
               {"points", std::move(points)}};
 }
 
-// Gear 1 turns clockwise seen from +z, and gear 2 turns as gear 1 drives it. The mounting error ΔC
-// displaces axis 2. All other mounting errors tilt or displace axis 1. [T1.5], [T8.12]
+// Gear 1 turns clockwise seen from +z, and gear 1 drives gear 2. The mounting error ΔC displaces
+// axis 2. All other mounting errors tilt or displace axis 1. [T1.5], [T8.12]
 Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   if (!has_pair()) {
     if (gear != 1) return absent_input("gear2", ": there is no pair");

@@ -61,7 +61,7 @@ Result<std::shared_ptr<Session>> Session::opened(SpecText text) {
   const auto spec = read(session->text_);
   if (!spec) return spec.error();
   session->job_.spec = *spec;
-  if (spec->drive) return session;  // json("drive") reports its errors
+  if (spec->drive) return session;  // json("drive") reports the errors of a drive
   auto solved = solve_any(*spec, Scope::everything);
   if (!solved) return spelled(solved.error(), spec->given);
   session->job_ = std::move(solved).take();

@@ -92,8 +92,8 @@ class Session : public std::enable_shared_from_this<Session> {
   /// estimated to first order, with figures.
   Result<Json> scatter_sketch(double width);
   /// The percentiles from complete contact analyses, with the probabilities of events. The number
-  /// of samples is doubled, from 4 to at most 128, as long as the next analysis is expected to take
-  /// less than a second.
+  /// of samples of each replicate is doubled, from 4 to at most 128, if the next analysis is
+  /// expected to take less than a second.
   Result<Json> scatter(double width);
 
   /// The x1–x2 chart. If `view` is given, the chart contains a figure of the region or, if the

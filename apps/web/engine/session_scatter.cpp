@@ -15,7 +15,8 @@ namespace gearwright::web {
 namespace {
 
 constexpr int kSketched = 128, kSketchedPositions = 16;  // samples and positions of the estimate
-// Samples of the first complete analysis, and greatest numbers of samples and of replicates.
+// Samples of each replicate in the first complete analysis, and greatest numbers of samples of each
+// replicate and of replicates.
 constexpr int kFirstSamples = 4, kMostSamples = 128, kMostReplicates = 8;
 constexpr int kPatterns = 32;        // samples of the density of patterns
 constexpr double kLongestMs = 1000;  // longest expected time of an analysis with twice the samples
@@ -57,8 +58,8 @@ Result<Json> Session::scatter_sketch(double width) {
               {"figures", varies ? figures_of(scene, width) : Json::array()}};
 }
 
-// The number of samples is doubled as long as the next analysis is expected to take less than
-// kLongestMs. The time of a contact analysis varies: flanks with reliefs and waves take many times
+// The number of samples is doubled until the next analysis is expected to take longer than
+// kLongestMs. The time of a contact analysis varies. Flanks with reliefs and waves take many times
 // as long as smooth flanks.
 Result<Json> Session::scatter(double width) {
   if (auto error = two_gears_error(job_.spec)) return *error;

@@ -1,5 +1,5 @@
-// Computes the x1–x2 chart of a session's pair: the chart of a search that permits only the tooth
-// numbers of this pair.
+// Computes the x1–x2 chart of the pair of a session. The chart is the same as for a search that
+// permits only the tooth numbers of this pair.
 
 #include <algorithm>
 #include <cmath>

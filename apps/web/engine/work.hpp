@@ -54,9 +54,9 @@ struct ErrorAxis {
 MadeWork error_map_work(std::shared_ptr<Session> session, const std::array<ErrorAxis, 2>& axes,
                         int positions);
 
-/// The compliance tables of the gears that were last computed under load. They depend neither
-/// on the torque nor on the errors and modifications. If only these change, only the positions
-/// are computed again.
+/// The compliance tables of the gears that were last computed under load. The tables are
+/// independent of the torque, the errors and the modifications. If only these inputs change, only
+/// the positions are computed again.
 class ToothTables {
  public:
   Result<std::shared_ptr<const ToothTable>> of(const std::array<const Gear*, 2>& gears, int which,

@@ -1,7 +1,7 @@
-// Base class of the tabs that show teeth under load or their rating. Next to the result, the
-// tab shows the keys of the spec on which the result depends. Above the result, it shows the
-// verdict that is also in the bar at the top of the page. If the spec has no load, the tab
-// shows fields for one.
+// Base class of the tabs that show teeth under load or their rating. Next to the result, the tab
+// shows the keys of the spec on which the result depends. Above the result, the tab shows the
+// verdict that is also in the bar at the top of the page. If the spec has no load, the tab shows
+// fields for a load.
 
 import { fill, h, scroller } from "./elements";
 import type { Fault, Notice, Solved, Verdict } from "./engine_worker";

@@ -36,8 +36,8 @@ const kResultsOf: Record<string, string[]> = {
   cutter: ["gear"],
   search: ["search.designs"],
 };
-/** Matches names of keys that users would not understand: the end of a range, a letter, a symbol, or a
- *  name without its apostrophe. */
+/** Matches names of keys that users would not understand. Such names contain the end of a range
+ *  ("min"), a single letter, a symbol, or a name without its apostrophe. */
 const kRaw = /(^| )(min|max|[a-z]|\S*[A-Z0-9]\S*|youngs|poisson|coprime)( |$)/;
 const kLongest = 44;
 

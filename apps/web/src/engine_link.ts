@@ -5,9 +5,9 @@
 //   press   computes teeth under load and keeps their compliance from one torque to the next
 //   seek    runs searches and fits and keeps their results
 //
-// `latest` drops requests that a newer request of the same kind has made obsolete. At any time,
-// at most one request of a kind is therefore being computed, and at most one is waiting. The
-// result of a dropped request is null.
+// `latest` drops requests that a newer request of the same kind has made obsolete. At any time, at
+// most one request of each kind is being computed, and at most one is waiting. The result of a
+// dropped request is null.
 
 import type { Questions } from "./engine_worker";
 import { onUnitChange, shownUnit } from "./numbers";
@@ -103,7 +103,8 @@ export class EngineLink {
     });
   }
 
-  /** Sends a request. If a newer request on this channel arrives before this one starts, this one is dropped. */
+  /** Sends a request. The request is dropped if a newer request on this channel arrives before it
+   *  starts. */
   latest<N extends Name>(
     channel: string,
     name: N,

@@ -1,8 +1,8 @@
 // The worker that runs the engine and answers the requests of the page.
 //
-// A request contains the text of the spec. The last spec stays open, so a second request for the same text
-// does not solve it again. Long requests are computed in steps of some milliseconds. Messages are handled
-// between the steps, and an obsolete request ends there.
+// A request contains the text of the spec. The last spec stays open, so it is not solved again for
+// a second request with the same text. Long requests are computed in steps of some milliseconds.
+// Messages are handled between the steps, and an obsolete request ends there.
 
 import createEngine, { failed } from "gearwright-engine/engine.js";
 import type * as E from "../engine/engine";
@@ -92,8 +92,9 @@ function treeOf(text: string): Solved["spec"] {
 /** The last result as text. */
 let printed = { text: "", number: 0 };
 
-/** Solves a spec. `known` is the number of the result that the page has. A result is not sent twice, because
- *  it takes longer to send than to compute, and most errors of mounting do not change it. */
+/** Solves a spec. `known` is the number of the result that the page has. If the new result is the
+ *  same, it is not sent, because sending takes longer than solving. Most mounting errors do not
+ *  change the result. */
 function solve(text: string, known: number): Solved {
   const begin = performance.now();
   const solved: Solved = {
@@ -201,7 +202,8 @@ const questions = {
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
-  /** The contact over one pitch with its figures. The time is that of the contact. */
+  /** The contact over one pitch with its figures. The time in the answer is the time of the contact
+   *  analysis without the figures. */
   contact(q: { text: string; view: E.ContactView }) {
     const curve = timed(() => good(session(q.text).contactCurve(q.view.positions)));
     return { curve, figures: good(session(q.text).contactFigures(q.view)) };

@@ -106,7 +106,7 @@ export class FigureSlot {
     return { at: [across.value(x), up.value(y)], pitch: Number(plot.getAttribute("data-pitch")) };
   }
 
-  /** The picture as it is seen, as XML. */
+  /** The visible picture as XML. */
   private xml(style = ""): string {
     const picture = this.picture.querySelector("svg")!.cloneNode(true) as SVGElement;
     if (style) picture.prepend(svg("style", {}, style));
@@ -157,7 +157,7 @@ export class Figures {
       this.room = this.element.clientWidth;
       if (!before || !this.room) return;
       if (Math.abs(this.fit() - before) > 8) resized();
-      else this.width = before; // small changes add up
+      else this.width = before; // so that small changes add up
     }).observe(this.element);
   }
 

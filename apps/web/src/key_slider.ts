@@ -11,8 +11,8 @@ export interface KeySlider {
   row: HTMLElement;
 }
 
-/** Makes a slider. `name` is its name for screen readers, and `range` contains its ends and its step. `moved`
- *  is called while it moves. A double click or the key 0 calls `reset`. */
+/** Makes a slider. `name` is its name for screen readers, and `range` contains its ends and its
+ *  step. `moved` is called while the slider moves. A double click or the key 0 calls `reset`. */
 export function keySlider(
   { place, key, words, name }: { place: string; key: InputKey; words: string; name: string },
   range: Properties,

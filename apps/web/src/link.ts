@@ -48,7 +48,8 @@ export async function linkOf(text: string): Promise<string> {
   return kFormat + btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Returns the text in a fragment, or null if it contains none. If the fragment is damaged, throws a sentence. */
+/** Returns the text in a fragment, or null if it contains none. If the fragment is damaged, throws
+ *  an Error with a sentence for the user. */
 export async function textOf(hash: string): Promise<string | null> {
   if (!hash.startsWith(kFormat)) return null;
   const packed = hash.slice(kFormat.length);

@@ -1,5 +1,6 @@
-// Positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1. Between
-// them, the page interpolates. After one pitch, the next tooth takes the place of the previous one.
+// Positions of the gears while they turn. The engine computes exact poses over one pitch of gear 1,
+// and the page interpolates between these poses. After one pitch, the next tooth takes the place of
+// the previous one.
 //
 //   t   rotation of gear 1 in its pitches, −½ … ½
 
@@ -12,7 +13,8 @@ export interface Motion {
   curve: ContactCurve | null;
 }
 
-/** The angle about its own z axis by which pose `a` must be turned to give pose `b`. Uses their first two columns. */
+/** The angle about its own z axis by which pose `a` must be turned to give pose `b`. The angle
+ *  follows from the first two columns of both poses. */
 function turnBetween(a: ArrayLike<number>, b: ArrayLike<number>): number {
   const cos = a[0]! * b[0]! + a[1]! * b[1]! + a[2]! * b[2]!;
   const sin = a[4]! * b[0]! + a[5]! * b[1]! + a[6]! * b[2]!;

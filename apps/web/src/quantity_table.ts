@@ -56,7 +56,7 @@ export function rowsOf(
 function wordsWithin(outer: Quantity | null, info: Quantity): string {
   if (!outer) return info.words;
   if (/^[A-E]$/.test(outer.key)) return `${info.words}, point ${outer.key}`;
-  // If the catalogue has no words for a quantity, they are its key.
+  // If the catalogue has no words for a quantity, its words are the same as its key.
   if (info.words !== info.key && !/^gear [12]$/.test(info.words)) return info.words;
   const plain = (words: string) => words.replace(/_mm(_per_rad)?$/, "").replaceAll("_", " ");
   return `${plain(outer.words)}, ${plain(info.words)}`;

@@ -1,6 +1,6 @@
-// Each picture stores the revision of the spec that it shows. If this revision differs from
-// that of the spec on screen, the picture is dimmed. While the next picture is being made, it
-// also has a spinner.
+// Each picture stores the revision of the spec that it shows. If this revision differs from that of
+// the spec on screen, the picture is dimmed. A spinner is shown while the next picture is being
+// made.
 
 /** A hash of the text (32-bit FNV-1a) in hexadecimal digits, or "" if there is no text. */
 export function revisionOf(text: string): string {
@@ -10,9 +10,9 @@ export function revisionOf(text: string): string {
   return (hash >>> 0).toString(16).padStart(8, "0");
 }
 
-/** Marks a picture as made for the text `made`, while `wanted` is the text on screen. If they differ, the
- *  picture is "working" while the next picture is being made. It is "kept" if the text on screen cannot be
- *  solved. */
+/** Stores in a picture the revision of the text `made`, from which the picture was made. `wanted`
+ *  is the text on screen. If the texts differ, the picture is marked "working" while the next
+ *  picture is being made, otherwise "kept". */
 export function markRevision(picture: HTMLElement, made: string, wanted: string, working = true): void {
   const stale = made !== "" && made !== wanted;
   picture.dataset["revision"] = revisionOf(made);

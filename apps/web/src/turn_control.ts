@@ -1,10 +1,10 @@
-// Controls that turn a pair or a drive: a slider over one pitch of gear 1 or over one turn of a
-// body, a button that starts and stops a continuous rotation, and the angle in degrees.
+// Controls that turn a pair or a drive. They are a slider over one pitch of gear 1 or over one turn
+// of a body, a button that starts and stops a continuous rotation, and the angle in degrees.
 
 import { button, h, slide, slider } from "./elements";
 
 export class TurnControl {
-  /** Rotation of gear 1, in its pitches, or of a body, in turns, −½ … ½. */
+  /** Rotation of gear 1 in pitches, or of a body in turns, −½ … ½. */
   t = 0;
   /** Completed pitches or turns, which the slider does not show. */
   whole = 0;

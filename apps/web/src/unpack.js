@@ -1,7 +1,7 @@
-// Starts the self-contained page. Its parts are compressed and stored as text in elements of the page: the script
-// by gzip, the engine by zstd. The text is in base 85, which is 6 % shorter than base64: five characters hold four
-// bytes, the first character is the most significant, and the digit d is the character with the code 40 + d. The
-// digit 20 is "~" instead of "<".
+// Starts the self-contained page. Its parts are compressed, the script by gzip and the engine by
+// zstd, and stored as text in elements of the page. The text is in base 85, which is 6 % shorter
+// than base64. Five characters represent four bytes, with the most significant character first. The
+// digit d is the character with the code 40 + d, except that the digit 20 is "~" instead of "<".
 globalThis.packedPart = (id) => {
   const text = document.getElementById(id).textContent;
   const bytes = new Uint8Array(Math.floor((text.length * 4) / 5));

@@ -1,7 +1,8 @@
 // The design on screen: its text, its results and its history.
 //
-// The text defines the design. Form, pictures and tables show it. A change is sent to the engine, which
-// returns the new text (with its comments) and the new results. Then all views are updated.
+// The text defines the design. Form, pictures and tables show the design. A change is sent to the
+// engine, which returns the new text (with its comments) and the new results. Then all views are
+// updated.
 
 import { type Answer, EngineLink, type Name, type Progress } from "./engine_link";
 import type { Fault, Json, Questions, Solved } from "./engine_worker";
@@ -78,8 +79,8 @@ class Workbench {
     this.notify("history");
   }
 
-  /** Sets one key, for example "gear1.profile_shift". The value undefined removes it. Simultaneous changes
-   *  are combined. */
+  /** Sets one key, for example "gear1.profile_shift". If the value is undefined, removes the key.
+   *  Simultaneous changes are combined. */
   setKey(key: string, value: Json | undefined): void {
     this.setKeys({ [key]: value });
   }

@@ -27,7 +27,7 @@
       appendix.appendChild(d);
     });
     if (moved.length) document.querySelector('main').appendChild(appendix);
-    // A section whose tables were all moved has only its heading left.
+    // A section whose tables were all moved consists of its heading only, and is hidden.
     Array.prototype.forEach.call(document.querySelectorAll('main section'), function (s) {
       if (s.children.length === 1 && s !== appendix) { s.hidden = true; emptied.push(s); }
     });

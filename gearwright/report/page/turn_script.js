@@ -66,8 +66,8 @@
       t = parseFloat(slider.value);
       show();
     });
-    // Nothing moves until the user starts it. Motion stops at once if the user prefers reduced
-    // motion.
+    // The gears do not move until the user starts the motion. The motion stops at once if the user
+    // prefers reduced motion.
     var calm = window.matchMedia && window.matchMedia('(prefers-reduced-motion: reduce)');
     if (calm && calm.addEventListener) calm.addEventListener('change', function () { if (calm.matches) stop(); });
     window.addEventListener('beforeprint', function () {

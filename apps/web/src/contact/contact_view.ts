@@ -105,7 +105,7 @@ export class ContactView implements Tab {
     fill(this.sentence, sentence);
     this.empty(true);
   }
-  /** Hides everything except the sentence if there is no curve, otherwise shows it again. */
+  /** Hides everything except the sentence if `yes` is true. Otherwise shows everything again. */
   private empty(yes: boolean): void {
     for (const one of this.picture.children) if (one !== this.sentence) (one as HTMLElement).hidden = yes;
     this.errorMap.element.hidden = yes || hasRack(bench.good?.spec); // the map needs two gears
@@ -149,7 +149,7 @@ export class ContactView implements Tab {
     await this.drawFigures(false);
   }
 
-  /** Requests the numbers of the verb contact with its verdict, which are not part of the curves. */
+  /** Requests the numbers and the verdict of the verb contact. The curves do not contain them. */
   async judge(): Promise<void> {
     const { text } = bench;
     if (text === this.asked) return;

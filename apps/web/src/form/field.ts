@@ -14,13 +14,13 @@ import { bench } from "../workbench";
 export interface Field {
   place: string; // "gear1.profile_shift"
   element: HTMLElement;
-  /** Shows the value in the spec. If the spec has none, shows the default `implied`. */
+  /** Shows the value in the spec. If the spec has no value, shows the default `implied`. */
   show(value: Json | undefined, implied: string): void;
   fault(sentence: string | null): void;
 }
 
-/** The number of letters that fit into a field beside its label, in the form, in a panel and in a
- *  list of choices, and into a field on a line of its own. */
+/** The number of letters that fit into a field. In the form, in a panel and in a list of choices,
+ *  the label is beside the field. `line` is a field on a line of its own. */
 const kLetters = { form: 8, panel: 7, chooser: 7, line: 24 };
 /** Moves the fields of a row below their label if a value does not fit beside it. */
 function makeRoom(field: HTMLElement): void {
@@ -81,7 +81,8 @@ function wordsIn(text: string): string[] {
   return parts.filter(Boolean);
 }
 
-/** Converts a text to a value of this key. Returns null if the engine could not even check such a value. */
+/** Converts a text to a value of this key. Returns null if the text is neither a number nor a
+ *  permitted word. The engine checks the words of a list. */
 function valueOf(key: InputKey, text: string): { value: Json | undefined } | null {
   const plain = text.trim();
   if (plain === "") return { value: undefined };

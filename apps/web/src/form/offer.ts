@@ -1,5 +1,6 @@
-// Offers inputs that a result needs and that the spec lacks: a few fields with sensible initial values, and a
-// button. The values are written into the spec only when the user presses the button.
+// Offers inputs that a result needs and that the spec lacks. The offer consists of a few fields
+// with sensible initial values, and a button. The values are written into the spec only when the
+// user presses the button.
 
 import type { InputKey } from "../../engine/engine";
 import { inputKey, wordsOf } from "../catalogue";
@@ -119,7 +120,8 @@ function numberAt(places: string[]): number | null {
   return null;
 }
 
-/** F_t/(b m_n), N/mm². This is a light load for ordinary steel teeth. */
+/** Tangential force divided by face width and module, F_t/(b m_n), N/mm². This is a light load for
+ *  ordinary steel teeth. */
 const kUnitLoad = 20;
 
 /** The torque that the spec gives for another purpose, or a torque of 1, 2 or 5 times a power of ten that

@@ -1,5 +1,5 @@
-// Fields for a few keys of the spec, next to a picture that depends on them. They work like the fields of
-// the form, and they also show the errors that the engine reports for this picture.
+// Fields for a few keys of the spec, next to a picture that depends on these keys. The fields work
+// like the fields of the form, and also show the errors that the engine reports for this picture.
 
 import { inputKey } from "../catalogue";
 import { fill, h } from "../elements";

@@ -40,7 +40,7 @@ function implied(key: InputKey, place: string): string {
     const value = at(owner, rest[0]!);
     const info = quantity(gear >= 0 ? "gear" : "pair", rest[0]!);
     if (typeof value === "number" && info) return trimmed(value, key, info.digits);
-    // A series of tolerances gives the two limits of a value.
+    // If the value follows from a tolerance, the result contains the two limits of the value.
     const ends = at(owner, `interval.${rest[0]}`) as Json[] | undefined;
     if (ends?.length === 2 && ends.every((one) => typeof one === "number"))
       return [...(ends as number[])]
@@ -54,7 +54,7 @@ function implied(key: InputKey, place: string): string {
     : "";
 }
 
-/** Greatest numbers of letters in a row with two fields: of a word in a field, and of the label. */
+/** In a row with two fields, greatest number of letters of a word in a field, and of the label. */
 const kNarrow = 8;
 const kShortLabel = 26;
 

@@ -1,6 +1,6 @@
-// The tab "load" shows teeth under torque. While the user changes the spec, the tab shows a draft. After a
-// pause, the full result replaces the draft. If the spec has no torque, the tab shows fields for one. The
-// engine computes all numbers and draws all figures.
+// The tab "load" shows teeth under torque. While the user changes the spec, the tab shows a draft.
+// After a pause, the full result replaces the draft. If the spec has no torque, the tab shows
+// fields for a torque. The engine computes all numbers and draws all figures.
 
 import { AnswerView } from "../answer_view";
 import { quantities } from "../catalogue";

@@ -115,8 +115,8 @@ export class RatingView extends AnswerView<Rated> {
   async refresh(): Promise<void> {
     const solved = this.pair();
     if (!solved || solved.text === this.shown) return;
-    // If the rating includes tooth contact under the rated load, it takes seconds. Another worker computes
-    // it, so the next change of the spec does not have to wait.
+    // If the rating includes tooth contact under the rated load, the rating takes seconds. It then
+    // runs in another worker, so that the next change of the spec does not have to wait.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
     const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;

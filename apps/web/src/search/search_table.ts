@@ -80,8 +80,9 @@ export function columnsOf(designs: Design[]): Column[] {
   return columns;
 }
 
-/** Finds pairs of columns whose values differ at most in sign. Only one column of a pair is shown. The
- *  result maps the omitted column to the shown one. If one of the two is an objective, it is omitted. */
+/** Finds pairs of columns whose values differ at most in sign. Only one column of a pair is shown.
+ *  The result maps the omitted column to the shown one. If one of the two columns is an objective,
+ *  the objective is omitted. */
 function twinsOf(designs: Design[], columns: Column[]): Map<Column, Column> {
   const read = new Map<string, Column>();
   const twins = new Map<Column, Column>();

@@ -1,7 +1,7 @@
-// The tab "search" shows results for a spec with unknown numbers. For a spec with [search], it
-// evaluates all candidates, with a progress bar and a button that stops it. If the gears are
-// incomplete, the verb fit computes all solutions. A click shows a design. The list remains as
-// long as the text on screen is the searched spec or the spec of a design from the list.
+// The tab "search" shows results for a spec with unknown numbers. For a spec with [search], the tab
+// evaluates all candidates. It shows a progress bar and a button that stops the search. If the
+// gears are incomplete, the verb fit computes all solutions. A click shows a design. The list
+// remains as long as the text on screen is the searched spec or the spec of a design from the list.
 
 import { quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";

@@ -1,6 +1,7 @@
-// The tab "shifts" shows the region of profile shifts within the limits for the tooth numbers of this pair,
-// with exact borders. A point shows the shifts of the design. The user drags it or moves it with the arrow
-// keys, and all views follow. If the point is on a border, the tab names this border.
+// The tab "shifts" shows the region of profile shifts within the limits for the tooth numbers of
+// this pair, with exact borders. A point shows the shifts of the design. The user drags the point
+// or moves it with the arrow keys, and all views follow. If the point is on a border, the tab names
+// this border.
 
 import type { ShiftRegion } from "../../engine/engine";
 import { fill, h, onKeys, sentenceOf, svg } from "../elements";

@@ -1,6 +1,6 @@
-// Controls for the solids of a drive: a choice of the body whose rotation the slider sets, a
-// choice of the held, driving and driven bodies of a planetary set, and the names of the bodies
-// in their colours. All bodies turn with their exact speed ratios.
+// Controls for the solids of a drive. The user chooses the body whose rotation the slider sets, and
+// the held, driving and driven bodies of a planetary set. The names of the bodies are shown in
+// their colours. All bodies turn with their exact speed ratios.
 
 import type { DriveSolids } from "../../engine/engine";
 import { fill, h } from "../elements";
@@ -26,7 +26,7 @@ export class DriveControls {
 
   constructor(private readonly changed: () => void) {}
 
-  /** Shows the controls of a drive. If it is null, there are no controls. */
+  /** Shows the controls of a drive. If `solids` is null, the controls are hidden. */
   show(solids: DriveSolids | null): void {
     this.solids = solids;
     this.element.hidden = !solids;
@@ -61,8 +61,9 @@ export class DriveControls {
     bench.setKeys(Object.fromEntries(Object.entries(roles).map(([key, body]) => ["planetary." + key, body])));
   }
 
-  /** The pose of each part if the chosen body has made `whole` + t turns, as column-major 4×4 matrices. A rack
-   *  returns after each turn, because it would leave its pinion. */
+  /** The pose of each part if the chosen body has made `whole` + t turns, as column-major 4×4
+   *  matrices. A rack returns to its start after each turn, because it would otherwise leave its
+   *  pinion. */
   poses(t: number, whole: number): number[][] {
     const { parts, bodies } = this.solids!;
     const moves = parts.some(({ travel }) => travel[0] || travel[1]);

@@ -1,5 +1,5 @@
-// The scene of the tab "solid": both gears, or the parts of a drive, as meshes of the engine, a light that moves
-// with the camera, a cutting plane, and the contact on the flanks.
+// The scene of the tab "solid". It consists of both gears or the parts of a drive as meshes of the
+// engine, a light that moves with the camera, a cutting plane, and the contact on the flanks.
 //
 // The scene is drawn again only if something has changed.
 

@@ -134,7 +134,8 @@ export class SolidView implements Tab {
     this.state.textContent = `${(triangles / 1000).toFixed(0)} thousand triangles`;
   }
 
-  /** The chord tolerance, too small to be visible: a ten-thousandth of the size of the pair. */
+  /** The chord tolerance, mm, too small to be visible. It is a ten-thousandth of the size of the
+   *  pair, but at least 0.002 mm and at most 0.05 mm. */
   private tolerance(): number {
     const pair = bench.good?.result?.["pair"];
     const gears = (bench.good?.result?.["gears"] ?? []) as unknown as { tip_diameter_mm: number }[];
@@ -169,8 +170,8 @@ export class SolidView implements Tab {
     if (!this.drive.element.hidden) this.drive.poses(t, whole).forEach((pose, part) => scene.place(part, pose));
     if (!motion) return;
     const apart = Number(this.apart.value);
-    // To separate the gears, only gear 2 is moved: along its axis if one of the gears is
-    // internal, and otherwise along the centre line.
+    // To separate the gears, only gear 2 is moved. If one of the gears is internal, gear 2 moves
+    // along its axis, otherwise along the centre line.
     motion.places.forEach((_, gear) => {
       const pose = poseAt(motion, gear, this.turning.t);
       if (gear === 1) pose[this.internal ? 14 : 12]! += apart * this.size * 0.5;

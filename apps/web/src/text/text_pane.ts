@@ -23,7 +23,7 @@ function coloured(line: string): Node[] {
     ...tail,
   ];
 }
-/** The index at which the comment of a line begins: the first # outside of quotes. */
+/** The index at which the comment of a line begins, which is the first # outside of quotes. */
 function commentAt(line: string): number {
   let quote = "";
   for (let i = 0; i < line.length; ++i) {
