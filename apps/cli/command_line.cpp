@@ -114,12 +114,12 @@ CLI::App* CommandLine::json_verb(const char* name, const char* what, const char*
 
 void CommandLine::add_run() {
   Options& o = options_;
-  CLI::App* run = json_verb("run", "Write everything that applies to the spec into a folder",
+  CLI::App* run = json_verb("run", "Write into a folder all files that can be made from this spec",
                             "gearwright run examples/helical_pair.toml --out helical",
                             [&o] { return run_verb(o); });
   spec_argument(run, o);
   run->add_option("--out", o.out,
-                  "Folder for the files; default: the spec's name without .toml, plus _out");
+                  "Folder for the files (default: the name of the spec without .toml, plus _out)");
   strict_flag(run, o);
   run->add_option(
       "--only", o.only,
@@ -142,8 +142,8 @@ void CommandLine::add_answering() {
   }
   app_.get_subcommand("gear")->add_option(
       "--as-rack", o.as_rack,
-      "Describe the same teeth by a rack with module and pressure angle MODULE,ANGLE; one of the "
-      "two may be empty");
+      "Describe the same teeth by another rack, given as its module and pressure angle, "
+      "MODULE,ANGLE; one of the two may be empty");
   add_study_options(app_.get_subcommand("scatter"), study_);
   CLI::App* drive = app_.get_subcommand("drive");
   drive->add_flag_callback(
@@ -160,8 +160,8 @@ void CommandLine::add_answering() {
                           "(CSV); 9x5 prints 9 points along the profile times 5 along the face");
   measure
       ->add_option("--fillet-points", o.fillet_points,
-                   "With --points, print also this number of points along each root fillet, at the "
-                   "same heights")
+                   "With --points, also print this number of points along each root fillet, at the "
+                   "same positions along the face")
       ->needs(points)
       ->check(CLI::Range(2, 1000));
 
@@ -188,9 +188,9 @@ void CommandLine::add_files() {
   files
       ->add_option(
           "--gear", o.part,
-          "Export only this gear, 1 or 2, in its own frame; for a drive, only the part with "
-          "this name, such as planet, on its face. Without this option, all gears are "
-          "exported in place")
+          "Export only this gear, 1 or 2, in its own frame. For a drive, give the name of a part, "
+          "such as planet; the part lies on its face. Without this option, all gears are exported "
+          "in place")
       ->check(CLI::Validator(
           [](const std::string& name) {
             return name.empty() ? std::string("must be 1, 2 or the name of a gear") : std::string();

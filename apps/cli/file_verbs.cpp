@@ -219,8 +219,8 @@ int export_verb(const Options& o) {
   }
   if (format && drawn.empty()) {
     return door.fail({"gear2.form", "rack",
-                      "has no workshop drawing; --dxf and --svg draw the section of the rack, and "
-                      "--drawing with --gear 1 draws the pinion"});
+                      "has no workshop drawing; use --dxf or --svg for the section of the rack, or "
+                      "--drawing with --gear 1 for the pinion"});
   }
   std::vector<Result<JobFile>> files;
   const FileOptions options = file_options(o);

@@ -77,8 +77,8 @@ int gear_as_rack(const Options& o) {
   const auto question = parse_rack_question(*o.as_rack);
   if (!question) {
     return usage(
-        "--as-rack takes MODULE,ANGLE in mm and degrees (1 to 60), for example --as-rack 3,20; one "
-        "of the two may be empty, for example --as-rack ,17.5");
+        "--as-rack takes MODULE,ANGLE, a module in mm and an angle from 1 to 60 degrees, for "
+        "example --as-rack 3,20; one of the two may be empty, for example --as-rack ,17.5");
   }
   Door door(o);
   const auto job = door.solve(Scope::gears);

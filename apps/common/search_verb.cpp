@@ -42,7 +42,8 @@ CLI::App* add_search(CLI::App& app, SearchCommand& c) {
   sub->add_flag("--resume", c.resume, "Continue the search in --out");
   sub->add_option(
       "--shard", c.shard,
-      "Compute every Nth chunk, starting with chunk i (i/N); all shards use the same --out");
+      "Compute only shard i of N (i/N), which is every Nth chunk from chunk i on; all shards use "
+      "the same --out");
   sub->add_flag("--yes-large", c.yes_large, "Allow a search of more than 2e10 candidates");
   sub->add_option("--chunk", c.chunk,
                   "Number of candidates in a chunk (the default depends on the size of the search)")

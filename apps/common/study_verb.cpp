@@ -14,10 +14,10 @@ namespace gearwright::apps {
 
 void add_study_options(CLI::App* sub, StudyCommand& c) {
   sub->add_option("--designs", c.designs,
-                  "The search whose designs are ranked: its --out folder, its search.json or the "
-                  "output of search --json (default: the search of the spec is run)");
+                  "The search whose designs are ranked, given as its --out folder, its search.json "
+                  "or the output of search --json (default: run the search of the spec)");
   sub->add_option("--top", c.top,
-                  "Number of the best designs of a search that are studied (default: all)")
+                  "Study only this number of the best designs of a search (default: all)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}));
   sub->add_option(
       "--out", c.out,
@@ -25,8 +25,8 @@ void add_study_options(CLI::App* sub, StudyCommand& c) {
       "finished designs");
   sub->add_flag("--resume", c.resume, "Continue the study of a search in the folder --out");
   sub->add_option("--shard", c.shard,
-                  "Study every Nth design of a search, starting with design i (i/N); all shards "
-                  "use the same --out");
+                  "Study only shard i of N (i/N), which is every Nth design from design i on; all "
+                  "shards use the same --out");
   sub->add_option("--threads", c.threads, "Threads (default: as many as the machine has)")
       ->check(CLI::Range(1, 1024));
 }
@@ -80,7 +80,7 @@ int run_study_verb(const StudyCommand& c, const SpecText& text, const Together* 
                    c.designs ? "is missing; --designs needs the spec of the search that found the "
                                "designs, with [scatter] added"
                              : "--out, --top, --shard and --resume are for the designs of a "
-                               "search; for one pair, the verb run writes files"});
+                               "search; for one pair, gearwright run writes files"});
   if (const auto error = only_in_mm(*spec, "the study of the designs of a search"))
     return failed(*error);
   options.designs = c.designs;

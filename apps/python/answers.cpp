@@ -334,7 +334,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
     return py::make_tuple(to_python(tree), folder);
   });
   m.def("fit", &fit, py::arg("spec"),
-        "Computes the values that are absent in the gears and in [pair] of the spec and returns a "
+        "Computes the values that are absent in the gears and in [pair] of the spec. Returns a "
         "Record with branches, reason and nearest; load(branch.spec) returns the Pair of a branch");
   m.def("compensate", &compensate, py::arg("pair"),
         "Computes corrections for errors; arguments are keys of [compensate] (corrections=, "
@@ -343,10 +343,11 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   m.def("scatter", &scatter, py::arg("pair"),
         "Computes the effect of tolerances on a pair; arguments are keys of [scatter] (errors=, "
         "gear1=, samples=, robust=). Returns a Record with a distribution for each quantity, "
-        "probability, indices, worst and robust; its attribute members is a structured array with "
-        "a row for each sample and a column for each input and quantity, named by its key, and "
-        "to_parquet(path) writes these rows to a Parquet file; its attribute figures contains the "
-        "figures of the report and, with pattern=True, the density of the contact pattern");
+        "probability, indices, worst and robust. The attribute `members` of the Record is a "
+        "structured array with a row for each sample and a column for each input and quantity, "
+        "named by its key. The method to_parquet(path) of the Record writes these rows to a "
+        "Parquet file. The attribute `figures` contains the figures of the report and, with "
+        "pattern=True, the density of the contact pattern");
   m.def("_verify", &verify, py::arg("cases"));
   return contact;
 }

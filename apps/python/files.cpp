@@ -254,8 +254,8 @@ void bind_files(py::class_<GearValue>& gear, py::class_<PairValue>& pair) {
   bind_exports(gear);
   bind_exports(pair);
   pair.def("pose", &pose, py::arg("which"),
-           "Returns the 4×4 matrix that transforms from the frame of gear 1 or 2, which is the "
-           "frame of its files, to the frame of the housing");
+           "Returns the 4×4 matrix that transforms from the frame of gear 1 or 2 to the frame of "
+           "the housing. The files of a gear are in the frame of this gear");
 }
 
 }  // namespace gearwright::python

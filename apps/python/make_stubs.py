@@ -81,7 +81,8 @@ def doc_of(member):
 
 
 def with_docs(text):
-    """Returns the stubs with the docstrings of the module, for each class and each member that ends in an ellipsis."""
+    """Returns the text of the stubs with docstrings. Each class and each member that ends in an ellipsis gets its
+    docstring from the module."""
     lines, owner, name = [], core, ""
     for line in text.splitlines():
         if found := re.match(r"class (\w+):", line):

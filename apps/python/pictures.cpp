@@ -196,7 +196,8 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def_readonly("description", &Figure::description, "A description of the figure in words")
       .def_property_readonly(
           "data", [](const Figure& f) { return to_python(figure_data(f)); },
-          "The axes, and the points of the curves, bars, circles and dots by name")
+          "The axes of the figure, and the points of its curves, bars, circles and dots, each with "
+          "its name")
       .def_property_readonly(
           "svg", [](const Figure& f) { return figure_svg(f); },
           "The picture as SVG without its style sheet, as in the report")
@@ -213,16 +214,17 @@ void bind_pictures(py::module_& m, py::class_<GearValue>& gear, py::class_<PairV
       .def("__repr__", [](const Figure& f) { return fmt::format("Figure({})", f.title); });
   gear.def("_repr_html_", &gear_html)
       .def_property_readonly("figures", &gear_figures,
-                             "The figure of the report: one tooth with its arcs and circles; none "
-                             "if the gear has no outline")
+                             "The figure of the report, which shows one tooth with its arcs and "
+                             "circles; none if the gear has no outline")
       .def(
           "report", [](const GearValue& g) { return page_of(*g.model, g.gears(), false); },
           "The program's report as one HTML page");
   pair.def("_repr_html_", &pair_html)
       .def_property_readonly(
           "figures", &pair_figures,
-          "The figures of the report: the mesh and both gears, path of contact and contact ratios; "
-          "for crossed axes plan, section, faces and sliding; for circular arcs rack and teeth")
+          "The figures of the report. They show the mesh, both gears, the path of contact and the "
+          "contact ratios. On crossed axes, they show plan, section, faces and sliding. For "
+          "circular-arc teeth, they show the racks and the teeth")
       .def(
           "report", [](const PairValue& p) { return page_of(*p.model, p.gears(), false); },
           "The program's report as one HTML page");

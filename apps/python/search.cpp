@@ -239,8 +239,8 @@ void bind_search(py::module_& m) {
       .def("to_parquet", &to_parquet, py::arg("path"),
            "Writes the designs to a Parquet file, with the same columns")
       .def_property_readonly("counts", &counts_of,
-                             "The numbers of candidates that were tested, that are feasible, and "
-                             "that each limit ruled out")
+                             "The number of candidates that were tested, the number that are "
+                             "feasible, and the number that each limit ruled out")
       .def_property_readonly(
           "front", [](const Found& f) { return py::tuple(py::cast(f.run.answer.pareto)); },
           "Ranks of the Pareto-optimal designs")

@@ -29,8 +29,8 @@ int main() {
 }
 
 /* prints
-red: The pair does not run as specified: the teeth are too thick for this centre distance. At a centre distance of 59.9850 mm: The backlash is negative, because the teeth are too thick by 0.0109 mm (normal) at this centre distance. The backlash-free centre distance is 60.0000 mm. With a thickness allowance of -0.011 mm on gear 1, the backlash is positive at every tolerance end. Also: undercut.
-- At a centre distance of 59.9850 mm: The backlash is negative, because the teeth are too thick by 0.0109 mm (normal) at this centre distance. The backlash-free centre distance is 60.0000 mm. With a thickness allowance of -0.011 mm on gear 1, the backlash is positive at every tolerance end.
+red: The pair does not run as specified: the teeth are too thick for this centre distance. At a centre distance of 59.9850 mm: The backlash is negative, because the teeth are too thick by 0.0109 mm (normal) at this centre distance. The backlash-free centre distance is 60.0000 mm. With a thickness allowance of -0.011 mm on gear 1, the backlash is positive at both ends of every tolerance. Also: undercut.
+- At a centre distance of 59.9850 mm: The backlash is negative, because the teeth are too thick by 0.0109 mm (normal) at this centre distance. The backlash-free centre distance is 60.0000 mm. With a thickness allowance of -0.011 mm on gear 1, the backlash is positive at both ends of every tolerance.
 - There is undercut, so the usable flank starts at a diameter of 31.9496 mm; a profile shift of at least 0.0057 avoids undercut.
 - There is no backlash; ISO/TR 10064-2 recommends at least 0.107 mm. Give thickness allowances or a series of DIN 3967.
 */

@@ -158,8 +158,8 @@ std::optional<Error> check_hands(const GivenPair& given) {
                                  : fmt::format("`gear2.helix_angle` = {}", format_number(-b2));
   return refused(
       gear_field(2, "helix_angle"), b2,
-      fmt::format("has the same hand as gear 1; for parallel shafts, which need opposite hands, "
-                  "give {}; for crossed shafts give `pair.shaft_angle` = {}",
+      fmt::format("has the same hand as gear 1, but parallel shafts need opposite hands; for "
+                  "parallel shafts give {}, for crossed shafts give `pair.shaft_angle` = {}",
                   opposite, format_number(2 * b2)));
 }
 

@@ -50,8 +50,8 @@ void warn_of_contact(const ContactResult& driving, const ContactResult& other,
                 warnings);
   if (driving.unfinished + other.unfinished > 0) {
     warn(WarningCode::contact_search_unfinished,
-         fmt::format("{} searches for a contact point did not converge. The best point found is "
-                     "used at these positions.",
+         fmt::format("{} searches for a contact point did not converge. The result of each search "
+                     "is the best point that it found.",
                      driving.unfinished + other.unfinished));
   }
 }

@@ -219,8 +219,8 @@ std::optional<Error> make_cut_gears(GivenPair& given, MadeGears& made) {
                      (is_cut(2) && given.gears[1]->cut_by->gear != 0);
   if (mates && given.pair.mounting == Mounting::extended) {
     return Error{"pair.mounting", "extended",
-                 "is not available for a gear cut by its mating gear, which is mounted at the "
-                 "generating distance; for another distance give `pair.center_distance`"};
+                 "is not available if one gear cuts the other, because the pair is then mounted at "
+                 "the generating distance; for another distance give `pair.center_distance`"};
   }
   // If one gear cuts the other, the gear that cuts is made first.
   const bool second_first = is_cut(1) && given.gears[0]->cut_by->gear == 2;

@@ -212,8 +212,9 @@ void explain_stiffness(const Arranged& arranged, const LoadTask& task, const Loa
                            "modifications, face width or bodies, but to the teeth themselves{}.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, ring)
              : fmt::format("At {} N m, the mesh stiffness without the twist of the bodies is "
-                           "{:.2f} times c_γα of ISO 6336-1. This ratio contains these factors: "
-                           "{}. The remaining factor of {:.2f} is due to the teeth themselves{}.",
+                           "{:.2f} times c_γα of ISO 6336-1. This ratio is the product of several "
+                           "factors: {}. The remaining factor of {:.2f} is due to the teeth "
+                           "themselves{}.",
                            format_number(newton_metres(t.torque / task.torque_share)), ratio, list,
                            left, ring),
          0});

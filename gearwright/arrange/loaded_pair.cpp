@@ -54,8 +54,8 @@ std::optional<Error> not_made_for(const Arranged& arranged) {
   if (arranged.pair->mounted().crossed_inside()) {
     Error error = refused("pair.shaft_angle", arranged.pair->shaft_angle().deg(),
                           "crosses the axes of an internal pair; teeth under load are computed for "
-                          "internal pairs on parallel axes only. The verb contact computes where "
-                          "these teeth touch without load");
+                          "internal pairs on parallel axes only. The command gearwright contact "
+                          "computes where these teeth touch without load");
     error.kind = FailureKind::not_under_load;
     return error;
   }
@@ -393,8 +393,8 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {
   const char* const message =
       code == WarningCode::held_at_rim_as_drawn
-          ? "Gear {} has no `bore`, which would give the outside diameter of its rim. The gear is "
-            "held at the rim diameter of its CAD files, {} mm."
+          ? "Gear {} has no `bore`, the key for the outside diameter of its rim. The gear is held "
+            "at the rim diameter of its CAD files, {} mm."
           : "Gear {} has no bore, so its body is held at half the root diameter, {} mm.";
   return {code, fmt::format(fmt::runtime(message), gear, format_number(diameter))};
 }

@@ -69,8 +69,8 @@ class Measuring {
         warn(WarningCode::no_span,
              std::string("No span can be measured, because ") +
                  (straight_tools_fit(gear_)
-                      ? "for every number of teeth the contacts lie off the usable flank or the "
-                        "face"
+                      ? "for every number of spanned teeth the contacts lie outside the usable "
+                        "flank or the face"
                       : kNoPlaneAnvils) +
                  ".");
       note_narrow_face(m);
@@ -118,8 +118,9 @@ class Measuring {
              "practice requires a face width of {:.2f} mm, but the face width is {} mm.{}",
              m.span->teeth, b - m.span->min_face_width, practical_face_width(gear_, *m.span),
              format_number(b),
-             enough ? fmt::format(" Over {} teeth, {:.2f} mm are enough.", enough->teeth,
-                                  practical_face_width(gear_, *enough))
+             enough ? fmt::format(" For a span over {} teeth, a face width of {:.2f} mm is "
+                                  "sufficient.",
+                                  enough->teeth, practical_face_width(gear_, *enough))
                     : " Measure over balls."));
   }
 
@@ -185,9 +186,9 @@ class Measuring {
     const double b = gear_.spec.face_width;
     if (const auto& needed = m.pins->reading.two_free_face; needed && *needed > b)
       warn(WarningCode::pin_off_flank,
-           fmt::format("The dimension over two pins of {} mm that may tilt cannot be measured, "
-                       "because their contacts need a face width of {} mm, but the face width is "
-                       "{} mm. Measure over balls, or between parallel anvils.",
+           fmt::format("The dimension over two pins of {} mm cannot be measured with pins that may "
+                       "tilt, because the contacts need a face width of {} mm, but the face width "
+                       "is {} mm. Measure over balls, or between parallel anvils.",
                        format_number(seat.ball_diameter), format_number(*needed, b),
                        format_number(b)));
     return std::nullopt;

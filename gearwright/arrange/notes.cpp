@@ -40,9 +40,9 @@ std::optional<Error> forbidden_shifts(const GivenPair& given) {
   if (given.pair.choose_profile_shifts) return std::nullopt;
   return absent_input(
       gear_field(given.gears[0]->profile_shift ? 2 : 1, "profile_shift"),
-      fmt::format(" and is not computed, because `pair.choose_profile_shifts` = false; the default "
-                  "for `pair.center_distance` = {} mm would be {}. Give the profile shifts, which "
-                  "determine the backlash",
+      fmt::format(" and is not computed, because `pair.choose_profile_shifts` = false. For "
+                  "`pair.center_distance` = {} mm, the default would be {}. Give the profile "
+                  "shifts, which determine the backlash",
                   format_number(*given.pair.center_distance), chosen_shifts(given)));
 }
 
@@ -141,9 +141,9 @@ std::optional<Warning> thin_rim(const Gear& gear, int which) {
   return Warning{
       WarningCode::thin_rim,
       fmt::format(
-          "The rim between the roots and the {} is {:.4f} mm thick; the rim thickness factor "
-          "of ISO 6336-3 is defined above {:.4f} mm, {}. A rating uses only a rim thickness that "
-          "is given in [rating].",
+          "The rim between the roots and the {} is {:.4f} mm thick, but ISO 6336-3 defines the rim "
+          "thickness factor only above {:.4f} mm, {}. A rating uses only a rim thickness that is "
+          "given in [rating].",
           gear.internal()           ? "outside diameter"
           : gear.bore->has_keyway() ? "keyway"
                                     : "bore",

@@ -20,8 +20,9 @@ constexpr const char* kBoth = "2×";  // the requirement applies to both faces
 // a leader with an arrow.
 constexpr double kEnd = -8, kFlankLeader = -2, kBoreLeader = -5, kLeaderLength = 6;
 constexpr double kApart = 1.5, kClear = 2, kLeast = 4;
-// Projection of centre lines beyond the outermost circle, and heights above this circle up to which
-// the dimensions and the datum on the right-hand side extend.
+// Lengths in mm, measured from the outermost circle. kCentreLine: the centre lines extend this far
+// beyond the circle. kDimensionTop, kDatumTop: the dimensions and the datum on the right-hand side
+// end at these heights above the circle.
 constexpr double kCentreLine = 3, kDimensionTop = 8, kDatumTop = 12;
 constexpr double kTipFrame = 0.8;   // distance from the circle up to the frame of the tip circle
 constexpr double kFaceLeader = -4;  // leader of the faces relative to the lower end of the section

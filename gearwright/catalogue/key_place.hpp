@@ -107,7 +107,8 @@ class KeyPlace {
   template <class T, class M>
   KeyPlace inside(M T::*outer) const;
 
-  /// This place, except that two limits are stored in the member `ends`.
+  /// Returns a copy of this place that also accepts a list of two limits. The list is stored in the
+  /// member `ends`. All other values are stored as in this place.
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 

@@ -214,8 +214,9 @@ Result<SectionMesh> make_section_mesh(const Outline& outline, double module, dou
     return refused("bore.diameter", 2 * bore_radius,
                    {2 * module * (mesh.root_radius - out * kMinRim)},
                    out > 0.0 ? "must be at most {} mm, so that a rim remains under the teeth"
-                             : "must be at least {} mm, because it is the outside diameter of the "
-                               "rim of an internal gear, and a rim must be left around the teeth");
+                             : "must be at least {} mm, because the bore of an internal gear is "
+                               "the outside diameter of its rim, and a rim must remain around the "
+                               "teeth");
   }
   // Radii, in normal modules. `foot` is the radius at which the centre line of a tooth ends in the
   // rim, and `body` is the radius of the border between rim and body.

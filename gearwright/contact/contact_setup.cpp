@@ -154,7 +154,7 @@ Result<ContactSetup> ContactSetup::of(const Pair& pair, const ContactErrors& err
     const Gear& gear = setup.gear(i + 1);
     if (!gear.root_form_radius())
       return Error{gear_field(i + 1), "",
-                   "has no usable flank; for the reason, see the warnings of the verb gear",
+                   "has no usable flank; the warnings of gearwright gear give the reason",
                    FailureKind::no_flank};
     if (auto error = check_cutter_lead(gear, i + 1, errors.cutter_lead[i])) return *error;
   }

@@ -36,7 +36,7 @@ Result<std::shared_ptr<const ContactPair>> contact_pair(const RackPair& pair,
   const Gear& pinion = pair.pinion;
   if (!pinion.root_form_radius())
     return Error{gear_field(1), "",
-                 "has no usable flank; for the reason, see the warnings of the verb gear",
+                 "has no usable flank; the warnings of gearwright gear give the reason",
                  FailureKind::no_flank};
   if (auto error = check_rack_errors(errors)) return *error;
   if (auto error = check_cutter_lead(pinion, 1, errors.cutter_lead[0])) return *error;

@@ -94,9 +94,8 @@ Fit angles_of_distance(const FitProblem& p, const BasePair<double>& gears,
         format_number(place.center_distance, a), format_number(place.shaft_angle.deg()));
   } else {
     result.reason =
-        "these teeth are so thin that their backlash-free centre distance has no minimum over the "
-        "shaft angle, and no shaft angle gives the centre distance of the spec; more profile shift "
-        "would help";
+        "these teeth are so thin that no shaft angle gives the centre distance of the spec, and "
+        "there is no minimum centre distance without backlash; more profile shift would help";
   }
   return result;
 }
@@ -212,9 +211,9 @@ Result<Fit> shifts_of_place(const FitProblem& p) {
 Result<Fit> fit(const FitProblem& p) {
   if (p.teeth[1] < 0 && p.shaft_angle && p.shaft_angle->rad() != 0.0) {
     return refused("pair.shaft_angle", p.shaft_angle->deg(),
-                   "must be 0, because the verb fit supports internal pairs only on parallel axes. "
-                   "If helix angles and profile shifts are given, the verb pair computes the "
-                   "centre distance at this angle");
+                   "must be 0, because gearwright fit supports internal pairs only on parallel "
+                   "axes. If helix angles and profile shifts are given, gearwright pair computes "
+                   "the centre distance at this angle");
   }
   const bool helices = p.helix[0] && p.helix[1];
   const bool shifts = p.shift[0] && p.shift[1];

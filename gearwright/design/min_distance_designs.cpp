@@ -204,8 +204,9 @@ std::optional<Error> contradiction(const FitProblem& p) {
   const std::string alpha_field = "fit.working_normal_pressure_angle";
   const auto too_many = [](const std::string& field, const std::string& other) {
     return Error{field, "",
-                 fmt::format("is one value too many in addition to {}, centre distance and shaft "
-                             "angle; leave out one of these values",
+                 fmt::format("cannot be given together with {}, the centre distance and the shaft "
+                             "angle, because any three of these determine the fourth; leave out "
+                             "one of them",
                              other)};
   };
   if (p.working_normal_pressure_angle && shifts)

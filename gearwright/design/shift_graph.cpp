@@ -242,8 +242,9 @@ ShiftGraph::Longest ShiftGraph::longest_path(const SumPlace& at, double sum,
   return {x1, path_length(at, sum, x1)};
 }
 
-// The x1 with E = K between the x1 of the longest path and a bound of x1. Absent if there is no
-// such x1.
+// Returns the x1 at which the length E of the path of contact equals its lower limit K. This x1 is
+// between `bound` and the x1 of the longest path. It is absent if the path is long enough at
+// `bound`. It is also absent if `bound` is not on the given side of the longest path.
 std::optional<double> ShiftGraph::end_of_path(const SumPlace& at, double sum, const Longest& top,
                                               LineSide side, double bound) const {
   const bool below = side == LineSide::lo;

@@ -228,7 +228,8 @@ Result<Assembly> assemble(const DriveGraph& graph, const PlanetGroup& group) {
   if (spacing == Spacing::opposite && (n % 2 != 0 || made.places % 2 != 0))
     return Error{"drive.spacing", "opposite",
                  fmt::format("needs an even number of planets and an even number of possible "
-                             "positions per revolution; they are {} and {}. Use \"nearest\"",
+                             "positions per revolution, but these numbers are {} and {}. Use "
+                             "\"nearest\"",
                              n, made.places)};
   for (long long i = 0; i < n; ++i)
     made.turns.push_back(Rational::of((2 * i * made.places + n) / (2 * n), made.places));

@@ -47,7 +47,7 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     if (a.double_helical || b.double_helical)
       return not_loaded(
           "does not apply to drives with double-helical gears; extract the mesh as a pair with "
-          "drive --take, and use the verb load, which computes both halves",
+          "drive --take, and run gearwright load, which computes both halves",
           mesh.name);
     if (!drive.geometry.involutes(m))
       return not_loaded(

@@ -212,8 +212,8 @@ void find_facts(Drive& drive) {
   if (!drive.motion.redundant.empty())
     say(WarningCode::redundant_meshes,
         fmt::format(
-            "The meshes {} form a closed loop that can move. Their shares of the torque depend on "
-            "their compliance, so no torques are computed.",
+            "The meshes {} form a closed loop that can move. The shares of these meshes in the "
+            "torque depend on their compliance, so no torques are computed.",
             names_of(drive.graph, drive.motion.redundant)));
   if (drive.flow && drive.flow->self_locking())
     say(WarningCode::cannot_drive,

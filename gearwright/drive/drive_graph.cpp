@@ -29,8 +29,8 @@ std::optional<Error> check_body(const DriveGraph& graph, std::size_t index) {
                  "a body cannot be its own carrier; give another body as its carrier"};
   if (graph.bodies[*body.carrier].carrier)
     return Error{"drive.body", body.name,
-                 fmt::format("its carrier {} is mounted on another body, but the carrier of a "
-                             "planet must turn about a fixed axis",
+                 fmt::format("the carrier {} of this planet is mounted on another body, but the "
+                             "carrier of a planet must turn about a fixed axis",
                              graph.bodies[*body.carrier].name)};
   return std::nullopt;
 }
@@ -59,18 +59,21 @@ std::optional<Error> check_mesh(const DriveGraph& graph, const DriveMesh& mesh) 
   const auto& carrier_b = graph.body(b).carrier;
   if (carrier_a && carrier_b && carrier_a != carrier_b)
     return wrong(fmt::format(
-        "its planets are on two carriers, {} and {}, but planets that mesh must be on one carrier",
+        "the planets of this mesh are on two carriers, {} and {}, but planets that mesh with each "
+        "other must be on one carrier",
         graph.bodies[*carrier_a].name, graph.bodies[*carrier_b].name));
   if (carrier_a && carrier_b && graph.body(a).count != graph.body(b).count)
     return wrong(
-        "its planets have different numbers of copies, but planets that mesh must have the same "
-        "number");
+        "the planets of this mesh have different numbers of copies, but planets that mesh with "
+        "each other must have the same number");
   if (b.rack && carrier_a)
     return wrong(
-        "its pinion is on a carrier, but a rack can mesh only with a gear on a fixed axis");
+        "the pinion of this mesh is on a carrier, but a rack can mesh only with a gear on a fixed "
+        "axis");
   if (b.rack && a.double_helical)
     return wrong(
-        "its pinion is double-helical, but a rack can mesh only with a spur or helical pinion");
+        "the pinion of this mesh is double-helical, but a rack can mesh only with a spur or "
+        "helical pinion");
   if ((a.double_helical || b.double_helical) && a.spec && b.spec) {
     const auto error =
         mates_error({a.double_helical, b.double_helical}, {a.spec->face_width, b.spec->face_width});

@@ -84,7 +84,8 @@ Error undetermined(const DriveGraph& graph, std::size_t freedom, std::size_t inp
       free.push_back(b);
   return {"drive.fixed", names(graph, graph.fixed),
           fmt::format("the speeds are not determined, because the drive has {} degrees of freedom "
-                      "and {} input{}; fix {} more bodies or give as many more inputs{}",
+                      "and {} input{}; fix {} more bodies or give the same number of additional "
+                      "inputs{}",
                       freedom, inputs, inputs == 1 ? "" : "s", freedom - inputs,
                       free.empty() ? "" : fmt::format(" (free bodies: {})", names(graph, free)))};
 }

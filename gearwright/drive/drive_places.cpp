@@ -110,7 +110,8 @@ class Placing {
       const std::size_t from = open.front();
       std::vector<Link> fresh;
       for (const Link& link : links_of(from)) {
-        if (link.to == from) return unmeet(link.mesh, "its two gears turn about the same axis");
+        if (link.to == from)
+          return unmeet(link.mesh, "the two gears of this mesh turn about the same axis");
         if (!placed[link.to]) {
           fresh.push_back(link);
           placed[link.to] = 1;
@@ -136,8 +137,8 @@ class Placing {
       if (graph_.frame(graph_.meshes[m])) continue;
       const double apart = (made_.axes[gear(m, 0).body] - made_.axes[gear(m, 1).body]).norm();
       if (std::abs(apart - *distances_[m]) > kCloses * *distances_[m])
-        return unmeet(m, fmt::format("its axes are {:.4f} mm apart instead of {:.4f} mm; give "
-                                     "another direction for the other meshes of the loop",
+        return unmeet(m, fmt::format("the axes of this mesh are {:.4f} mm apart instead of {:.4f} "
+                                     "mm; give another direction for the other meshes of the loop",
                                      apart, *distances_[m]));
     }
     return std::nullopt;

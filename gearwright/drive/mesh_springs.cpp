@@ -44,8 +44,8 @@ Result<MeshSprings> mesh_springs(const ContactSetup& setup, bool gear2_drives, L
       if (levels[k] > 1.0 || !p.unfinished) continue;
       if (contact.slices_too_fine)
         return Error{"load.slices", std::to_string(request.slices[0]),
-                     "are narrower than the contact of a planet with an equal share of the load; "
-                     "reduce the torque or the number of slices"};
+                     "makes the slices narrower than the contact of a planet that carries an equal "
+                     "share of the load; reduce the torque or the number of slices"};
       return Error{"load", "",
                    "has no result, because the forces of this mesh do not converge even under an "
                    "equal share of the load; reduce the torque or change load.slices"};

@@ -143,9 +143,9 @@ std::optional<Error> add_planet(PlanetarySpec& spec) {
                     sun + 2, sun));
   return absent_input(
       kField,
-      fmt::format("; it is (ring − sun)/2 only if this is whole, but (ring − sun)/2 = {}. "
-                  "Give planet = {} or {}, whose profile shifts then follow from the common "
-                  "centre distance, or ring = {} or {}",
+      fmt::format("; its default is (ring − sun)/2 = {}, which is not a whole number. Give planet "
+                  "= {} or {}, for which the profile shifts follow from the common centre "
+                  "distance, or give ring = {} or {}",
                   both / 2.0, both / 2, both / 2 + 1, ring - 1, ring + 1));
 }
 
@@ -269,7 +269,9 @@ std::optional<Error> close_train(DriveInput& train) {
   }
   const Side last = sides.back();
   if (sides.size() < 2)
-    return fails("needs two stages of two gears; a single one cannot lead back to its input");
+    return fails(
+        "needs at least two stages of two gears, because a single stage cannot lead back to the "
+        "axis of its input");
   // Adds up the stages. `from` and `to` become the axes of the input and of the output of the stage
   // before the last one.
   auto& meshes = train.graph.meshes;
@@ -287,8 +289,8 @@ std::optional<Error> close_train(DriveInput& train) {
     const double a = before.length, b = last.length;
     if (a + b < first - kCloses || std::abs(a - b) > first + kCloses)
       return fails(
-          fmt::format("is impossible, because {:.4f} mm between the input and stage {} and "
-                      "the centre distances {:.4f} mm and {:.4f} mm form no triangle; give "
+          fmt::format("is impossible, because no triangle has the sides {:.4f} mm (between the "
+                      "input and stage {}), {:.4f} mm and {:.4f} mm (the centre distances); give "
                       "another `center_distance`",
                       first, before.stage, a, b));
     // The interior angle at `from`, by the law of cosines.
@@ -301,8 +303,8 @@ std::optional<Error> close_train(DriveInput& train) {
   if (std::abs(to.norm() - last.length) > kCloses)
     return fails(
         fmt::format("is impossible, because the last stage begins {:.4f} mm from the axis of the "
-                    "input, but its centre distance is {:.4f} mm; give `center_distance` = "
-                    "{:.4f} mm for it, and leave out one of its profile shifts",
+                    "input, but its centre distance is {:.4f} mm; give `center_distance` = {:.4f} "
+                    "mm for the last stage, and leave out one of its profile shifts",
                     to.norm(), last.length, to.norm()));
   meshes[last.mesh].direction = Angle::radians(std::atan2(-to.y(), -to.x()));
   return std::nullopt;

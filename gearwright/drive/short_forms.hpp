@@ -110,7 +110,8 @@ struct PairStage {
 
   /// Gives both gears teeth. The hand of the second gear fits the first.
   void set_teeth(const PairTeeth& given);
-  /// Gives gears without an allowance the mean allowance of a series of DIN 3967.
+  /// Sets the allowance of each gear that has the allowance 0 to the mean allowance of this series
+  /// of DIN 3967. If `series` is empty, no allowance changes.
   void set_allowances(const std::string& series);
 };
 

@@ -82,13 +82,14 @@ Figure histogram_figure(const DistributionScene& scene) {
     ++count[std::min(bars - 1, static_cast<std::size_t>((v - least) / step))];
   const double all = static_cast<double>(scene.values.size());
   const double most = *std::max_element(count.begin(), count.end()) / all * 100;
-  Figure f{
-      .id = scene.id,
-      .title = "Distribution: " + scene.words,
-      .description = "A histogram of the share of the samples in equal intervals of the value.",
-      .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
-      .x = value_axis(scene),
-      .y = {"share of the samples", "%"}};
+  Figure f{.id = scene.id,
+           .title = "Distribution: " + scene.words,
+           .description =
+               "The histogram shows the share of the samples in each of several equal intervals of "
+               "the value.",
+           .caption = fmt::format(" over {} samples, with their percentiles.", scene.values.size()),
+           .x = value_axis(scene),
+           .y = {"share of the samples", "%"}};
   for (std::size_t i = 0; i < bars; ++i) {
     const double from = least + static_cast<double>(i) * step;
     const double share = 100 * count[i] / all;
@@ -104,12 +105,13 @@ Figure histogram_figure(const DistributionScene& scene) {
 Figure cumulative_figure(const DistributionScene& scene) {
   std::vector<double> sorted = scene.values;
   std::sort(sorted.begin(), sorted.end());
-  Figure f{.id = scene.id + "-below",
-           .title = "Cumulative distribution: " + scene.words,
-           .description = "The share of the samples below each value, from 0 to 100 %.",
-           .caption = ". For each value, the curve shows the share of the pairs below this value.",
-           .x = value_axis(scene),
-           .y = {"share of the samples below", "%"}};
+  Figure f{
+      .id = scene.id + "-below",
+      .title = "Cumulative distribution: " + scene.words,
+      .description = "The curve shows the share of the samples below each value, from 0 to 100 %.",
+      .caption = ". For each value, the curve shows the share of the pairs below this value.",
+      .x = value_axis(scene),
+      .y = {"share of the samples below", "%"}};
   for (const int share : {0, 20, 40, 60, 80, 100})
     f.y.names.push_back({static_cast<double>(share), std::to_string(share)});
   const std::size_t points = std::min(kMostPoints, sorted.size());
@@ -131,8 +133,8 @@ Figure index_figure(const IndexScene& scene) {
       .id = scene.id,
       .title = "Share of the variance: " + scene.words,
       .description =
-          "For each tolerance, the share of the variance that this tolerance explains alone, and "
-          "its total share with interactions.",
+          "The bars show, for each tolerance, the share of the variance that this tolerance "
+          "explains alone, and its total share with interactions.",
       .caption =
           ", by Sobol’s indices. For each tolerance, the left bar shows the share that the "
           "tolerance explains alone, and the right bar shows its total share with interactions.",
@@ -160,7 +162,9 @@ Figure ranking_figure(const RankingScene& scene) {
       .id = scene.id,
       .title = "Designs by rank: " + scene.words,
       .description = fmt::format(
-          "The {} point of each design with its confidence interval, and the mean.", scene.percent),
+          "The picture shows, for each design, the {} point with its confidence interval, and the "
+          "mean.",
+          scene.percent),
       .caption =
           fmt::format(": the {} point with its confidence interval, and the mean.", scene.percent),
       .x = {"rank", "", 0.4, static_cast<double>(scene.entries.size()) + 0.6, true},

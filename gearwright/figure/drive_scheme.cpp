@@ -48,7 +48,8 @@ class Scheme {
         "planet each. Radii are to scale, but lengths along the axes are not.";
     f_.bare = true;
     unfold();
-    if (!is_plane_) f_.caption += " Axes that lie in other directions are unfolded into its plane.";
+    if (!is_plane_)
+      f_.caption += " Axes in other directions are turned into the plane of the picture.";
     measure();
     draw_gears();
     draw_carriers();

@@ -254,8 +254,8 @@ Figure flank_figure(const ContactScene& scene, std::size_t which, const FlankLay
   if (layers.now) {
     if (layers.gap)
       f.caption += fmt::format(
-          "{} of tooth pair {} at rotation {}°: contour lines at 1 µm, 2 µm, 5 µm, 10 µm, 20 µm "
-          "and 50 µm on the part that the mating gear reaches",
+          "{} of tooth pair {} at rotation {}°. The contour lines are at 1 µm, 2 µm, 5 µm, 10 µm, "
+          "20 µm and 50 µm, on the part that the mating gear reaches",
           gap_alone ? "," : "; the darker bands show the gap", pair_words(layers.now->pair),
           fixed(layers.now->rotation1.deg(), 3));
     if (layers.now->line)

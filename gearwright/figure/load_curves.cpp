@@ -206,7 +206,7 @@ std::optional<Figure> root_turn_figure(const LoadScene& scene) {
 std::optional<Figure> root_face_figure(const LoadScene& scene) {
   Figure f{.id = "root-stress-face" + scene.part,
            .title = "Root stress over the face",
-           .description = "Greatest stress along the fillet of both gears over the face.",
+           .description = "Greatest stress along the fillet of each gear, over the face.",
            .caption = ", as the greatest value along the fillet.",
            .x = {"along the face from its middle", "mm"},
            .y = {"root stress", "N/mm²"}};

@@ -166,8 +166,8 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const double half = 0.62 * std::max(peak, kFlat);
   Figure f{other ? "te-other" : "te",
            other ? "Transmission error of the non-working flanks" : "Transmission error",
-           fmt::format("Transmission error in {} over the rotation of gear 1. Below it are the "
-                       "tooth pair in contact and the position of the contact on the flanks.",
+           fmt::format("Transmission error in {} over the rotation of gear 1. Below the curve are "
+                       "the tooth pair in contact and the position of the contact on the flanks.",
                        unit.words),
            fmt::format(
                ", relative to the middle of its range, {}. The shaded pitch has {} positions and "

@@ -164,8 +164,8 @@ TEST(Span, notes_a_face_on_which_the_anvils_would_tip_off) {
   };
   EXPECT_EQ(notes_at(20.3),
             "In a span over 6 teeth, the contacts overlap the face by only 0.073 mm. Measuring "
-            "practice requires a face width of 22.17 mm, but the face width is 20.3 mm. Over 5 "
-            "teeth, 18.51 mm are enough.");
+            "practice requires a face width of 22.17 mm, but the face width is 20.3 mm. For a "
+            "span over 5 teeth, a face width of 18.51 mm is sufficient.");
   EXPECT_EQ(notes_at(22.2), "");
 }
 

@@ -224,8 +224,8 @@ void warn_of_positions(SolvedJob& job, const CompensateAnswer& answer) {
     if (std::isnan(l.after.max_pressure))
       job.warnings.push_back(
           {WarningCode::load_unfinished,
-           fmt::format("At {} N m the corrected teeth have a position without a result, because no "
-                       "teeth touch there or the forces do not converge.",
+           fmt::format("At {} N m there is no result for a position of the corrected teeth, "
+                       "because no teeth touch there or the forces do not converge.",
                        format_number(newton_metres(l.torque))),
            0});
 }

@@ -18,7 +18,7 @@ std::string compensate_listing(const SolvedJob& job, const CompensateAnswer& a) 
   if (a.nothing_to_correct)
     found.notes.push_back(
         fmt::format("There is nothing to correct, because no correction in the searched range "
-                    "improves the result by {}.",
+                    "improves the result by at least {}.",
                     least_gain(a.aim)));
   if (a.nothing_to_correct && !job.spec.errors.any())
     found.notes.emplace_back(

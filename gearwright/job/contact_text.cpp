@@ -60,8 +60,8 @@ TextTable halves_table(const ContactAnswer& answer, UnitSystem units) {
       {"rotation 1", "TE", "axial float", "z > 0", "diam. 1", "z 1", "z < 0", "diam. 1", "z 1"}};
   table.units = {"°", "″", std::string(unit_text(units, Unit::um)), "", unit, unit, "", unit, unit};
   table.notes = {
-      "axial float: movement of gear 1 relative to gear 2; z 1: axial position from the middle of "
-      "the half"};
+      "axial float: axial movement of gear 1 relative to gear 2; z 1: axial position of the "
+      "contact, from the middle of the half"};
   const auto& positions = answer.driving.positions;
   const std::size_t step = std::max<std::size_t>(1, positions.size() / 32);
   for (std::size_t i = 0; i < positions.size(); i += step) {

@@ -20,8 +20,9 @@ const char* needs(const WorkshopCorrection& c) {
   if (*c.modification() == Modification::end_relief)
     return "needs the length of the relief, end_relief_length_mm, in the modifications of the "
            "gear; the amount of the relief may be 0";
-  return "needs a relief in the modifications of the gear: an amount greater than 0, whose start "
-         "is computed, or a start, for example tip_relief_start_mm, with the amount 0";
+  return "needs a relief in the modifications of the gear; give an amount greater than 0, for "
+         "which the start is computed, or give a start, for example tip_relief_start_mm, with the "
+         "amount 0";
 }
 
 }  // namespace

@@ -347,8 +347,8 @@ MeshSpec mesh_spec(const DriveJob& job, const Json& expanded, std::size_t mesh) 
       if (rated.use[0].engagements != rated.use[1].engagements ||
           rated.use[0].both != rated.use[1].both)
         notes.push_back(
-            fmt::format("The flanks of the gears engage {} and {} times per turn; life_h and "
-                        "reversed in [rating] apply to the gear with the more severe use.",
+            fmt::format("The flanks of the gears engage {} and {} times per turn. The keys life_h "
+                        "and reversed in [rating] apply to the gear with the more severe use.",
                         rated.use[0].engagements, rated.use[1].engagements));
       if (expanded["rating"].contains("spectrum"))
         notes.push_back(

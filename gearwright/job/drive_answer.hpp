@@ -35,10 +35,11 @@ bool searches_drives(const JobSpec& spec);
 /// a train have different modules, the text also gives the modules: "19:58 (m 1.5), 20:66 (m 2.5)".
 std::string teeth_text(const DriveCandidate& c);
 
-/// A candidate as a spec for the verb `drive`, from the keys that all candidates share and the
-/// numbers of the candidate.
+/// Makes a spec for the verb `drive` from a candidate of the search. The spec contains the numbers
+/// of the candidate, the keys of [search] that apply to all candidates, and the other tables of
+/// `spec`.
 ///
-/// Law       the drive of this spec is drive_of() of the candidate
+/// Law       the drive of this spec equals drive_of() for the candidate
 Json drive_spec(const JobSpec& spec, const DriveSearchProblem& problem, const DriveCandidate& c);
 
 /// The best drives of the search, each computed by the verb `drive`. Answer::specs contains the

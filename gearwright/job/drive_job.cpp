@@ -113,8 +113,8 @@ std::optional<Error> find_mesh_load_factors(const MeshLoadFactors& factors, cons
   const DriveGraph& graph = drive.graph;
   if (factors.computed && !drive.loaded)
     return Error{"rating.mesh_load_factor", "\"computed\"",
-                 "needs [load], under which the loads of the planets are computed; add this table "
-                 "to a spec of a drive, or give a number"};
+                 "needs the table [load], from which the loads of the planets are computed; add "
+                 "this table to the spec of the drive, or give a number"};
   if (!factors.computed && factors.given.each.empty()) return std::nullopt;
   load.mesh_load_factors.assign(graph.meshes.size(), 1.0);
   if (factors.computed) {
@@ -226,9 +226,8 @@ std::optional<Warning> greater_mesh_load_factor(const Drive& drive) {
   if (!rated)
     return Warning{
         WarningCode::mesh_load_factor,
-        fmt::format("In the mesh {}, the planets under this load have K_γ = {}: one of "
-                    "them carries {} times an equal share. Reduce the errors of the "
-                    "pins{}.",
+        fmt::format("In the mesh {}, the planets under this load have K_γ = {}, because one planet "
+                    "carries {} times an equal share. Reduce the errors of the pins{}.",
                     name, shown, shown, worst->floating ? "" : ", or let one member float")};
   return Warning{WarningCode::mesh_load_factor,
                  fmt::format("In the mesh {}, the planets under this load have K_γ = {}, but the "

@@ -46,13 +46,13 @@ std::string advice(const FoundDrives& f) {
       f.problem.kind == DriveKind::train && least == most && f.result.found.empty() &&
       (least % 2 == 0 ? f.problem.ratio[1] < 0.0 : f.problem.ratio[0] > 0.0))
     return fmt::format(
-        "The ratio of a train of {} external stage{} is {}. Give ratio with the "
-        "other sign, or another number of stages.",
+        "The ratio of a train of {} external stage{} is {}. Give a ratio with the other sign, or "
+        "another number of stages.",
         least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
   if (f.result.found.empty() && f.problem.coprime)
     return "No drive satisfies all limits. Widen the bands of numbers of teeth or of the ratio, or "
-           "leave out coprime.";
+           "leave out the key coprime.";
   if (f.result.found.empty() || *most == 0)
     return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
            "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
@@ -69,13 +69,14 @@ std::string advice(const FoundDrives& f) {
       return "No drive has a specific sliding below sliding_max. Try greater numbers of teeth, or "
              "give profile_shift.";
     case DriveFault::overlap:
-      return "No drive has the overlap ratio overlap_ratio_min. Try a greater helix_angle_deg or a "
-             "greater face_width_mm.";
+      return "No drive reaches the overlap ratio overlap_ratio_min. Try a greater helix_angle_deg "
+             "or a greater face_width_mm.";
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
   return "No drive has a green verdict. Try greater numbers of teeth, or give profile_shift or "
-         "another coaxial_teeth. The verb drive shows why a given set has no green verdict.";
+         "another coaxial_teeth. The command gearwright drive shows why a given set has no green "
+         "verdict.";
 }
 
 std::string shifts_text(const FoundDrive& d) {
@@ -110,8 +111,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
       text += fmt::format("  ruled out by {}: {}\n", kFaults[i], designs.left_out[i]);
   if (designs.hopeless > 0)
     text += fmt::format(
-        "{} trains were ruled out, because the safeties estimated for them from rated trains are "
-        "too small.\n",
+        "{} trains were ruled out, because their safeties, estimated from rated trains, are too "
+        "small.\n",
         designs.hopeless);
   if (designs.beyond_limit > 0)
     text += fmt::format(
@@ -127,7 +128,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
         fmt::format("The teeth are thinned for a backlash of {:g} mm in every mesh.", *backlash)));
   if (f.default_face_load)
     text += wrapped(fmt::format(
-        "All meshes are rated with K_Hβ = {:g} (a default; give face_load_factor in [rating]).",
+        "All meshes are rated with K_Hβ = {:g} (the default; to change it, give face_load_factor "
+        "in [rating]).",
         *f.default_face_load));
   ListingColumn ranks;
   ListingColumn teeth{"numbers of teeth", "numbers of teeth", "", {}, true};
@@ -235,7 +237,7 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
         "search.stages", std::to_string(problem.stages[1]),
         fmt::format("gives too many trains; a search finds at most {} trains and tries at most {} "
                     "combinations of the numbers of teeth of all gears except the last. Narrow the "
-                    "band ratio, pinion_teeth or wheel_teeth, or give coaxial_teeth",
+                    "band of ratio, pinion_teeth or wheel_teeth, or give coaxial_teeth",
                     kMostTrains, kMostTrainTrials)};
   if (rated && problem.modules.empty())
     return absent_input(

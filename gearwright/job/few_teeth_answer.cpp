@@ -147,7 +147,8 @@ std::optional<Error> bore_too_large(const JobSpec& spec, const FewTeethDesign& d
     if (!bore) continue;
     auto error = body_error(gear, bore);
     if (!error) continue;
-    error->rule += " of the design for this spec; without a bore, the verb fit prints the design";
+    error->rule +=
+        " of the design for this spec; if the bore is left out, gearwright fit prints the design";
     return of_gear(which, *error);
   }
   return std::nullopt;
@@ -159,9 +160,9 @@ std::string remark_of(const FewTeethDesign& d) {
   const auto& c = d.pair.tip_clearance;
   const auto& j = d.pair.mesh.backlash;
   return fmt::format(
-      "The circumferential backlash at the working pitch circles is {:.4f} mm, and in the normal "
-      "section it is {:.4f} mm. The "
-      "greater centre distance for this backlash makes the tip clearances {:.4f} mm and {:.4f} mm.",
+      "The backlash is {:.4f} mm along the working pitch circles and {:.4f} mm in the normal "
+      "section. The centre distance is increased for this backlash, so the tip clearances are "
+      "{:.4f} mm and {:.4f} mm.",
       j.circumferential[0], j.normal, c[0], c[1]);
 }
 

@@ -102,8 +102,8 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
   for (const ToothedBody& body : bodies) {
     if (body.pose.linear()(2, 2) == 1.0) continue;
     return Error{"pair.shaft_angle", "",
-                 "gears on crossed axes have no common plane section; write each gear separately, "
-                 "with --gear 1 and --gear 2"};
+                 "gears on crossed axes have no common plane section; write a file for each gear, "
+                 "with --gear 1 and with --gear 2"};
   }
   const auto style =
       options.drawing_splines ? ContourOptions::Style::splines : ContourOptions::Style::biarcs;
@@ -136,12 +136,13 @@ std::optional<Error> beyond(const SolvedJob& job) {
     if (!given) continue;
     if (halves)
       return Error{table, "",
-                   "is not supported for double-helical gears; if this table is left out, the verb "
-                   "run writes the report and the files"};
+                   "is not supported for double-helical gears; if this table is left out, "
+                   "gearwright run writes the report and the files"};
     return Error{
         table, "",
-        "needs two gears, but gear 2 is a rack; without this table, the verb run writes the report "
-        "and the files. For the verbs load and rate, a gear 2 with teeth = 200 can replace a rack"};
+        "needs two gears, but gear 2 is a rack; without this table, gearwright run writes the "
+        "report and the files. For the verbs load and rate, a gear 2 with teeth = 200 can replace "
+        "a rack"};
   }
   return std::nullopt;
 }

@@ -78,15 +78,15 @@ Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
   for (const int which : {1, 2}) {
     if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;
     return Error{gear_field(which, "rack"), "",
-                 "the verb fit supports involute gears only, and these teeth are circular arcs"};
+                 "gearwright fit supports involute gears only, and these teeth are circular arcs"};
   }
   if (!spec.gears[1]) return absent_input("gear2", "; the verb fit needs two gears");
   if (spec.fit.few_teeth) return answer_few_teeth(spec, progress);
   for (const int i : {0, 1}) {
     if (!spec.gears[i]->cut_by) continue;
     return Error{gear_field(i + 1, "cut_by"), "",
-                 "must be left out, because the verb fit chooses the cutter, which is a rack or, "
-                 "with `fit.few_teeth` = true, the pinion"};
+                 "must be left out, because gearwright fit chooses the cutter; the cutter is a "
+                 "rack or, if `fit.few_teeth` = true, the pinion"};
   }
   if (auto error = unknown_module(spec)) return *error;
   const CylindricalSpec& c1 = spec.gears[0]->cylindrical;

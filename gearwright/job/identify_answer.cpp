@@ -140,9 +140,9 @@ std::vector<std::string> open_facts(const IdentifyProblem& problem, const Identi
     facts.push_back("The readings do not determine the hand of the helix; right hand is assumed.");
   if (g.thickness_allowance != 0.0 && !spec.contains("thickness_allowance_mm")) {
     facts.push_back(fmt::format(
-        "The spec has x = {:.4f}. The readings give a thickness allowance of {:.4f} mm. "
-        "The spec does not contain it, because the backlash or tolerance in the spec "
-        "determines the allowance.",
+        "The spec has x = {:.4f}. The readings give a thickness allowance of {:.4f} mm. The spec "
+        "does not contain this allowance, because the backlash or tolerance in the spec determines "
+        "it.",
         g.profile_shift, g.thickness_allowance));
   } else if (g.thickness_allowance != 0.0) {
     const char* const why =
@@ -170,8 +170,8 @@ std::vector<Warning> unused_readings(const JobSpec& spec) {
   return {
       {WarningCode::not_read,
        "gear2.measured was not used, because this verb identifies one gear at a time, and these "
-       "candidates are those of gear 1. To identify gear 2, run identify again with the "
-       "spec of a candidate: gearwright identify SPEC --take 1 | gearwright identify -",
+       "candidates are for gear 1. To identify gear 2, run identify again with the spec of a "
+       "candidate: gearwright identify SPEC --take 1 | gearwright identify -",
        2}};
 }
 
@@ -183,11 +183,12 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
                   g.diametral_pitch ? "with" : "with the module", module_text(g),
                   g.normal_pressure_angle.deg(), g.helix_angle.deg(), g.profile_shift);
   if (a.mistake == Reading::teeth)
-    return fmt::format("Count the teeth again: all readings agree with a gear of {} teeth {}.",
-                       g.teeth, gear);
+    return fmt::format(
+        "Count the teeth again, because all readings agree with a gear of {} teeth {}.", g.teeth,
+        gear);
   if (a.mistake == Reading::span_teeth)
     return fmt::format(
-        "Count the teeth in the spans again: with one tooth {} in each span, all readings agree "
+        "Count the teeth in the spans again. With one tooth {} in each span, all readings agree "
         "with a gear of {} teeth {}.{}",
         a.step > 0 ? "more" : "fewer", g.teeth, gear,
         found.candidates.empty() || g.tip != TipReading::none
@@ -197,7 +198,7 @@ std::string alternative_text(const Identification& found, UnitSystem units) {
                                       "for this gear and {:.3f} mm for candidate 1.",
                                       g.tip_diameter, found.candidates.front().tip_diameter)));
   const char* const other = units == UnitSystem::inch ? "mm" : "inch";
-  return fmt::format("Check the units: if {} in {}, all readings agree with a gear of {} teeth {}.",
+  return fmt::format("Check the units. If {} in {}, all readings agree with a gear of {} teeth {}.",
                      group_text(a.mistake), other, g.teeth, gear);
 }
 
@@ -227,7 +228,7 @@ Result<IdentifyAnswer> answer_identify(const JobSpec& spec) {
   if (!problem)
     return absent_input(
         "gear1.measured",
-        "; the verb identify needs the number of teeth of the unknown gear in [gear1], and "
+        "; gearwright identify needs the number of teeth of the unknown gear in [gear1], and "
         "readings such as spans, dimensions over balls and diameters in [gear1.measured]");
   IdentifyProblem in_unit = *problem;
   if (spec.units() == UnitSystem::inch) in_unit.other_unit = 1 / kMmPerInch;

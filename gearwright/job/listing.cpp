@@ -39,11 +39,11 @@ std::string pair_interval_listing(const SolvedJob& job) {
   // Each limit has a listing of its own, because the values of two gears already need two columns.
   auto [lower, upper] = pair_limits(job);
   const auto both = differing(std::move(lower), std::move(upper));
-  return "\nValues with the thinnest teeth and the most backlash, or the least value if other "
-         "combinations give less\n" +
+  return "\nValues with the thinnest teeth and the most backlash; if another combination gives "
+         "less, the least value\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash, or the greatest value if other "
-         "combinations give more\n" +
+         "\nValues with the thickest teeth and the least backlash; if another combination gives "
+         "more, the greatest value\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
 }
 

@@ -35,8 +35,8 @@ std::optional<Error> complete_load(SolvedJob& job) {
   job.warnings.push_back(
       {WarningCode::torque_of_rating,
        fmt::format(
-           "[load] gives no torque, so the nominal torque of [rating], {} N m on gear 1, is "
-           "used. It does not contain K_A.",
+           "[load] gives no torque, so the nominal torque of [rating], {} N m on gear 1, is used. "
+           "This torque does not contain K_A.",
            format_number(*torque)),
        0});
   return std::nullopt;

@@ -46,8 +46,8 @@ std::string why_none(const SolvedJob& job, ReliefLength length) {
   const char* const why =
       ratio > 1.0 ? "at a transverse contact ratio of {:.3f} no tooth pair ever carries "
                     "the whole load"
-                  : "the flanks touch over only {:.3f} base pitches, and a relief needs "
-                    "more than one";
+                  : "the flanks touch over only {:.3f} base pitches, but a relief needs more than "
+                    "one";
   return fmt::format("There are no {} reliefs, because {}.", words_of(length),
                      fmt::format(fmt::runtime(why), ratio));
 }

@@ -177,8 +177,8 @@ std::string too_pressed(const std::vector<Proposal>& list, const Proposal& best)
   if (!free || list[*free].worst.max_pressure <= best.worst.max_pressure) return "";
   const double pressure = list[*free].worst.max_pressure;
   return fmt::format(
-      " Proposal {} has no loaded edge there, but without deviations its pressure is {:.0f} % "
-      "greater ({} N/mm²).",
+      " Proposal {} has no loaded edge at these limits, but without deviations its pressure is "
+      "{:.0f} % greater ({} N/mm²).",
       *free + 1, 100 * (pressure / best.worst.max_pressure - 1),
       arrow(best.worst.max_pressure, pressure, 0));
 }
@@ -199,17 +199,18 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
   std::string text =
       best == 0
           ? std::string(
-                "No proposal improves the spec as given without increasing its transmission error.")
+                "The spec as given is the best proposal. Only proposals that do not increase its "
+                "transmission error are compared.")
       : !scored
           ? fmt::format(
                 "The spec as given has no result under this load. {}Among the proposals, this one "
                 "has the least sum of transmission error and pressure.",
                 edges)
           : fmt::format(
-                "{}Among the proposals that do not increase the transmission error of the spec as "
-                "given, this one has the least sum of transmission error ({}″) and pressure ({} "
-                "N/mm²{}), each relative to the spec as given. A proposal with more changes is "
-                "recommended only if it is better by 1 %.",
+                "{}This proposal has the least sum of transmission error ({}″) and pressure ({} "
+                "N/mm²{}), each relative to the spec as given. Only proposals that do not increase "
+                "the transmission error are compared. A proposal with more changes is recommended "
+                "only if it is better by 1 %.",
                 edges, arrow(given.worst.peak_to_peak.arcsec(), p.worst.peak_to_peak.arcsec(), 2),
                 arrow(pressed(given).max_pressure, pressed(p).max_pressure, 0),
                 p.at_limits ? " at the limits of the helix slopes" : "");
@@ -233,7 +234,7 @@ std::string reason_of(const std::vector<Proposal>& list, std::size_t best) {
 
 std::string origin(const ProposeAnswer& a, std::size_t i) {
   if (i == 0) return "This is the spec as given.";
-  return fmt::format("Proposal {} of the verb propose: {}.", i + 1, words_of(a.proposals[i]));
+  return fmt::format("Proposal {} of gearwright propose: {}.", i + 1, words_of(a.proposals[i]));
 }
 
 }  // namespace
@@ -358,8 +359,8 @@ Result<ProposeAnswer> answer_propose(SolvedJob& job, Progress* progress) {
     for (const std::string& remark : remarks) a.reason += " " + remark;
   if (job.spec.errors.any())
     a.reason +=
-        " No proposal corrects [errors] by a helix slope. The verb compensate computes corrections "
-        "of these errors.";
+        " No proposal corrects [errors] by a helix slope. The command gearwright compensate "
+        "computes corrections of these errors.";
   for (std::size_t i = 0; i < a.proposals.size(); ++i) a.notes.push_back({origin(a, i)});
   job.warnings = jobs[a.recommended].warnings;
   a.verdict = judge(jobs[a.recommended], {.load = true});

@@ -118,7 +118,7 @@ TEST(Propose, ReasonNamesCompensateAndLossesAtTheLimits) {
   for (const char* errors : {"", "[errors]\ncrossing_deg = 0.05\n"}) {
     const ProposeAnswer a = propose_for(kHelical + kDraft + "torque_Nm = 150\n" + errors);
     const auto has = [&](const char* words) { return a.reason.find(words) != a.reason.npos; };
-    EXPECT_EQ(has("verb compensate"), *errors != '\0') << a.reason;
+    EXPECT_EQ(has("gearwright compensate"), *errors != '\0') << a.reason;
     const auto& best = *a.proposals[a.recommended].at_limits;
     const auto& given = *a.proposals.front().at_limits;
     EXPECT_EQ(has("limits of the helix slopes, its transmission error is greater"),

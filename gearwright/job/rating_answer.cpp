@@ -31,8 +31,9 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
     job.warnings.push_back(
         {WarningCode::rating_crowning,
          "K_Hβ is computed without the crowning, helix slope and end relief of this gear. Give "
-         "`rating.face_load_factor`, for example the value that the verb propose computes with the "
-         "helix slope deviations. The verb load computes K_Hβ without these deviations.",
+         "`rating.face_load_factor`. The command gearwright propose computes a suitable value, "
+         "which contains the effect of the helix slope deviations. The value from gearwright load "
+         "does not contain this effect.",
          which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);

@@ -178,8 +178,8 @@ Json result_schema() {
   // each key has two numbers.
   const Json interval{{"type", "object"},
                       {"description",
-                       "numbers that depend on the tolerances, each with two values: at the lower "
-                       "and at the upper end of the tolerances"}};
+                       "numbers that depend on the tolerances; each number has two values, one at "
+                       "the lower and one at the upper end of the tolerances"}};
   for (const QuantityTable* table :
        {&gear_quantities().table(), &measure_quantities().table(), &pair_quantities().table()})
     schema.definitions()[definition_name(*table)]["properties"]["interval"] = interval;

@@ -218,7 +218,7 @@ Result<JobFile> make_rexs(const DriveJob& job, const std::filesystem::path& path
       return Error{name, "", "has no module; a REXS file needs `normal_module_mm` of every gear"};
     if (!geometry.gears[g])
       return Error{name, "",
-                   "has no teeth that fit the drive, so it cannot be written to a REXS file; "
+                   "has no teeth that fit the drive, so the gear cannot be written to a REXS file; "
                    "`gearwright drive SPEC` prints the reason"};
     if (auto error = not_in_rexs(*geometry.gears[g], name)) return *error;
   }

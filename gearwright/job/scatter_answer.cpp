@@ -430,8 +430,8 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     for (Warning& w : job.warnings)
       if (w.code == WarningCode::samples_touch_edges && found->any())
         w.message += fmt::format(
-            " Without and with the corrections of [scatter.robust], an edge {} in {} and {} of {} "
-            "other samples.",
+            " In a comparison with other samples, an edge {} in {} samples without the corrections "
+            "of [scatter.robust], and in {} of {} samples with these corrections.",
             robust.load ? "carries load" : "is in contact", before.count, after.count, after.of);
     Json corrected = corrected_spec(job, answer.setup, robust.corrections, found->value,
                                     task.member.gear2_drives);

@@ -26,8 +26,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
     for (const std::size_t t : block) names.push_back('"' + tolerances[t].name + '"');
     return Error{
         "scatter.groups", "",
-        fmt::format("correlated inputs must be in one group, because one of them alone has no "
-                    "indices; give correlated = [{}] in [scatter.groups], or indices = false",
+        fmt::format("correlated inputs must be in one group, because indices exist only for the "
+                    "whole group; give correlated = [{}] in [scatter.groups], or indices = false",
                     fmt::join(names, ", "))};
   }
   return std::nullopt;
@@ -82,8 +82,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_in_mm(
     for (std::size_t k = 0; k < 2; ++k)
       if (named[k].size() > named[1 - k].size())
         return Error{field, given.between[k],
-                     fmt::format("is a position and can be correlated with the position of another "
-                                 "bore; for {}, give {} or {} instead",
+                     fmt::format("is a position and can be correlated only with the position of "
+                                 "another bore; to correlate it with {}, give {} or {} instead",
                                  given.between[1 - k], names[named[k][0]], names[named[k][1]])};
     for (std::size_t k = 0; k < named[0].size(); ++k) {
       const auto [first, second] = std::minmax(named[0][k], named[1][k]);
@@ -92,7 +92,8 @@ Result<std::vector<ToleranceCorrelation>> correlations_in_mm(
       };
       if (first == second || std::any_of(correlations.begin(), correlations.end(), same))
         return Error{field, "",
-                     first == second ? "must be two different inputs; both names mean the same one"
+                     first == second ? "must be two different inputs, but both names mean the same "
+                                       "input"
                                      : "the correlation of these two inputs is given twice; remove "
                                        "one of the two"};
       correlations.push_back({first, second, given.value, n + 1});

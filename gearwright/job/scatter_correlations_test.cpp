@@ -93,7 +93,7 @@ TEST(ScatterCorrelations, OfBoresWavesAndPitches) {
   };
   expect(R"(["bearings.bore_a", "gear1.pitch"])", "bearings.bore_a.x_mm or");
   expect(R"(["bearings.bore_a.x_mm", "bearings.bore_a.y_mm"])", "uniform in its circle");
-  expect(R"(["gear1.pitch", "gear1.pitch.share"])", "the same one");
+  expect(R"(["gear1.pitch", "gear1.pitch.share"])", "the same input");
   expect(R"(["gear1.profile_waves.phase_deg", "gear1.pitch"])", "gear1.profile_waves.waves, ");
 }
 

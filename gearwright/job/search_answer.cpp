@@ -81,8 +81,8 @@ std::string no_change_helps(const SearchRun& run, UnitSystem units) {
   }
   return fmt::format(
       "Changing only one of these keys does not help: {}. Centre distances were changed by a "
-      "factor of at most 2, ratios by at most half of their value, and other keys, such as the "
-      "modules or the helix angles, not at all.",
+      "factor of at most 2, and ratios by at most half of their value. Other keys, such as the "
+      "modules or the helix angles, were not changed.",
       fmt::join(keys, ", "));
 }
 

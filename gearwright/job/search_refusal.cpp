@@ -12,7 +12,7 @@
 namespace gearwright {
 
 Error no_search() {
-  return absent_input("search", "; a search needs a table [search] with at least ratio");
+  return absent_input("search", "; a search needs a table [search] with at least the key ratio");
 }
 
 Error no_tooth_numbers() {
@@ -137,8 +137,8 @@ std::optional<Error> refuse_large(const Search& search, const SearchOptions& opt
           rough_count(size), duration_text(size / rate), rough_count(rate), threads,
           threads == 1 ? "" : "s",
           search.problem().draw
-              ? ". If `mounting` is given in [search] without tolerances and without a band of "
-                "face widths, designs are not drawn, which is faster"
+              ? ". The search is faster if designs are not drawn; for this, give `mounting` in "
+                "[search], and leave out tolerances and bands of face widths"
               : ""),
       FailureKind::option};
 }

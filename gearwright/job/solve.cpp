@@ -95,8 +95,9 @@ Result<SolvedJob> solve_gears(const JobSpec& spec, Scope scope) {
   }
   if (spec.drive) {
     return Error{"", "",
-                 "the spec describes a drive; use the verb drive, rate, run or export. The command "
-                 "gearwright drive with --take 1 writes the spec of the first mesh for this verb"};
+                 "the spec describes a drive; use one of the verbs drive, rate, run and export. "
+                 "The command gearwright drive with --take 1 writes the spec of the first mesh for "
+                 "this verb"};
   }
   if (!spec.has(1)) {
     return absent_input("gear1.teeth",
@@ -154,8 +155,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec) {
   return Error{
       "gear2.form", "rack",
       "makes gear 2 a rack, but this verb needs two gears. The verbs gear, pair, contact, outline, "
-      "export and run compute a rack and its pinion. For load and rate, a gear 2 with teeth = 200 "
-      "can replace the rack; docs/spec.md describes the bore, flank stress and life of this gear"};
+      "export and run compute a rack and its pinion. For the verbs load and rate, a gear 2 with "
+      "teeth = 200 can replace the rack; docs/spec.md describes the bore, flank stress and life of "
+      "this gear"};
 }
 
 Result<SolvedJob> solve(const JobSpec& spec, Scope scope) {

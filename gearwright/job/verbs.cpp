@@ -177,7 +177,8 @@ Result<Answer> run_scatter(const JobSpec& spec, Progress* progress) {
   Answer found = std::move(answer).take();
   if (found.specs.empty())
     found.why_none =
-        "the spec has no table [scatter.robust], which would list the corrections to compute";
+        "the spec has no table [scatter.robust], which lists the corrections that are to be "
+        "computed";
   return found;
 }
 

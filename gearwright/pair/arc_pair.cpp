@@ -139,9 +139,9 @@ std::optional<Error> find_contacts(ArcPair& pair) {
           reason = refused(
               "pair.center_distance", pair.center_distance, {free - (c.radius - v.radius), free},
               fmt::format(
-                  "the arcs have no common normal at this centre distance; with radii of "
-                  "{:.6g} mm and {:.6g} mm and centres at {:.6g} mm and {:.6g} mm from the pitch "
-                  "plane, the centre distance must lie between {{}} mm and {{}} mm",
+                  "the arcs have no common normal at this centre distance. Their radii are {:.6g} "
+                  "mm and {:.6g} mm, and their centres are {:.6g} mm and {:.6g} mm from the pitch "
+                  "plane. The centre distance must lie between {{}} mm and {{}} mm",
                   v.radius, c.radius, v.b, c.b));
           continue;
         }
@@ -231,7 +231,7 @@ void warn_about_contact(ArcPair& pair, const ArcPairContact& c) {
     pair.warnings.push_back(
         {WarningCode::pressure_angle,
          fmt::format("The given pressure angle of the rack is {:.4f}°, but with the given radii "
-                     "and centres {} at the reference centre distance.",
+                     "and centres, {} at the reference centre distance.",
                      written->deg(), is),
          which});
   }
@@ -243,8 +243,8 @@ void warn_about_pair(ArcPair& pair) {
   if (pair.contacts.empty()) {
     warn(pair, WarningCode::unequal_lead,
          fmt::format("The gears do not have matching leads (modules {}\u00a0mm and {}\u00a0mm, "
-                     "helix angles {}° and {}°). They have no contact point that moves along the "
-                     "teeth, and results that depend on such a point are omitted.",
+                     "helix angles {}° and {}°). Their teeth have no contact point that moves "
+                     "along the face, and results that depend on such a point are omitted.",
                      s_1.normal_module, s_2.normal_module, s_1.helix_angle.deg(),
                      s_2.helix_angle.deg()));
   }

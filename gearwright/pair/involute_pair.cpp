@@ -55,8 +55,8 @@ void warn_about_contact(InvolutePair& p, const char* lacks, const char* ratio_of
                            "centre distance.");
   } else if (ratio < 1.0) {
     warn(p, WarningCode::contact_ratio,
-         fmt::format("The {} is {:.3f}, and contact is not continuous below 1.", ratio_of_all,
-                     ratio));
+         fmt::format("The {} is {:.3f}, but must be at least 1 for continuous contact.",
+                     ratio_of_all, ratio));
   }
 }
 

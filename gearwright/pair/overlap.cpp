@@ -31,7 +31,7 @@ constexpr std::array kCauses{
     CauseMeaning{CollisionCause::tip_corner, "tip_corner", "a tip corner and a flank"},
     CauseMeaning{
         CollisionCause::trochoid, "trochoid",
-        "internal pairs: the tip corner of the pinion and the internal gear, at entry or exit"},
+        "the tip corner of the pinion and the internal gear of an internal pair, at entry or exit"},
     CauseMeaning{CollisionCause::root, "root",
                  "a tip below the root circle of the mating gear; in this case, other causes and "
                  "the free rotation are not computed"},
@@ -39,11 +39,11 @@ constexpr std::array kCauses{
                  "the flanks themselves, because the teeth are too thick for this centre distance"},
     CauseMeaning{CollisionCause::outline, "outline", "other parts of the outlines"},
     CauseMeaning{CollisionCause::form_circle, "form_circle",
-                 "without overlap: the tip of the mating gear passes the form circle, and no other "
-                 "arc touches before the flanks"},
+                 "the outlines do not overlap, but the tip of the mating gear passes the form "
+                 "circle; no other arc touches before the flanks"},
     CauseMeaning{CollisionCause::base_tangent, "base_tangent",
-                 "without overlap: the tip of the mating gear passes the base tangent point, and "
-                 "no other arc touches before the flanks"}};
+                 "the outlines do not overlap, but the tip of the mating gear passes the base "
+                 "tangent point; no other arc touches before the flanks"}};
 
 }  // namespace
 

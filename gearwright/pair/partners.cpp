@@ -66,8 +66,8 @@ std::optional<Error> check_shaft_angle(const BasePair<double>& gears, double sig
   if (sigma == 0.0) {
     return beyond(
         range, 0.0,
-        fmt::format("parallel axes need equal and opposite base helix angles, so for the same "
-                    "module, gear 2 needs a helix angle of {}°; with the given angles {}",
+        fmt::format("parallel axes need equal and opposite base helix angles; if gear 2 has the "
+                    "same module, its helix angle must be {}°; with the given angles, {}",
                     format_number(0.0 - gear_1.helix_angle.deg()), kReach));
   }
   if (range.contains(sigma)) {

@@ -153,7 +153,7 @@ void find_faults(RackPair& p) {
   }
   if (p.true_contact_ratio() + p.overlap_ratio < 1.0) {
     warn(p, WarningCode::contact_ratio, 0,
-         fmt::format("The contact ratio on the usable flanks is {:.3f}, below 1.",
+         fmt::format("The contact ratio on the usable flanks is {:.3f}, which is less than 1.",
                      p.true_contact_ratio() + p.overlap_ratio));
   }
 }

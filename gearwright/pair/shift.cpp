@@ -15,8 +15,8 @@ Error no_working_angle(double a, double least, bool external, double a_d) {
   return refused(
       "pair.center_distance", a, {least, kMaxDistance * least},
       fmt::format("at this centre distance there is no working pressure angle; the centre distance "
-                  "must be greater than {{}} mm, the {} of the base radii, and at most {{}} mm, "
-                  "which is {} times the lower limit (the reference centre distance is {} mm)",
+                  "must be greater than {{}} mm (the {} of the base radii) and at most {{}} mm ({} "
+                  "times the lower limit); the reference centre distance is {} mm",
                   external ? "sum" : "difference", kMaxDistance, format_number(a_d)));
 }
 

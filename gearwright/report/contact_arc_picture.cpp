@@ -176,7 +176,8 @@ Figure teeth_figure(const ArcPair& pair, const ArcPairContact& contact) {
                       "with the common normal.",
                       m, 0.0);
   f.caption = fmt::format(
-      ", in the plane normal to the tooth, as mounted without errors, with a normal angle of {}°.",
+      ", in the plane normal to the tooth. The gears are mounted without errors, and the normal "
+      "angle is {}°.",
       fixed(contact.at.theta.deg(), 3));
   f.keys = {{"g1", "gear 1, below"}, {"g2", "gear 2, above"}, {"action", "common normal"}};
   const double deep = 4.0 * m;

@@ -116,8 +116,9 @@ std::string te_part(const ContactReport& report, UnitSystem units) {
 std::string pattern_part(const ContactReport& report, UnitSystem units) {
   // If the flanks are conjugate, all tooth pairs in mesh touch at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
-                            ? " Here all tooth pairs in mesh touch at the same time. The path "
-                              "shows the pitch in which a tooth pair is nearest to the centre line."
+                            ? " Here all tooth pairs in mesh touch at the same time. At each "
+                              "position, the path shows only the tooth pair that is nearest to the "
+                              "centre line."
                             : "";
   return fmt::format(
              "<h3>Bearing contact: where the teeth touch</h3>\n<p>Each picture shows a flank laid "

@@ -100,9 +100,9 @@ Figure plan_figure(const InvolutePair& pair) {
   const Vec2 half = plan_window(pair);
   Figure f = plane_figure(
       "plan", "Lines of action",
-      "Both gears seen along the centre line from gear 2, with the pitch cylinders as rectangles "
-      "and the tip cylinders as thin rectangles, both axes, the direction of the teeth, and the "
-      "leading and trailing lines of action with their ends and base tangent points.",
+      "Both gears seen along the centre line from gear 2. Rectangles show the pitch cylinders, and "
+      "thin rectangles the tip cylinders. Lines show both axes, the direction of the teeth, and "
+      "the leading and trailing lines of action with their ends and base tangent points.",
       {-half, half});
   f.caption = " seen along the centre line from gear 2. " + line_key() +
               " The rectangles are the pitch cylinders from face to face, and the thin rectangles "

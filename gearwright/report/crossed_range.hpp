@@ -19,10 +19,11 @@ struct CrossedSample {
   FaceWidths<double> faces;  ///< f, f′
 };
 
-/// The pair of the same gears without backlash, for a common rack with the pressure angle α_wn.
-/// None if there is no such rack.
+/// The position without backlash at which the common rack of both gears has the pressure angle
+/// α_wn, with the contact ratio and the face widths at this position. None if there is no such
+/// rack.
 ///
-/// Formula   crossed_place, then mesh_of at the resulting position
+/// Formula   crossed_place() for the position, mesh_of() for the contact ratio and the face widths
 /// Domain    crossed axes (contract)
 std::optional<CrossedSample> crossed_sample(const CrossedPair& pair, Angle normal_pressure_angle);
 

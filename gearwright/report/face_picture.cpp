@@ -90,8 +90,8 @@ Figure face_width_figure(const CrossedPair& pair) {
   Figure f{
       "widths",
       "Face widths",
-      "Face widths required by one flank and by both flanks of each gear, over the normal pressure "
-      "angle of the common rack, with the actual face widths as lines.",
+      "Face widths that one flank and both flanks of each gear require, over the normal pressure "
+      "angle of the common rack. Lines show the actual face widths.",
       fmt::format(
           " required by the lines of action, without backlash. Full curves are for one flank ({}). "
           "Dashed curves are for both flanks, measured about the common perpendicular ({}). {}{}{}",

@@ -112,7 +112,7 @@ std::string pressure_part(const LoadScene& report, UnitSystem units) {
              "towards tips and ends. A bright border means that an edge carries load, or "
              "that one end of the face carries most of the load{}.</p>\n",
              shown_torque(report).edge_carries
-                 ? "; an edge carries load here, and the true pressure is higher than drawn"
+                 ? ". An edge carries load here, and the true pressure is higher than drawn"
                  : "") +
          side_by_side(figure_html(in_units(units, pressure_figure(report, 0)), kFigureWidth, "",
                                   turn_control(*report.pair)) +

@@ -125,8 +125,8 @@ Figure path_figure(const InvolutePair& pair) {
   Figure f{
       "path",
       "Path of contact",
-      "Specific sliding of both gears over the path of contact from A to E, and below it the "
-      "number of tooth pairs in contact.",
+      "Specific sliding of both gears over the path of contact from A to E. Below the curves is "
+      "the number of tooth pairs in contact.",
       ", with the number of tooth pairs in contact in one transverse section, and the specific "
       "sliding.",
       {"distance from the pitch point C along the line of action", "mm", mesh.rho1_A - mesh.rho1_C,

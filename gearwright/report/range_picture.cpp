@@ -125,7 +125,7 @@ std::optional<Figure> zoom_figure(const CrossedPair& pair, const std::vector<App
       "least",
       "Approximations of the least centre distance",
       "The curve shows how much the centre distance exceeds its least value at each normal "
-      "pressure angle of the common rack, with marks at the exact and the approximate solutions.",
+      "pressure angle of the common rack. Marks show the exact and the approximate solutions.",
       ". Mark 0 is the exact solution. Marks 1 to 3 are the series with one to three terms, v is "
       "the virtual spur pair, and v′ is the corrected virtual spur pair. The curve is the exact "
       "centre distance at each angle. Near its least value, the centre distance hardly changes.",

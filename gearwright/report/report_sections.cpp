@@ -49,7 +49,8 @@ std::string finding_under_load(const CompensateView& v) {
 std::string finding(const CompensateView& v) {
   if (v.nothing_to_correct)
     return fmt::format(
-        "There is nothing to correct, because none of these corrections improves the pair by {}.",
+        "There is nothing to correct, because none of these corrections improves the pair by at "
+        "least {}.",
         least_gain(v.aim));
   if (!v.loads.empty()) return finding_under_load(v);
   // Position of the contact pattern along the face. If the position along the face is 0 in both
@@ -60,8 +61,8 @@ std::string finding(const CompensateView& v) {
   };
   return fmt::format(
       "With these corrections, and for the worst combination of errors, the peak-to-peak "
-      "transmission error is {}″ instead of {}″, the contact is {} % off the middle of the {} "
-      "instead of {} %, and an edge touches at {} % of the positions instead of {} %.",
+      "transmission error is {}″ instead of {}″. The contact is {} % off the middle of the {} "
+      "instead of {} %. An edge touches at {} % of the positions instead of {} %.",
       arcsec(v.after), arcsec(v.before), place(v.after), face ? "face" : "profile", place(v.before),
       percent(v.after.edge_share), percent(v.before.edge_share));
 }
@@ -180,8 +181,8 @@ std::string rating_section(const RatingAnswer& view, UnitSystem units) {
   return fmt::format(
       "<section class=\"rating\">\n<h2>Strength</h2>\n<p>The strength is rated by {}. Scuffing and "
       "micropitting are not rated{}.</p>\n<p><strong>{}</strong></p>\n{}</section>\n",
-      method, plastic ? ", and wear and deformation are not rated either" : "",
-      finding(view.rating), table(view, units));
+      method, plastic ? ". Wear and deformation are not rated either" : "", finding(view.rating),
+      table(view, units));
 }
 
 std::string halves_part(std::string_view shared, std::string_view alike,

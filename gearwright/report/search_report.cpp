@@ -67,7 +67,8 @@ std::string rejected_table(const SearchCounts& counts) {
                     fixed(share, share < 1.0 ? 3 : 1) + "\u00a0%"});
   }
   return value_table(
-      "Rejected trials, by the first limit after which no permissible profile shift remains",
+      "Rejected trials; each trial counts for the first limit that leaves no permissible profile "
+      "shift",
       {"Limit", "Trials", "Share of all"}, rows, "tally");
 }
 
@@ -127,10 +128,10 @@ std::string thumbnail_section(const SearchReport& report) {
   const std::size_t n = std::min({kRegionPictures, report.rows, report.answer.designs.size()});
   if (n < 2) return {};
   std::string text = fmt::format(
-      "<section>\n<h2>Feasible profile shifts of the best {} designs</h2>\n<p>In each picture {} "
-      "increases to the right and {} upwards. The filled region contains the shifts within the "
-      "limits, and the dot is the design. A large region allows later changes. A narrow region or "
-      "a line allows hardly any other profile shifts.</p>\n<div class=\"multiples\">\n",
+      "<section>\n<h2>Feasible profile shifts of the best {} designs</h2>\n<p>In each picture, {} "
+      "increases to the right, and {} increases upwards. The filled region contains the shifts "
+      "within the limits, and the dot is the design. A large region allows later changes. A narrow "
+      "region or a line allows hardly any other profile shifts.</p>\n<div class=\"multiples\">\n",
       n, symbol_html("x_1"), symbol_html("x_2"));
   for (std::size_t i = 0; i < n; ++i) {
     const DesignRow& row = report.answer.designs[i];
@@ -248,8 +249,8 @@ std::string study_report(const StudyReport& report) {
                     .sections = "<section>\n<h2>Ranking</h2>\n" + figure_of(report) +
                                 table_of(report) + "</section>\n" + refused_section(report),
                     .spec = report.spec_text,
-                    .foot = "The teeth are rigid. The samples of every design are computed as for "
-                            "the verb scatter.",
+                    .foot = "The teeth are rigid. The samples of every design are computed as by "
+                            "gearwright scatter.",
                     .style = search_style(),
                     .script = sort_script()});
 }

@@ -31,8 +31,8 @@ constexpr Entry kEntries[] = {
     {"center_distance_mm", ""},
     {"profile_shift", "in modules"},
     {"point",
-     "“balanced” is a point on the line on which the teeth of both gears are about equally strong; "
-     "“middle” is the middle of the region and is used if this line does not cross the region"},
+     "“balanced” is a point on the line on which the teeth of both gears are about equally strong. "
+     "If this line does not cross the region, the point is “middle”, the middle of the region"},
     {"contact_ratio", "from tip to tip, by the formula"},
     {"contact_ratio_true", "for the part of the path on which both flanks are usable"},
     {"overlap_ratio", ""},

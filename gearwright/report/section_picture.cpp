@@ -136,8 +136,8 @@ Figure section_figure(const InvolutePair& pair) {
   f.caption = fmt::format(
       " of the common rack, through the leading line, with {}. The lines are drawn in true length, "
       "at the angle {} = {}°. Tip cylinders are full, pitch cylinders dash-dotted and base "
-      "cylinders dashed. The pitch planes are {} = {} mm apart, and the lines are {} mm on either "
-      "side of the centre line, along the teeth.",
+      "cylinders dashed. The pitch planes are {} = {} mm apart, and each line is {} mm from the "
+      "centre line, measured along the teeth.",
       pair.side() > 0.0 ? "gear 1 below" : "both axes above", symbol_html("α_wn"),
       fixed(Angle::radians(m.rack.normal_pressure_angle).deg(), kAngleDigits), symbol_html("X"),
       fixed(m.pitch_plane_distance, kLengthDigits), fixed(std::abs(m.line_offset), kLengthDigits));

@@ -78,8 +78,9 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
       {.id = "chart-limits",
        .title = "Limits of the profile shift",
        .description =
-           "For each number of teeth, the profile shift below which gears are undercut, and the "
-           "profile shifts at which tips are pointed or 0.2 or 0.4 modules thick.",
+           "The curves show, for each number of teeth, the profile shift below which gears are "
+           "undercut, and the profile shifts at which tips are pointed, 0.2 modules thick and 0.4 "
+           "modules thick.",
        .caption = {},
        .x = {},
        .y = {.words = "profile shift",
@@ -145,8 +146,8 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
       {.id = "chart-identical",
        .title = "Contact ratio of two identical gears",
        .description =
-           "Contact ratio over the number of teeth, with one curve for each of five profile shifts "
-           "between the least and the greatest profile shift that the search allows.",
+           "Contact ratio over the number of teeth. Each of the five curves is for one profile "
+           "shift between the least and the greatest shift that the search allows.",
        .caption = {},
        .x = {},
        .y = {.words = "contact ratio", .unit = {}, .symbol = "ε_α"}});

@@ -71,9 +71,9 @@ const char* words_of(const Gear& gear, ArcName name) {
 
 std::string why_no_outline(const Gear& gear) {
   if (gear.internal()) {
-    return "The diameters and thicknesses of an internal gear are in the table. Its pinion cutter "
-           "generates the outline, and no cutter is given. If cut_by is given, the report shows a "
-           "picture of the tooth.";
+    return "The table contains the diameters and thicknesses of the internal gear. There is no "
+           "picture of its tooth, because the outline depends on the pinion cutter, which is not "
+           "given. To get the picture, give cut_by.";
   }
   for (const Warning& w : gear.warnings) {
     if (w.code == WarningCode::severed || w.code == WarningCode::through_axis) return w.message;

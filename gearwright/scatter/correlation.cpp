@@ -133,8 +133,8 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
     for (const std::size_t at : {c.first, c.second})
       if (!scored[at])
         return Error{field(c) + ".between", names[at],
-                     fmt::format("cannot be correlated, because it is a phase or a number of waves "
-                                 "that does not vary; the numbers that can be correlated are {}",
+                     fmt::format("cannot be correlated, because it is a phase or a constant number "
+                                 "of waves; the numbers that can be correlated are {}",
                                  fmt::join(possible, ", "))};
     if (owner[c.first] == owner[c.second] && tolerances[owner[c.first]].bore())
       return Error{field(c) + ".between", names[c.second],
@@ -166,7 +166,8 @@ std::optional<Error> check_correlations(std::span<const ScatterTolerance> tolera
   return Error{
       field(c) + ".value", fmt::format("{}", c.value),
       fmt::format(
-          "{}; with the other correlations, the nearest possible value for {} and {} is {:.4f}",
+          "{}; if the other correlations are kept, the nearest possible correlation of {} and {} "
+          "is {:.4f}",
           why, names[c.first], names[c.second], nearest)};
 }
 

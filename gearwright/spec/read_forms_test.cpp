@@ -101,9 +101,9 @@ TEST(ReadForms, a_planet_follows_from_sun_and_ring) {
   EXPECT_EQ(planet("sun = 20\nplanet = 29\nring = 80\n"), 29);
   EXPECT_EQ(
       refused_form("[planetary]\nsun = 20\nring = 79\n"),
-      "planetary.planet: is missing; it is (ring − sun)/2 only if this is whole, but (ring − "
-      "sun)/2 = 29.5. Give planet = 29 or 30, whose profile shifts then follow from the common "
-      "centre distance, or ring = 78 or 80");
+      "planetary.planet: is missing; its default is (ring − sun)/2 = 29.5, which is not a whole "
+      "number. Give planet = 29 or 30, for which the profile shifts follow from the common centre "
+      "distance, or give ring = 78 or 80");
   EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 21\n"),
             "planetary.ring = 21: must have at least 22 teeth, because the planets are between it "
             "and the sun = 20");

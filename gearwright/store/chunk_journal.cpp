@@ -90,8 +90,8 @@ void ChunkJournal::fail() const {
   }
   if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB) {
     why +=
-        "; move the journal away and continue with --resume, because the chunk files are complete "
-        "without the journal";
+        "; move the journal to another folder and continue with --resume; the chunk files are "
+        "complete without the journal";
   }
   throw IoError(fmt::format("the journal {}: {}", path_.string(), why));
 }

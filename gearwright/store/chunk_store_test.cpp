@@ -233,7 +233,8 @@ TEST_F(ChunkStoreTest, the_chunks_outlive_the_journal) {
   const std::string message = message_of([&] { opened(OpenAs::resume, campaign(5)); });
   EXPECT_TRUE(contains(message, (folder_ / "journal.sqlite").string() + ": file is not a database"))
       << message;
-  EXPECT_TRUE(contains(message, "move the journal away and continue with --resume")) << message;
+  EXPECT_TRUE(contains(message, "move the journal to another folder and continue with --resume"))
+      << message;
   for (const bool empty : {false, true}) {
     fs::remove(folder_ / "journal.sqlite");
     if (empty) write(folder_ / "journal.sqlite", "");  // killed before the first row

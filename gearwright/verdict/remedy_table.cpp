@@ -274,7 +274,7 @@ std::string remedy_words(const Cure& cure, const SpecChange& change, const Findi
                ? "there is no backlash"
                : fmt::format(kBacklash, trial.backlash);
   } else if (cure.then == kBacklash) {
-    then = "the backlash is positive at every tolerance end";
+    then = "the backlash is positive at both ends of every tolerance";
   } else {
     then = fmt::format(fmt::runtime(cure.then), finding.gear);
     const bool undercut =

@@ -411,7 +411,7 @@ class DoubleHelical(unittest.TestCase):
                 (self.stage(HALVES.replace("}", ", stagger_pitches = 0.5 }")), "staggered halves"),
                 (self.stage().replace(", face_width_mm = 50", ""), "stage[1].gears[1].face_width_mm"),
                 (self.stage().replace(", helix_angle_deg = 25", "").replace(", helix_angle_deg = -25", ""), "helix_angle"),
-                (lift, "its pinion is double-helical")):
+                (lift, "the pinion of this mesh is double-helical")):
             run = Run("drive", spec)
             self.assertEqual(run.status, 1, spec)
             for word in words:

@@ -212,7 +212,7 @@ class Fitted(Asked):
         out = Run("fit", spec.format("")).out
         pair = self.ok("pair", Run("fit", spec.format(""), "--take", 1).out)["pair"]
         j = pair["backlash"]
-        words = f"The circumferential backlash at the working pitch circles is {j['circumferential_mm'][0]:.4f} mm, and in the normal section it is {j['normal_mm']:.4f} mm."
+        words = f"The backlash is {j['circumferential_mm'][0]:.4f} mm along the working pitch circles and {j['normal_mm']:.4f} mm in the normal section."
         self.assertIn(words, " ".join(out.split()))
 
 

@@ -238,7 +238,7 @@ class OtherMessages(unittest.TestCase):
         self.assertIn("No standard gear matches this reading", single)
         self.assertNotIn("other readings", single)
         spans = listing(teeth=29, measured={"span_mm": {"3": 38.13, "4": 48.46}})
-        self.assertIn("with one tooth more in each span, all readings agree with a gear of 29 teeth with the module 3.5", spans)
+        self.assertIn("With one tooth more in each span, all readings agree with a gear of 29 teeth with the module 3.5", spans)
         self.assertIn("Measure the tip diameter, which is about 110.089 mm for this gear and 172.248 mm for candidate 1.", spans)
 
 

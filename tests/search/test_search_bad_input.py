@@ -65,7 +65,7 @@ class Refused(Asked):
         self.no(spec(modules_mm=None, after="modules_mm = nan\n"), "search.modules_mm", "nan")
 
     def test_what_is_missing(self):
-        self.no("[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "search", "at least ratio")
+        self.no("[gear1]\nteeth = 20\nnormal_module_mm = 2\n", "search", "at least the key ratio")
         self.no(spec(ratio=None), "search.ratio", "is missing", "z2/z1", "[1.9, 2.1]")
         self.no("[search]\n", "search.ratio", "[1.9, 2.1]")
         self.no("search = 3\n", "search", "table")

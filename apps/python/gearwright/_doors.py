@@ -16,7 +16,7 @@ Progress = Callable[[str, int, int], object]
 
 
 class _Line:
-    """Reports the progress of a search on stderr, from 1.5 s after the start."""
+    """Reports the progress of a search on stderr, beginning 1.5 s after the start."""
 
     def __init__(self) -> None:
         self.start = self.printed = time.monotonic()

@@ -16,8 +16,9 @@ namespace gearwright::web {
 
 namespace {
 
-// The word "any" also stands for numbers by name and for lists of texts, because the form has no
-// fields for them.
+// The words for KeyKind in the JSON, in the order of the enumerators. The form has no fields for
+// numbers by name, so the word for KeyKind::by_name is "any". For the same reason, key_json()
+// writes "any" for a list of texts.
 constexpr std::array<const char*, 8> kKinds{"number", "whole", "boolean", "text",
                                             "word",   "any",   "table",   "any"};
 constexpr std::array<const char*, 8> kTypes{"number", "whole", "index",  "flag",
