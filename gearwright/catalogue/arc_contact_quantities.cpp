@@ -67,10 +67,10 @@ const Quantities<ArcContact>& arc_quantities() {
 const Quantities<ArcContact>& radius_quantities() {
   using A = ArcContact;
   return define("pair.arc_contacts radius", [](Quantities<A>& q) {
-    q.number("convex", "radius of the transverse profile, convex", "ρ",
+    q.number("convex", "radius of the convex profile in the transverse section", "ρ",
              "at the contact on the convex flank", &A::transverse_radius_convex)
         .unit(Unit::mm);
-    q.number("concave", "radius of the transverse profile, concave", "ρ",
+    q.number("concave", "radius of the concave profile in the transverse section", "ρ",
              "at the contact on the concave flank", &A::transverse_radius_concave)
         .unit(Unit::mm);
   });

@@ -18,7 +18,7 @@ std::optional<KeyFault> check_ranges(CompensateInput& c, const KeyGiven&) {
     if (!c.range[i] || ++count <= kMaxRanges) continue;
     return KeyFault{std::string(error_entries()[i].key),
                     fmt::format("is one range too many; at most {} ranges are possible, because "
-                                "every combination of range ends is computed",
+                                "all combinations of their ends are computed",
                                 kMaxRanges)};
   }
   return std::nullopt;
@@ -75,17 +75,18 @@ const KeyTable& compensate_keys() {
                  &CompensateInput::aim, "\"transmission_error\"",
                  "the quantity to minimise. `transmission_error` applies to rigid teeth and also "
                  "centres the pattern. `loaded_transmission_error` (peak to peak) and `pressure` "
-                 "(greatest value) apply to teeth under the torques of `[load]`; the worst torque "
-                 "determines the result, and `centering_arcsec` has no effect"),
-       Key::not_negative("centering_arcsec", "w", &CompensateInput::centering_arcsec,
-                         "a tenth of the transmission error without corrections, but at least 0.1. "
-                         "With this default, corrections that increase the transmission error by "
-                         "0.01 arcsec or more are excluded",
-                         "penalty for a pattern at the end of the face [T8.24], or at the end of "
-                         "the profile for circular arcs, whose contact moves along the face. If "
-                         "the key is given, a better position of the pattern may cost "
-                         "transmission error. If the corrections together improve the sum of "
-                         "error and penalty by less than 0.001 arcsec, every correction is 0"),
+                 "(greatest value) apply to teeth under the torques of `[load]`. For these two, "
+                 "the worst torque determines the result, and `centering_arcsec` has no effect"),
+       Key::not_negative(
+           "centering_arcsec", "w", &CompensateInput::centering_arcsec,
+           "a tenth of the transmission error without corrections, but at least 0.1. "
+           "With this default, corrections that increase the transmission error by "
+           "0.01 arcsec or more are excluded",
+           "penalty for a pattern at the end of the face [T8.24]. For circular arcs, it is the "
+           "penalty for a pattern at the end of the profile, because their contact moves along the "
+           "face. If the key is given, the transmission error may increase to improve the position "
+           "of the pattern. If the corrections together improve the sum of error and penalty by "
+           "less than 0.001 arcsec, every correction is 0"),
        Key::part("range", compensate_range_keys,
                  KeyPlace::within<CompensateInput>([](auto& c) -> auto& { return c; }),
                  "ranges [least, greatest] of up to five errors; the corrections are chosen for "

@@ -8,7 +8,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr const char* kSetting = "Rack F setting that restores the contact";
+constexpr const char* kSetting = "Setting of rack F that restores the contact";
 constexpr const char* kLead = "Lead angle that removes the slope of the transmission error";
 
 const Quantities<Scenario>& scenario_quantities() {
@@ -114,8 +114,8 @@ void add_compensation(Quantities<CompensateView>& q) {
       .when(loaded)
       .doors(kJson);
   q.flag("nothing_to_correct", "no correction needed",
-         "true if no correction gains 0.001 arcsec, or 0.1 MPa for `pressure`, so that every "
-         "correction is 0",
+         "true if every correction is 0, because none of them gains 0.001 arcsec (0.1 MPa for "
+         "`pressure`)",
          &CompensateView::nothing_to_correct)
       .doors(kJson);
   q.number("centering_arcsec", "cost of a pattern at the end of the face", "w",
@@ -205,7 +205,8 @@ const Quantities<ContactScore>& score_quantities() {
         .or_null()
         .unit(Unit::percent)
         .digits(1);
-    q.term("contact_lost", "true if no teeth touch at some position", &S::lost).doors(kJson);
+    q.term("contact_lost", "true if there is a position at which no teeth touch", &S::lost)
+        .doors(kJson);
   });
 }
 

@@ -97,8 +97,9 @@ void add_position(Quantities<ContactPoint>& q) {
           "after tooth pair 0",
           touching(&ContactPoint::pair));
   q.term("kind",
-         "kind of contact: inside the flanks, along a line or at an edge; `form1` and `form2` are "
-         "the ends of the usable flanks at the roots, and `ridge` is the start of a linear relief",
+         "kind of contact, which is inside the flanks, along a line or at an edge; `form1` and "
+         "`form2` are the ends of the usable flanks at the roots, and `ridge` is the start of a "
+         "linear relief",
          touching([](const ContactPoint& p) { return to_string(p.kind); }))
       .one_of({"interior", "line", "tip1", "tip2", "face1", "face2", "form1", "form2", "ridge",
                "corner"});
@@ -119,9 +120,10 @@ void add_position(Quantities<ContactPoint>& q) {
            "the face of the half",
            at_place(&ContactPoint::height))
       .per_gear();
-  q.number("rack_angle_deg", "normal angle of the rack", "θ",
-           "of the rack that cut gear 1, at the point of contact; equal to α_n on an involute",
-           &ContactPoint::rack_angle);
+  q.number(
+      "rack_angle_deg", "normal angle of the rack", "θ",
+      "angle of the rack that cut gear 1, at the point of contact; equal to α_n on an involute",
+      &ContactPoint::rack_angle);
   q.term("gap_curvature_per_mm", "k1 ≤ k2 [T8.15]; k1 = 0 for a line; null at an edge or a ridge",
          &ContactPoint::gap_curvature)
       .list({2});
@@ -170,7 +172,7 @@ const Quantities<ContactResult>& non_working_quantities() {
         .words("transmission error of the non-working flanks, peak to peak")
         .when(is_rack);
     q.flag("contact_lost", "contact of the non-working flanks is lost",
-           "true if no tooth pair touches at some position", &R::contact_lost)
+           "true if there is a position at which no tooth pair touches", &R::contact_lost)
         .doors(kJson);
   });
 }
@@ -325,23 +327,23 @@ void add_contact_results(Quantities<ContactView>& q) {
          })
       .when(of_rack)
       .doors(kJson);
-  q.term("contact_lost", "true if no tooth pair touches at some position",
+  q.term("contact_lost", "true if there is a position at which no tooth pair touches",
          [](const ContactView& v) { return v.driving.contact_lost; });
   q.record<non_working_quantities>(
        "non_working_flank", "transmission error of the non-working flanks, at the same positions",
        &ContactView::other)
       .always();
-  q.number(
-       "least_play_deg", "minimum angular backlash of gear 2", "",
-       "least play, over all positions, from contact of the working flanks to contact of the "
-       "non-working flanks; negative if the gears jam; null if one of these flanks never touches",
-       &ContactView::min_play)
+  q.number("least_play_deg", "minimum angular backlash of gear 2", "",
+           "least play over all positions, measured from contact of the working flanks to contact "
+           "of the non-working flanks; negative if the gears jam; null if one of these flanks "
+           "never touches",
+           &ContactView::min_play)
       .when(of_gear)
       .digits(6);
   q.number("least_play_mm", "minimum backlash along the rack", "",
-           "least play, over all positions, from contact of the working flanks to contact of the "
-           "non-working flanks; negative if pinion and rack jam; null if one of these flanks never "
-           "touches",
+           "least play over all positions, measured from contact of the working flanks to contact "
+           "of the non-working flanks; negative if pinion and rack jam; null if one of these "
+           "flanks never touches",
            [](const ContactView& v) {
              return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value();
            })
@@ -370,11 +372,11 @@ void add_contact_results(Quantities<ContactView>& q) {
            [](const ContactView& v) { return kUmPerMm * peak_to_peak(v.float_axial); })
       .or_null()
       .when([](const ContactView& v) { return !v.float_axial.empty(); });
-  q.record<contact_quantities>(
-       "halves",
-       "contact of the two halves of a double-helical pair, in the order z > 0, z < 0; all other "
-       "numbers describe the whole gears, whose `positions` contain no point of contact",
-       &ContactView::halves)
+  q.record<contact_quantities>("halves",
+                               "contact of the two halves of a double-helical pair, in the order z "
+                               "> 0, z < 0. All other numbers describe the whole gears; the "
+                               "`positions` of the whole gears contain no point of contact",
+                               &ContactView::halves)
       .list({2})
       .when([](const ContactView& v) { return !v.halves.empty(); })
       .doors(kJson);

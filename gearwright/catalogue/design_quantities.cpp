@@ -141,7 +141,7 @@ void add_design_contact(Quantities<DesignView>& q) {
       .when(is_parallel)
       .digits(kFewDigits);
   q.number("working_angle_deg", "working pressure angle", "",
-           "transverse, or for crossed axes normal", angle)
+           "in the transverse section, or for crossed axes in the normal section", angle)
       .column("working_angle_deg")
       .doors(kColumns);
 }
@@ -242,8 +242,8 @@ void add_strength(Quantities<DesignView>& q) {
       .digits(kFewDigits);
   q.number("mass_kg", "mass of both gears", "m",
            "mass of solid cylinders with the mean diameter (d_a + d_f)/2; for an internal gear, "
-           "mass of the ring between the mean diameter and the diameter d_f + 5 m_n; only for a "
-           "rated search or with `objective` = `mass` or `cost`",
+           "the mass of the ring between the mean diameter and the diameter d_f + 5 m_n; only for "
+           "a rated search or with `objective` = `mass` or `cost`",
            [](const DesignView& v) { return v.problem->weighs() ? Value(v.row->mass) : Value(); })
       .column("mass_kg")
       .when(weighed)
@@ -252,7 +252,7 @@ void add_strength(Quantities<DesignView>& q) {
 
 void add_ranks(Quantities<DesignView>& q) {
   q.term("efficiency",
-         "with gear 1 driving and with flank friction only [T4.27]; only with "
+         "if gear 1 drives and there are no losses except flank friction [T4.27]; only with "
          "`friction_coefficient` or `objective` = `efficiency`; null if the contact ratio is less "
          "than 1 or gear 1 cannot drive",
          [](const DesignView& v) { return v.row->efficiency; })

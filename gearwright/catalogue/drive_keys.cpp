@@ -114,10 +114,10 @@ Key series_key(std::string T::*member) {
 }
 
 Key backlash_key(KeyPlace place, const char* form) {
-  return Key::not_negative(
-             "backlash_mm", "j_n", std::move(place), "backlash of the thickness allowances",
-             "backlash in the normal section, j_bn/cos α_wn, for which the teeth are thinned; "
-             "for a band, the mean is used")
+  return Key::not_negative("backlash_mm", "j_n", std::move(place),
+                           "backlash of the thickness allowances",
+                           "backlash in the normal section, j_bn/cos α_wn; the teeth are thinned "
+                           "to give this backlash, or the mean of a band")
       .with_form(form)
       .with_list({.most = 2,
                   .single = true,
@@ -149,13 +149,14 @@ std::string set_teeth(StageInput& input, const std::array<int, 2>& teeth) {
 
 // The bores of a stage. They are two numbers for a pair, and numbers by name for a set.
 Key bore_key() {
-  Key key =
-      formed("bore_mm", "a number, or a list of two numbers; in a set, as in [planetary]",
-             "no bore",
-             "diameters of the bores in the CAD files; a single number applies to both gears, "
-             "but not to a ring; if the second gear is a ring, the second number is the "
-             "outside diameter of its rim")
-          .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"});
+  Key key = formed("bore_mm",
+                   "a number, or a list of two numbers; for a planetary set, the same forms as in "
+                   "[planetary]",
+                   "no bore",
+                   "diameters of the bores in the CAD files; a single number applies to both "
+                   "gears, but not to a ring. If the second gear is a ring, the second number is "
+                   "the outside diameter of its rim")
+                .with_also({"bore", "bore_diameter_mm", "shaft_diameter_mm"});
   key.range = KeyRange::positive();
   key.list = KeyList{.most = 2, .single = true};
   return key;
@@ -170,8 +171,8 @@ const KeyTable& planetary_keys() {
       "A planetary set, given by its members",
       {member(SetMember::sun, "number of teeth of the sun"),
        member(SetMember::sun2,
-              "number of teeth of a second sun, which meshes with `planet2` or, without it, with "
-              "`planet`"),
+              "number of teeth of a second sun, which meshes with `planet2` or, if there is no "
+              "`planet2`, with `planet`"),
        member(
            SetMember::planet,
            "number of teeth of the planet; for a set of a sun and a ring, the default is half the "
@@ -179,8 +180,8 @@ const KeyTable& planetary_keys() {
        member(SetMember::planet2, "number of teeth of the second gear of a stepped planet"),
        member(SetMember::ring, "number of teeth of the ring, with either sign", true),
        member(SetMember::ring2,
-              "number of teeth of a second ring, which meshes with `planet2` or, without it, with "
-              "`planet`",
+              "number of teeth of a second ring, which meshes with `planet2` or, if there is no "
+              "`planet2`, with `planet`",
               true),
        member(SetMember::idler, "number of teeth of an idler between sun and planet"),
        Key::number("planets", "N", KeyRange::between(1, 1000), &P::planets, "1",
@@ -244,11 +245,12 @@ const KeyTable& planetary_keys() {
 namespace {
 
 Key stage_angle() {
-  Key key = formed(
-      "angle_deg", "a number, or `\"coaxial\"` in the last stage", "the value of the stage before",
-      "direction from the axis of the first gear of a pair to the axis of the second, "
-      "counter-clockwise; 0 for the first stage. `\"coaxial\"` leads back to the axis of the "
-      "input; if the stage before has no angle, it gets the angle that permits this");
+  Key key = formed("angle_deg", "a number, or `\"coaxial\"` in the last stage",
+                   "the value of the stage before",
+                   "direction from the axis of the first gear of a pair to the axis of the second, "
+                   "counter-clockwise; 0 for the first stage. `\"coaxial\"` is the direction back "
+                   "to the axis of the input; if the angle of the stage before is absent, it is "
+                   "computed so that this is possible");
   key.kind = KeyKind::number;
   key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};
@@ -296,11 +298,12 @@ const KeyTable& stage_keys() {
            .with_form("a number, or a list of two numbers"),
        series_key(&S::series),
        backlash_key(&S::backlash,
-                    "a number, or a band [least, greatest]; in a set, as in [planetary]"),
+                    "a number, or a band [least, greatest]; for a planetary set, the same forms as "
+                    "in [planetary]"),
        bore_key(),
        Key::number("mesh_efficiency", "η", KeyRange::above(0, 1), &S::efficiency,
                    "computed from `friction_coefficient` and the teeth", "efficiency of the mesh")
-           .with_form("a number; in a set, as in [planetary]"),
+           .with_form("a number; for a planetary set, the same forms as in [planetary]"),
        friction_key({&S::stage, &StageSpec::friction}),
        speed_key({&S::stage, &StageSpec::speeds_rpm}),
        torque_key({&S::stage, &StageSpec::torque_Nm}),
@@ -413,8 +416,8 @@ const KeyTable& drive_mesh_keys() {
                      "backlash-free distance", "centre distance"),
        Key::number("backlash_mm", "j_n", KeyRange::not_negative(), {&M::mesh, &DriveMesh::backlash},
                    "backlash of the thickness allowances",
-                   "backlash in the normal section, j_bn/cos α_wn, for which the teeth of both "
-                   "gears are thinned; it replaces their thickness allowances"),
+                   "backlash in the normal section, j_bn/cos α_wn; the teeth of both gears are "
+                   "thinned to give this backlash, in place of their thickness allowances"),
        Key::number("efficiency", "η", KeyRange::above(0, 1), {&M::mesh, &DriveMesh::efficiency},
                    "computed from `friction_coefficient` and the teeth",
                    "efficiency of the mesh when its frame is at rest"),

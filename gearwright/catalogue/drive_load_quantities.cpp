@@ -56,8 +56,9 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
                return of_planets(*v.shares, [&](std::size_t i) { return v.shares->least[i]; });
              });
     q.number("shares", "shares of the planets", "",
-             "share of each planet at each position of the period; for meshes of several "
-             "frequencies, at the positions of the first one and averaged over the others",
+             "share of each planet at each position of the period. If the meshes have several "
+             "frequencies, the positions are those of the first frequency, and the shares are "
+             "averaged over the others",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) {
                  return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());
@@ -108,8 +109,8 @@ const Quantities<LoadedDrive::Curve>& loaded_curve_quantities() {
       return list;
     };
     q.number("loaded_arcsec", "rotation error under load", "",
-             "deviation of the output from its mean rotation at each position of the period; for "
-             "stepped planets, the mean over the positions of the other meshes",
+             "deviation of the output from its mean rotation at each position of the period. For "
+             "stepped planets, the deviation is averaged over the positions of the other meshes",
              [seconds](const C& c) { return seconds(c.loaded); });
     q.number("rigid_arcsec", "rotation error of rigid teeth", "",
              "as `loaded_arcsec`, but for rigid teeth and equal shares",
@@ -128,7 +129,7 @@ const Quantities<Drive>& drive_load_quantities() {
              "planet, the sum of these differences",
              [](const Drive& d) { return Angle::radians(d.loaded->error.peak_to_peak).arcsec(); })
         .unit(Unit::arcsec);
-    q.number("rigid_arcsec_peak_to_peak", "transmission error of the output, rigid teeth", "",
+    q.number("rigid_arcsec_peak_to_peak", "transmission error of the output with rigid teeth", "",
              "peak-to-peak value of `transmission_error`",
              [](const Drive& d) -> Value {
                if (!d.error) return {};

@@ -57,14 +57,16 @@ std::optional<double> travel(double motion, const std::optional<double>& lever) 
 const Quantities<DriveBacklash>& drive_backlash_quantities() {
   using B = DriveBacklash;
   return define("drive.backlash", [](Quantities<B>& q) {
-    q.number("input_deg", "backlash of the input, output held", "", "[T13.20]; null for a rack",
+    q.number("input_deg", "backlash of the input with the output held", "",
+             "[T13.20]; null for a rack",
              [](const B& b) { return rotation(b.input, b.input_lever); });
-    q.number("input_mm", "backlash of the rack, output held", "",
+    q.number("input_mm", "backlash of the rack with the output held", "",
              "backlash along the travel of an input that is a rack",
              [](const B& b) { return travel(b.input, b.input_lever); });
-    q.number("output_deg", "backlash of the output, input held", "", "[T13.20]; null for a rack",
+    q.number("output_deg", "backlash of the output with the input held", "",
+             "[T13.20]; null for a rack",
              [](const B& b) { return rotation(b.output, b.output_lever); });
-    q.number("output_mm", "backlash of the rack, input held", "",
+    q.number("output_mm", "backlash of the rack with the input held", "",
              "backlash along the travel of an output that is a rack",
              [](const B& b) { return travel(b.output, b.output_lever); });
   });
@@ -123,7 +125,8 @@ void add_motion(Quantities<Drive>& q) {
 void add_power(Quantities<Drive>& q) {
   q.under(kPower);
   q.term("efficiency",
-         "with tooth losses and the input driving; 0 if the drive is self-locking [T13.9]",
+         "if the input drives, including the losses of the teeth; 0 if the drive is self-locking "
+         "[T13.9]",
          [](const Drive& d) { return efficiency_of(d.flow); });
   q.number("efficiency_backward", "efficiency, output driving", "η",
            "0 if the output cannot drive the input",
@@ -168,9 +171,10 @@ void add_drive(Quantities<Drive>& q) {
   q.record<drive_error_quantities>(
       "transmission_error",
       "rotation error of the output while the input rotates uniformly; 0 if there are no "
-      "modifications and no [errors]. It is null with several inputs or redundant meshes, or if a "
-      "mesh that moves the output has no geometry, loses contact, has several pinions on one rack, "
-      "has an error of the rack teeth, or loads a measured gear on the flank without readings",
+      "modifications and no [errors]. It is null with several inputs or redundant meshes. It is "
+      "also null if a mesh that moves the output has no geometry, loses contact, has several "
+      "pinions on one rack, has an error of the rack teeth, or loads a measured gear on the flank "
+      "without readings",
       &Drive::error);
   q.record<drive_load_quantities>("load", "the drive under load; only with `[load]`")
       .when([](const Drive& d) { return d.loaded.has_value(); })
@@ -259,16 +263,16 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
       });
     };
     forces("radial_force_N", "radial force of the teeth", "F_r",
-           "resultant of all meshes of the body; for planets, value of one planet [T13.31]; null "
-           "without torque_Nm",
+           "resultant of all meshes of the body; for planets, the value of a single planet "
+           "[T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return f.radial; });
     forces("axial_force_N", "axial force of the teeth", "F_z",
-           "sum over all meshes of the body along +z; for planets, value of one planet [T13.31]; "
-           "null without torque_Nm",
+           "sum over all meshes of the body along +z; for planets, the value of a single planet "
+           "[T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return f.axial; });
     forces("tilting_moment_Nm", "tilting moment of the axial forces", "M",
-           "moment of the axial forces of the teeth about an axis across the body; for planets, "
-           "value of one planet [T13.31]; null without torque_Nm",
+           "moment of the axial forces of the teeth about an axis perpendicular to the axis of the "
+           "body; for planets, the value of a single planet [T13.31]; null without torque_Nm",
            [](const BodyForces& f) { return newton_metres(f.tilting); });
     const auto play = [&q](const char* deg, const char* mm, const char* words,
                            std::size_t (*held)(const DriveGraph&)) {
@@ -286,9 +290,9 @@ const Quantities<DriveBodyView>& drive_body_quantities() {
                  return motion ? travel(*motion, v.drive->lever(v.body)) : std::nullopt;
                });
     };
-    play("backlash_input_held_deg", "backlash_input_held_mm", "backlash, input held",
+    play("backlash_input_held_deg", "backlash_input_held_mm", "backlash with the input held",
          [](const DriveGraph& graph) { return graph.inputs.front(); });
-    play("backlash_output_held_deg", "backlash_output_held_mm", "backlash, output held",
+    play("backlash_output_held_deg", "backlash_output_held_mm", "backlash with the output held",
          [](const DriveGraph& graph) { return graph.output; });
     q.term("power_kW", "> 0 if the power flows into the drive", [](const V& v) -> Value {
       const auto n = v.drive->speed_rpm(v.body);
@@ -309,10 +313,11 @@ const Quantities<DriveMeshView>& drive_mesh_quantities() {
            });
     q.number("frequency_ratio", "teeth per turn of the input", "", "|z (n − n_c)| [T13.4]",
              [](const V& v) { return v.drive->frequency_ratio(v.mesh); });
-    q.number("phases", "phases of the planets", "γ",
-             "phase, in periods, by which the mesh of each planet follows the mesh of the first "
-             "planet; null for meshes other than those of planets with a central gear [T13.16]",
-             [](const V& v) { return phase_list(v.drive->phases(v.mesh)); })
+    q.number(
+         "phases", "phases of the planets", "γ",
+         "phase, in periods, by which the mesh of each planet follows the mesh of the first "
+         "planet; given only for meshes of planets with a central gear, otherwise null [T13.16]",
+         [](const V& v) { return phase_list(v.drive->phases(v.mesh)); })
         .list({0});
     q.number("frequency_hz", "mesh frequency", "f", "", [](const V& v) -> Value {
       const auto teeth = v.drive->frequency_ratio(v.mesh);

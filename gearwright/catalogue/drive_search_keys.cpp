@@ -43,12 +43,11 @@ std::string_view drive_objective_called(std::string_view word) {
 }
 
 Key normal_modules() {
-  Key k = Key::number(
-              "normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
-              "no geometry; sizes are in modules",
-              "normal module of all meshes; if several modules are given, every set is tried with "
-              "each module, and in a rated search for trains each stage gets the least module with "
-              "which it has the required safeties")
+  Key k = Key::number("normal_module_mm", "m_n", KeyRange::between(1e-3, 1e3), &Problem::modules,
+                      "no geometry is computed, and sizes are in modules",
+                      "normal module of all meshes. If several modules are given, every set is "
+                      "tried with each module. In a rated search for trains, each stage gets the "
+                      "least of the modules with which it has the required safeties")
               .with_list(
                   {.most = 100, .single = true, .order = {.strict = true}, .series = module_series})
               .with_form(
@@ -113,15 +112,16 @@ const KeyTable& drive_search_keys() {
             "17 to 40", "numbers of teeth of the pinions of a train"),
        band("wheel_teeth", "z", KeyRange::between(1, kMostDriveTeeth), &Problem::wheel, "17 to 150",
             "numbers of teeth of the wheels of a train"),
-       Key::number(
-           "coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
-           "1; for two rings on one planet gear, the number of planets; for a train, no limit",
-           "greatest difference between the sums of teeth of meshes with a common centre "
-           "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
-           "for this difference"),
-       Key::flag("coprime", &Problem::coprime, "false",
-                 "true: only gears whose numbers of teeth have no common factor mesh, so that all "
-                 "their teeth meet; others are not counted as tested"),
+       Key::number("coaxial_teeth", "", KeyRange::between(0, 100), &Problem::coaxial_teeth,
+                   "1, or the number of planets if two rings mesh with one planet gear; no limit "
+                   "for a train",
+                   "greatest difference between the sums of teeth of meshes with a common centre "
+                   "distance, for example between |z_r| and z_s + 2 z_p; profile shifts compensate "
+                   "for this difference"),
+       Key::flag(
+           "coprime", &Problem::coprime, "false",
+           "if true, the numbers of teeth of meshing gears must not have a common factor, so that "
+           "each tooth meets every tooth of the mating gear; other sets are not counted as tested"),
        Key::number("neighbour_clearance_min", "c", KeyRange::between(-10, 1000),
                    &Problem::neighbour_clearance, "1",
                    "least clearance between the tip circles of neighbouring planets, in modules"),
@@ -154,9 +154,9 @@ const KeyTable& drive_search_keys() {
        of_set("output"),
        normal_modules(),
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
-                     "greatest permitted diameter over the planets and over the root circles of "
-                     "the rings, without the rims; for a train, greatest permitted sum of the "
-                     "centre distances; both are computed without profile shifts")
+                     "greatest permitted diameter of a set, measured over the planets and over the "
+                     "root circles of the rings, without the rims; for a train, greatest permitted "
+                     "sum of the centre distances. Both are computed without profile shifts")
            .with_also({"center_distance"}),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
@@ -166,8 +166,8 @@ const KeyTable& drive_search_keys() {
        of_set("backlash_mm", "backlash by `thickness_series`"),
        face_width(),
        Key::positive("face_width_diameters_max", "b/d", &Problem::face_diameters, "1.2",
-                     "greatest face width within a band, in reference diameters of the smaller "
-                     "gear of a mesh"),
+                     "greatest face width within a band, as a multiple of the reference diameter "
+                     "of the smaller gear of a mesh"),
        Key::positive(
            "safety_flank_min", "S_Hmin", &Problem::safety_flank, "value of `[rating]`, otherwise 1",
            "least permitted safety against pitting, for every mesh; designs are rated if this key, "

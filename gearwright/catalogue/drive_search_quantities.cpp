@@ -70,8 +70,8 @@ void add_found(Quantities<F>& q) {
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
            "relative variation, peak to peak, of the elastic rotation of the output under load "
            "[T13.33], for perfect teeth with a constant stiffness per length of the contact line. "
-           "Without geometry, no profile shift and a face width of 10 m_n are assumed; only with "
-           "`objective` = `noise`",
+           "If there is no geometry, no profile shift and a face width of 10 m_n are assumed; only "
+           "with `objective` = `noise`",
            [](const F& f) { return f.candidate.noise; });
   q.number("size_mm", "size", "",
            "greatest of the diameters over the planets, over the suns and over the root circles of "
@@ -117,13 +117,13 @@ void add_found(Quantities<F>& q) {
            })
       .list({0});
   q.number("face_width_mm", "greatest face width", "b",
-           "null if the search does not size the faces", [](const F& f) {
+           "null if the search does not choose the face widths", [](const F& f) {
              const auto& widths = f.candidate.face_widths;
              return widths.empty() ? Value()
                                    : Value(*std::max_element(widths.begin(), widths.end()));
            });
   q.add(Type::map, "face_widths_mm", "face widths", "b",
-        "per gear; null if the search does not size the faces",
+        "per gear; null if the search does not choose the face widths",
         [](const F& f) {
           ValueMap map;
           if (f.candidate.face_widths.empty()) return Value();
@@ -133,14 +133,13 @@ void add_found(Quantities<F>& q) {
           return Value(std::move(map));
         })
       .doors(kJson);
-  q.number(
-      "sliding_max", "greatest specific sliding", "|ζ|",
-      "greatest magnitude at the ends of the paths of all meshes; null without geometry, or if a "
-      "path ends at a base circle",
-      [](const F& f) {
-        const auto zeta = greatest_sliding(f.drive.geometry);
-        return zeta && std::isfinite(*zeta) ? Value(*zeta) : Value();
-      });
+  q.number("sliding_max", "greatest specific sliding", "|ζ|",
+           "greatest magnitude at the ends of the paths of contact of all meshes; null without "
+           "geometry, or if a path of contact ends at a base circle",
+           [](const F& f) {
+             const auto zeta = greatest_sliding(f.drive.geometry);
+             return zeta && std::isfinite(*zeta) ? Value(*zeta) : Value();
+           });
   q.number("safety_flank", "safety against pitting", "S_H",
            "least value of all meshes; null if designs are not rated",
            [](const F& f) { return least_safety(f.drive, &Rating::S_H); });
@@ -162,7 +161,8 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
   q.word("kind", "kind", "kind of the drives",
          [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
   q.add(Type::index, "tested", "tested", "",
-        "number of tested sets, each with its tooth numbers and number of planets",
+        "number of tested sets; sets that differ only in the number of planets are counted "
+        "separately",
         [](const S& s) { return s.result->tested; });
   q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
         [](const S& s) { return s.result->found.size(); });
@@ -173,7 +173,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.add(Type::index, "computed", "computed", "",
         "number of feasible sets whose teeth were computed; the best sets are computed first, "
-        "until the list is long enough",
+        "until `designs` has as many drives as `--top` gives",
         [](const S& s) { return s.designs->computed; });
   q.add(Type::index, "hopeless", "hopeless", "",
         "number of feasible trains that were not computed, because an estimate from 64 rated "
@@ -181,7 +181,7 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
         [](const S& s) { return s.designs->hopeless; });
   q.add(Type::index, "beyond_limit", "not computed", "",
         "number of other feasible sets that were not computed, because at most 20 000 sets of each "
-        "module are computed; 0 if the list is long enough",
+        "module are computed; 0 if `designs` has at least as many drives as `--top` gives",
         [](const S& s) { return s.designs->beyond_limit; });
   q.add(Type::map, "left_out", "not listed", "",
         "number of computed sets that are not listed: `no_teeth` (teeth that cannot be made or "
@@ -199,9 +199,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",
-       "drives with a green verdict, at most as many as `--top` gives, in groups of 100 that each "
-       "begin with the best, then drives of the Pareto front if there are several objectives; "
-       "their numbers equal the results of the verb `drive`",
+       "drives with a green verdict, at most as many as `--top` gives. They are in groups of 100, "
+       "and each group begins with its best drive. If there are several objectives, drives of the "
+       "Pareto front follow. The numbers of a drive equal the results of the verb `drive`",
        [](const S& s) -> const auto& { return s.designs->list; })
       .doors(kJson);
 }

@@ -54,7 +54,9 @@ struct ErrorsInput {
 };
 
 inline constexpr KeyList kErrorRange{
-    .least = 2, .most = 2, .order = {true, "must grow: the least value, then the greatest"}};
+    .least = 2,
+    .most = 2,
+    .order = {true, "must be in rising order, first the least value, then the greatest"}};
 
 const KeyTable& error_keys();
 

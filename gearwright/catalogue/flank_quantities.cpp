@@ -53,9 +53,11 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
     um("helix_slope_um", "helix slope (±)", "f_HβT", "", &T::helix_slope);
     um("runout_um", "runout", "F_rT", "", &T::runout);
     um("radial_composite_um", "radial composite, total (ISO 1328-2)", "F_i″",
-       "ISO 1328-2:1997; null beyond d = 1000 mm or m_n = 10 mm", &T::radial_composite);
+       "by ISO 1328-2:1997; null if d is greater than 1000 mm or m_n is greater than 10 mm",
+       &T::radial_composite);
     um("tooth_radial_composite_um", "radial composite, tooth to tooth (ISO 1328-2)", "f_i″",
-       "null beyond d = 1000 mm or m_n = 10 mm", &T::tooth_radial_composite);
+       "null if d is greater than 1000 mm or m_n is greater than 10 mm",
+       &T::tooth_radial_composite);
     um("base_pitch_um", "base pitch (±)", "f_pb", "f_pt cos α_t [T10.31]; null for circular arcs",
        &T::base_pitch);
     um("sector_pitch_um", "sector pitch over an eighth of the teeth", "F_pk",
@@ -66,13 +68,13 @@ const Quantities<FlankToleranceValues>& tolerance_quantities() {
        "mating gear, or for the edition of 2013, which requires a design value",
        &T::single_flank);
     um("tooth_single_flank_composite_um", "single flank composite, tooth to tooth", "f_i′",
-       "null under the same conditions as the total", &T::tooth_single_flank);
+       "null if the total deviation is null", &T::tooth_single_flank);
     um("axis_deviation_um", "crossing of the axes", "f_Σβ",
        "for the pair over the span of the bearings, by ISO/TR 10064-3:1996 [T10.33]; null "
        "without `bearing_span_mm`",
        &T::axis_deviation);
     um("axis_inclination_um", "inclination of the axes in their plane", "f_Σδ",
-       "null under the same conditions as the crossing of the axes", &T::axis_inclination);
+       "null if the crossing of the axes is null", &T::axis_inclination);
   });
 }
 const Quantities<EvaluationRanges>& range_quantities() {
@@ -93,7 +95,7 @@ const Quantities<EvaluationRanges>& range_quantities() {
     add_active(q, "root", "d_Nf", "L_Nf", &ActiveFlank::root);
     add_active(q, "tip", "d_Na", "L_Na", &ActiveFlank::tip);
     q.number("profile_evaluation_mm", "profile evaluation, roll lengths", "L_α",
-             "by ISO 1328-1: the usable profile without the 5 % next to its tip [T10.23]",
+             "the usable profile without the 5 % next to its tip, by ISO 1328-1 [T10.23]",
              &R::profile)
         .ends();
     q.number("helix_evaluation_mm", "helix evaluation, heights", "L_β",

@@ -170,8 +170,8 @@ const KeyTable& gear_keys() {
        Key::part("modifications", modification_keys, {}, "flank modifications"),
        Key::part("material", material_keys, &GearInput::material, "material of the teeth"),
        Key::part("shaft", shaft_keys, &GearInput::shaft,
-                 "shaft and bearings, whose deflection changes the loaded contact of the verb load "
-                 "and determines K_Hβ of the verb rate"),
+                 "shaft and bearings; their deflection changes the contact under load (verb "
+                 "`load`) and determines K_Hβ (verb `rate`)"),
        Key::part("bore", bore_keys, &GearInput::bore,
                  "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
@@ -187,7 +187,7 @@ const KeyTable& gear_keys() {
        Key::part("tolerance", tolerance_keys, &GearInput::tolerance,
                  "the accuracy grade of the flanks and the limits of the tooth thickness"),
        Key::part("measured", measured_keys, {},
-                 "readings of an unknown gear for the verb identify"),
+                 "readings of an unknown gear for the verb `identify`"),
        Key::word("form", {"gear"}, KeyPlace::unused(), "\"gear\"",
                  "form of the part; \"rack\" in [gear2] makes gear 2 a rack, to which other keys "
                  "apply")}};
@@ -277,7 +277,7 @@ const KeyTable& tip_fillet_keys() {
        Key::positive("corner_radius_mm", "ρ_a", tip_fillet(Fillet::corner), "",
                      "radius of the rounding of both tip corners, instead of a fillet; the "
                      "rounding is tangent to the flank and to the tip circle in the transverse "
-                     "section, and on a cutter (ρ_a0) it cuts the root fillet [T6.17]")
+                     "section. The rounding of a cutter (ρ_a0) cuts the root fillet [T6.17]")
            .with_excludes({"radius_mm", "l_mm", "clearance_mm"})
            .with_also({"rho_a", "rho_a0", "tip_radius", "corner", "rounding"})},
       complete_tip_fillet};

@@ -20,7 +20,7 @@ void add_halves(Quantities<Halves>& q) {
   q.number("apex_to_half_mm", "distance of a half from the apex", "",
            "gap/2, because the two helices of one tooth meet in the middle plane",
            [](const H& h) { return h.given.gap / 2; });
-  q.number("stagger_pitches", "stagger of the half at z < 0, pitches", "s", "as in the spec",
+  q.number("stagger_pitches", "stagger of the half at z < 0 in pitches", "s", "as in the spec",
            [](const H& h) { return h.given.stagger_pitches; });
   q.number("groove_diameter_mm", "groove diameter", "",
            "diameter of the gear within the gap: as given, otherwise the root diameter minus m_n/2 "
@@ -162,19 +162,19 @@ void add_sizes(Quantities<Gear>& q) {
   q.number("root_diameter_mm", "root diameter", "d_f",
            "negative if the rack passes through the axis", &Gear::root_diameter);
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
-           "diameter at the start of the usable flank, that is at its intersection with the root "
-           "as cut, or at point C of a circular root fillet",
+           "diameter at the start of the usable flank; the flank starts where it intersects the "
+           "root as cut, or at point C of a circular root fillet",
            [](const Gear& g) { return g.exists() ? doubled(g.root_form_radius()) : Value(); })
       .expected(has_involutes);
   q.number("tip_form_diameter_mm", "tip form diameter", "d_Fa",
-           "diameter at the end of the usable flank, that is at point J of a circular tip fillet, "
-           "at the chamfer or at the tip; null if no flank is left",
+           "diameter at the end of the usable flank; the flank ends at point J of a circular tip "
+           "fillet, at the chamfer or at the tip; null if no flank is left",
            tip_form_diameter)
       .expected(has_involutes);
   q.number(
        "finished_tip_diameter_mm", "finished tip diameter", "",
-       "diameter at the actual end of the tooth, that is at the tip of the blank, at the bottom "
-       "land of the cutter or at the point where the flanks meet; d_a for an internal gear",
+       "diameter at the actual end of the tooth; the tooth ends at the tip of the blank, at the "
+       "bottom land of the cutter or at the point where the flanks meet; d_a for an internal gear",
        [](const Gear& g) { return g.exists() ? Value(2 * g.actual_tip_radius()) : Value(); })
       .shown([](const Gear& g) { return 2 * g.actual_tip_radius() != g.tip_diameter; });
   q.under(kTooth);
@@ -305,9 +305,9 @@ void add_fillets_and_body(Quantities<Gear>& q) {
               &TipBulge::from_diameter)
       .when();
   q.number("neck_thickness_mm", "root thickness at the neck (chord)", "",
-           "chord at the neck, where the half angle of the root fillets is least, below the tip "
-           "[T3.10]; 0 or negative if `severed`. On an undercut tooth, the least chord is up to a "
-           "few percent shorter and lies nearer to the root",
+           "chord at the neck, which is the place below the tip where the half angle of the root "
+           "fillets is least [T3.10]; 0 or negative if `severed`. On an undercut tooth, the least "
+           "chord is up to a few percent shorter and lies nearer to the root",
            neck_thickness)
       .expected(has_involutes);
   q.under(kBody);

@@ -38,9 +38,9 @@ const Quantities<G>& drawing_quantities() {
            [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
         .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
     q.term("profile_shift",
-           "x in x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; 0 if x = 0 gives a usual allowance and "
-           "agrees with the tip; otherwise the profile shift computed from the tip, or x_E if the "
-           "tip does not determine x",
+           "x of the equation x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; it is 0 if x = 0 gives a "
+           "usual allowance and agrees with the tip. Otherwise, it is the profile shift computed "
+           "from the tip, or x_E if the tip does not determine x",
            &G::profile_shift);
     q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
              "allowance of the normal tooth thickness, including wear of the flanks",

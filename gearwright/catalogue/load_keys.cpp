@@ -20,9 +20,9 @@ const KeyTable& load_keys() {
       "Teeth under torque, for the verb `load` and, with drives, for the verbs `drive`, `rate` and "
       "`run`",
       {Key::number("torque_Nm", "T_1", KeyRange::above(0, kMaxInput), &LoadInput::torques, "",
-                   "torque on gear 1; a list of torques gives the Harris map; for a drive, one "
-                   "torque on its input, by default the torque of the drive; for a pair, the verb "
-                   "load uses the nominal torque of `[rating]` by default")
+                   "torque on gear 1; a list of torques gives the Harris map. For a drive, it is "
+                   "one torque on the input, and its default is the torque of the drive. For a "
+                   "pair, the default of the verb `load` is the nominal torque of `[rating]`")
            .with_list(KeyList{1, kMostTorques, true})
            .with_fields({"torques"})
            .with_also({"torque", "moment", "t1"}),
@@ -56,13 +56,13 @@ const KeyTable& load_keys() {
                    "additional approach of the flanks that is parabolic along the face; the key "
                    "gives its value in the middle of the face"),
        Key::text("floating", &LoadInput::floating, "all bodies are centred",
-                 "only for drives: body that is free to move radially (the sun, the ring or the "
-                 "carrier of a planetary set)"),
-       Key::number("pin_error_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
-                   "only for drives: tangential position error of the pin of each planet, > 0 "
-                   "counter-clockwise; a single number applies to the first planet; if planets "
-                   "mesh with each other, the list contains all numbers of the first planet body, "
-                   "then all numbers of the second")
+                 "body of a drive that is free to move radially (the sun, the ring or the carrier "
+                 "of a planetary set)"),
+       Key::number(
+           "pin_error_um", "", KeyRange::between(-1e5, 1e5), &LoadInput::pin_errors, "0",
+           "tangential position error of the pin of each planet of a drive, > 0 counter-clockwise; "
+           "a single number applies to the first planet. If planets mesh with each other, the list "
+           "contains all numbers of the first planet body, then all numbers of the second")
            .with_list(KeyList{1, 1000, true})
            .with_fields({"pin_errors"}),
        {.key = "probe",

@@ -14,8 +14,8 @@ constexpr const char* kLoad = "Teeth under load";
 
 template <Unit unit>
 void add_stiffness(Quantities<S>& q) {
-  q.number("mean", "mesh stiffness", "", "mesh stiffness at the mean approach over the positions",
-           &S::mean)
+  q.number("mean", "mesh stiffness", "",
+           "mesh stiffness at the approach that is averaged over the positions", &S::mean)
       .or_null()
       .unit(unit);
   q.number("min", "least mesh stiffness", "", "", &S::min).or_null().unit(unit);
@@ -60,15 +60,15 @@ void add_load_position(Quantities<P>& q) {
             &LoadedPosition::te)
       .words("loaded transmission error");
   q.number("approach_um", "approach under load", "Θ r_b2",
-           "approach of the flanks relative to first contact without load, along the line of "
+           "approach of the flanks relative to the first contact without load, along the line of "
            "action in the transverse section or, for point contact, along the normals; it includes "
-           "deflection of the flanks and twist of the bodies, but no displacement of the axes by "
-           "deflection of the shafts",
+           "the deflection of the flanks and the twist of the bodies, but not the displacement of "
+           "the axes when the shafts deflect",
            [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
   q.number("share", "load shares", "",
-           "share of each loaded tooth pair, the pair nearest to the end of its contact last; for "
-           "point contact, share of each point",
+           "share of each loaded tooth pair; the pair that is nearest to the end of its contact is "
+           "the last. For point contact, the share of each point",
            [](const P& p) { return shares(*p.position); });
   of_position.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
                    &LoadedPosition::max_pressure);
@@ -257,18 +257,19 @@ void add_torque(Quantities<T>& q) {
 const Quantities<ProbeAnswer>& probe_quantities() {
   return define("load.probes", [](Quantities<ProbeAnswer>& q) {
     q.number("own_um_per_N_mm", "displacement under the load", "",
-             "displacement per line load, for a wide gear in plane strain, including the twist of "
-             "the body",
+             "displacement divided by the line load, for a wide gear in plane strain, including "
+             "the twist of the body",
              [](const ProbeAnswer& p) { return p.own * kUmPerMm; })
         .unit(Unit::none)
         .when(&ProbeAnswer::wide);
     q.number("own_um_per_N", "displacement under the load", "",
-             "mean displacement over the loaded length, per force distributed over `z_mm`",
+             "mean displacement over the loaded length, divided by the force that is distributed "
+             "over `z_mm`",
              [](const ProbeAnswer& p) { return p.own * kUmPerMm; })
         .unit(Unit::none)
         .when([](const ProbeAnswer& p) { return !p.wide; });
     q.number("profile_um_per_N", "displacements along the face", "",
-             "displacements at `read_z_mm`, per force distributed over `z_mm`",
+             "displacements at `read_z_mm`, divided by the force that is distributed over `z_mm`",
              [](const ProbeAnswer& p) {
                ValueList list;
                for (const double u : p.profile) list.push_back(Value(u * kUmPerMm));
@@ -335,14 +336,14 @@ const Quantities<LoadAnalysis>& load_quantities() {
     q.under(kLoad);
     q.word("regime", "kind of contact",
            "parallel involute teeth touch along lines; crossed and circular-arc teeth touch at "
-           "points, with ellipses by Hertz",
+           "points, and the formulas of Hertz give the contact ellipses",
            [](const LoadAnalysis& v) {
              return v.contact ? Value(to_string(v.contact->regime)) : Value();
            })
         .one_of({"line", "point"})
         .when([](const LoadAnalysis& v) { return v.contact.has_value(); });
     q.number("quietest_torque_Nm", "quietest torque", "",
-             "given torque with the least peak-to-peak loaded transmission error",
+             "the torque of the list at which the peak-to-peak loaded transmission error is least",
              [](const LoadAnalysis& v) {
                const LoadedTorque* t = v.contact ? quietest(*v.contact) : nullptr;
                return t ? Value(newton_metres(t->torque)) : Value();
@@ -351,8 +352,8 @@ const Quantities<LoadAnalysis>& load_quantities() {
     q.record<load_quantities>(
          "halves",
          "results of the two halves of a double-helical pair, each under half of the torque, in "
-         "the order z > 0, z < 0; all other numbers describe the whole gears, which have no shares "
-         "and no values along the face",
+         "the order z > 0, z < 0. All other numbers describe the whole gears; shares and values "
+         "along the face are given only for the halves",
          &LoadAnalysis::halves)
         .list({2})
         .when([](const LoadAnalysis& v) { return !v.halves.empty(); })

@@ -73,10 +73,11 @@ const Quantities<BallMeasure>& ball_quantities() {
   return define("measure.over_balls", [](Quantities<B>& q) {
     q.number("ball_diameter_mm", "diameter of the balls", "D_M", "as given, or the standard size",
              [](const B& b) { return b.seat.ball_diameter; });
-    q.number("dimension_mm", "dimension over or between two balls", "M_dK",
-             "over the balls, or between them for an internal gear; both balls are in one "
-             "transverse plane, in opposite or most nearly opposite tooth spaces [T10.8]",
-             &B::dimension);
+    q.number(
+        "dimension_mm", "dimension over or between two balls", "M_dK",
+        "over the balls, or between them for an internal gear; both balls are in one transverse "
+        "plane, in tooth spaces that are opposite or as nearly opposite as possible [T10.8]",
+        &B::dimension);
     q.number("radial_mm", "distance from the axis over one ball", "M_rK",
              "for an internal gear, to the inner side of the ball",
              [](const B& b) { return b.seat.radial; });
@@ -98,14 +99,15 @@ const Quantities<PinMeasure>& pin_quantities() {
              "least face width that includes all contacts of these pins [T10.35]",
              [](const P& p) { return p.reading.two_free_face; });
     q.number("three_mm", "dimension over two pins between parallel anvils", "M_dR",
-             "for helical gears also the dimension over three pins [T10.10]; for spur gears equal "
-             "to the dimension over two pins; null for an internal helical gear",
+             "for helical gears, this is also the dimension over three pins [T10.10]; for spur "
+             "gears, it is equal to the dimension over two pins; null for an internal helical gear",
              [](const P& p) { return p.reading.three; });
-    q.number("three_pins_mm", "dimension over three pins", "M_d3R",
-             "one anvil touches two pins in neighbouring tooth spaces, which gives a smaller "
-             "dimension on a spur gear with an odd number of teeth [T10.30]; on other gears equal "
-             "to the dimension between parallel anvils; null for an internal helical gear",
-             [](const P& p) { return p.reading.three_pins; });
+    q.number(
+        "three_pins_mm", "dimension over three pins", "M_d3R",
+        "one anvil touches two pins in neighbouring tooth spaces, which gives a smaller dimension "
+        "on a spur gear with an odd number of teeth [T10.30]; on other gears, the dimension is "
+        "equal to the dimension between parallel anvils; null for an internal helical gear",
+        [](const P& p) { return p.reading.three_pins; });
     add_seat<P>(q, [](const P& p) -> const BallSeat& { return p.seat; });
   });
 }

@@ -43,9 +43,9 @@ const KeyTable& pair_keys() {
                    KeyPlace::mean_and_ends<PairInput>(
                        [](auto& p) -> auto& { return p.backlash; },
                        [](auto& p) -> auto& { return p.backlash_ends; }),
-                   "backlash of the given allowances and centre distance",
-                   "backlash in the normal section at the pitch point, j_bn/cos α_wn; instead of "
-                   "`thickness_allowance_mm`; the teeth are thinned to give this backlash; two "
+                   "the backlash that the given allowances and centre distance produce",
+                   "backlash in the normal section at the pitch point, j_bn/cos α_wn; the teeth "
+                   "are thinned to give this backlash, instead of by `thickness_allowance_mm`. Two "
                    "numbers are the least and the greatest backlash")
            .with_list(kOneOrEnds)
            .with_excludes({"backlash_circumferential_mm", "backlash_deg"})
@@ -70,8 +70,8 @@ const KeyTable& pair_keys() {
                  "if `true`, absent profile shifts are computed from a given centre distance and "
                  "reported in a note; if `false`, the profile shifts must be given"),
        Key::flag("shorten_tips", &PairInput::shorten_tips, "false",
-                 "if true, tips without a given `tip_diameter_mm` are shortened by k m_n, which "
-                 "keeps the clearance of the racks"),
+                 "if true, tips without a given `tip_diameter_mm` are shortened by k m_n, so that "
+                 "the tip clearance is the clearance of the racks"),
        Key::number("friction_coefficient", "μ", friction_range(), &PairInput::friction_coefficient,
                    "no efficiency", "coefficient of friction of the flanks, for the efficiency")
            .with_also({"friction"}),
@@ -145,10 +145,10 @@ const KeyTable& fit_keys() {
                     "least chord of the tooth space at the start of the flanks, for both gears"),
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
                     "tip clearance of both gears without backlash; a backlash makes it greater"),
-       of_few_teeth(
-           "backlash_mm", "", &FitInput::backlash, "0",
-           "circumferential backlash, unlike `backlash_mm` of `[pair]`, which is measured in the "
-           "normal section; it determines the centre distance to first order"),
+       of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",
+                    "circumferential backlash, which determines the centre distance to first "
+                    "order; `backlash_mm` of `[pair]` differs from it, because it is measured in "
+                    "the normal section"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
                     "required total contact ratio, which determines the face width")}};
   return table;

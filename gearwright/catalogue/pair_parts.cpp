@@ -200,8 +200,8 @@ const Quantities<PairBacklash>& backlash_quantities() {
         .per_gear();
     q.number("free_rotation_deg", "free play with the mating gear fixed", "",
              "per gear, rotation without any contact; less than the backlash if other parts of the "
-             "teeth touch before the flanks; null if not computed (as on crossed axes with an "
-             "internal gear) or if a tip lies inside a root",
+             "teeth touch before the flanks. It is null if it is not computed (as on crossed axes "
+             "with an internal gear), or if a tip lies inside a root",
              [](const B& b) {
                if (!b.free) return Value();
                return Value(std::array{b.free->at(0).deg(), b.free->at(1).deg()});
@@ -236,10 +236,10 @@ const Quantities<ParallelPair>& needed_face_quantities() {
           .shown(worth);
     };
     add("total_1", "whole_total_1", "face width for a total contact ratio of 1",
-        "null for a spur pair whose transverse contact ratio is lower",
+        "null for a spur pair whose transverse contact ratio is below this value",
         [](const P& p) { return face_width_for_total(p, 1.0); });
     add("total_1_2", "whole_total_1_2", "face width for a total contact ratio of 1.2",
-        "null for a spur pair whose transverse contact ratio is lower",
+        "null for a spur pair whose transverse contact ratio is below this value",
         [](const P& p) { return face_width_for_total(p, 1.2); });
     add("overlap_1", "whole_overlap_1", "face width for an overlap ratio of 1",
         "null for spur pairs", face_width_for_overlap);
@@ -330,10 +330,10 @@ const Quantities<Collision>& collision_quantities() {
            "gear with the affected root or the projecting tip; null if both gears are affected",
            [](const S& s) { return s.gear ? Value(s.gear) : Value(); });
     q.number("depth_mm", "depth", "",
-             "depth of an overlap along the common normal in the middle of the play; for contact "
-             "beyond the flank, the remaining distance between the flanks",
+             "depth of an overlap along the common normal, if the gears are in the middle of their "
+             "play; for contact beyond the flank, the remaining distance between the flanks",
              &S::depth);
-    q.text("arcs", "touching arcs of gear 1 and gear 2, with the names of `outline`",
+    q.text("arcs", "names of the arcs of gear 1 and gear 2 that touch, as in `outline`",
            at([](const OutlineTouch& t) {
              return ValueList{std::string(to_string(t.places[0].arc)),
                               std::string(to_string(t.places[1].arc))};

@@ -149,9 +149,9 @@ void add_crossed(Quantities<Pair>& all) {
       .doors(kJson)
       .when(is<InvolutePair>);
   q.number("needed_lead_crowning_um", "minimum lead crowning", "C_β",
-           "only with an internal gear; for each gear, the least lead crowning of this gear alone "
-           "with which the flanks stay clear of each other beside the line of action [T4.36]; null "
-           "if no crowning of this gear alone is sufficient",
+           "for each gear, the least lead crowning that keeps the flanks clear of each other "
+           "beside the line of action if only this gear is crowned [T4.36]; null if no amount of "
+           "crowning on this gear alone is sufficient; given only with an internal gear",
            needed_crowning_um)
       .per_gear()
       .when([](const Pair& v) { return v.mounted().crossed_inside(); });
@@ -167,7 +167,7 @@ void add_crossed(Quantities<Pair>& all) {
                              "position of the gears with the minimum centre distance for the teeth "
                              "as cut [T4.15]; null if the teeth are too thin",
                              &CrossedPair::min_distance);
-  all.under("Positions with a contact ratio of at least 1, free of backlash");
+  all.under("Backlash-free positions with a contact ratio of at least 1");
   q.record<places_quantities>("contact_ratio_range",
                               "range of positions with AE ≥ p_bn [T4.23]; null with an internal "
                               "gear, or if there is no such position",
@@ -219,8 +219,8 @@ void add_contact(Quantities<Pair>& q) {
   q.under(kFace);
   q.part(as<ArcPair>)
       .number("face_width_for_contact_mm", "minimum face width for continuous contact", "b",
-              "smallest common face width with a contact point at all times; for double-helical "
-              "gears, the width of one half; only for circular arcs",
+              "smallest common face width at which a contact point exists at all times; for "
+              "double-helical gears, the width of one half; only for circular arcs",
               &ArcPair::face_for_contact)
       .when()
       .shown([](const Pair& v) { return !double_helical(v); });
@@ -231,7 +231,7 @@ void add_contact(Quantities<Pair>& q) {
       .when([](const Pair& v) { return is<ArcPair>(v) && double_helical(v); });
   q.under(kContact);
   q.record<line_quantities>("line_of_action",
-                            "line of action, or for circular arcs path of the contact point over "
+                            "line of action or, for circular arcs, path of the contact point over "
                             "the common face; null without contact",
                             line_of)
       .shown(is<InvolutePair>);
@@ -246,10 +246,10 @@ void add_contact(Quantities<Pair>& q) {
   of_involutes.record<path_quantities>("path", "points of the path of contact").doors(kJson).when();
   q.record<collision_quantities>(
        "overlap",
-       "overlaps of the bodies in the middle of the backlash, the deepest first [T2.34]. On "
-       "crossed axes, these are overlaps of tips and roots [T4.33] and, with an internal gear, "
-       "also of tip corners and flanks. The list is null if it was not computed (circular arcs of "
-       "unequal lead, internal gear without a given cutter)",
+       "overlaps of the bodies if the gears are in the middle of the backlash, the deepest first "
+       "[T2.34]. On crossed axes, these are overlaps of tips and roots [T4.33] and, with an "
+       "internal gear, also of tip corners and flanks. The list is null if it was not computed "
+       "(circular arcs of unequal lead, internal gear without a given cutter)",
        [](const Pair& v) -> const auto& { return v.mounted().overlap; })
       .list({0})
       .doors(kJson);
@@ -305,16 +305,16 @@ void add_clearances(Quantities<Pair>& q) {
 void add_sliding(Quantities<Pair>& q) {
   q.under(kContact);
   auto of_involutes = q.part(as<InvolutePair>);
-  add_sliding(of_involutes,
-              "sliding distance [at A, at E] per mm that the contact travels on the flank. On "
-              "parallel axes [T2.22], A or E is the start of the usable flank if the flank is "
-              "undercut, and the value is negative where the mating gear drags the flank and null "
-              "at and beyond a base tangent point. On crossed axes [T4.25], it is the ratio of the "
-              "magnitudes of the velocities",
-              [](const InvolutePair& p) {
-                const auto &a = p.sliding_A, &e = p.sliding_E;
-                return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
-              });
+  add_sliding(
+      of_involutes,
+      "sliding distance [at A, at E] per mm that the contact travels on the flank. On parallel "
+      "axes [T2.22], A or E is the start of the usable flank if the flank is undercut. The value "
+      "is negative where the mating gear drags the flank, and null at a base tangent point and "
+      "beyond it. On crossed axes [T4.25], it is the ratio of the magnitudes of the velocities",
+      [](const InvolutePair& p) {
+        const auto &a = p.sliding_A, &e = p.sliding_E;
+        return SlidingAtEnds{{{a.zeta_1, e.zeta_1}, {a.zeta_2, e.zeta_2}}};
+      });
 }
 
 void add_parallel(Quantities<Pair>& all) {
@@ -323,8 +323,8 @@ void add_parallel(Quantities<Pair>& all) {
   q.record<needed_face_quantities>(
        "needed_face_width_mm",
        "face widths for total contact ratios of 1 and 1.2, and for an overlap ratio of 1 [T6.14]; "
-       "for double-helical gears, the widths of one half and, in addition, the widths including "
-       "both halves and the gap; null on crossed axes")
+       "for double-helical gears, the widths of one half, and also the widths that include both "
+       "halves and the gap; null on crossed axes")
       .when(is<InvolutePair>);
   all.under(kContact);
   q.term("approach_contact_ratio",
@@ -337,8 +337,8 @@ void add_parallel(Quantities<Pair>& all) {
       .when(is<InvolutePair>);
   q.number("axial_force_ratio", "axial force divided by tangential force", "F_z/F_t",
            "per gear, along +z, if gear 1 drives in its sense of rotation [T6.15]; for "
-           "double-helical gears, the ratio of one half, because the forces of the halves balance; "
-           "null on crossed axes",
+           "double-helical gears, the value of a single half, because the forces of the two halves "
+           "balance each other; null on crossed axes",
            axial_force)
       .per_gear()
       .when(is<InvolutePair>)

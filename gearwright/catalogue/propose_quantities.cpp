@@ -37,7 +37,7 @@ const Quantities<ProposedGear>& gear_of_proposal_quantities() {
     q.number("lead_slope_um", "helix slope modification of the loaded flank", "C_Hβ",
              "null if unchanged", [](const G& g) { return um(g.lead_slope); })
         .digits(0);
-    q.text("amounts", "amounts in words, empty if as given", amounts_of);
+    q.text("amounts", "amounts in words; empty if they are the same as in the spec", amounts_of);
   });
 }
 
@@ -75,8 +75,8 @@ const Quantities<Proposal>& proposal_quantities() {
                                       &P::worst);
     q.record<loaded_score_quantities>(
         "at_helix_limits",
-        "worst values at 16 positions over the torques and both signs of `helix_deviation_um`; "
-        "this deviation is added to the deflection slope; null without tolerances",
+        "worst values over 16 positions, all torques and both signs of `helix_deviation_um`; this "
+        "deviation is added to the deflection slope; null without tolerances",
         &P::at_limits);
     q.add(Type::map, "spec", "spec", "", "the whole spec with these modifications", &P::spec)
         .always();
@@ -158,14 +158,15 @@ const Quantities<ProposeView>& propose_quantities() {
              })
         .per_gear()
         .digits(2);
-    q.number("pitch_deviation_um", "base pitch deviation of both gears", "f_pb",
-             "from their accuracy grades, normal to the flank [T12.28]; null without grades",
-             [](const V& v) { return um(v.pitch_deviation); })
+    q.number(
+         "pitch_deviation_um", "base pitch deviation of both gears", "f_pb",
+         "from the accuracy grades of the gears, normal to the flank [T12.28]; null without grades",
+         [](const V& v) { return um(v.pitch_deviation); })
         .digits(2);
     q.number("helix_deviation_um", "combined helix slope deviation of both gears", "F",
-             "square root of the sum of the squares of f_HβT of both grades, each converted from "
-             "the evaluated range L_β to the face [T14.23]; normal to the flank, over the common "
-             "face [T12.32]; null without grades",
+             "square root of the sum of the squares of f_HβT of both grades. Each f_HβT is "
+             "converted from the evaluated range L_β to the face [T14.23]. The deviation is normal "
+             "to the flank and applies to the common face [T12.32]; null without grades",
              [](const V& v) { return um(v.helix_deviation); })
         .digits(2);
     q.number("deflection_slope_um", "linear deflection of the shafts along the face", "S",

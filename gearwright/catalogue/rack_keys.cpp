@@ -64,7 +64,8 @@ const KeyTable& straight_rack_keys() {
                    &StraightRack::tip_fillet_radius, "0",
                    "bottom rounding of the cutter, which cuts a tip fillet"),
        Key::number("tool_addendum", "", any_length(), &StraightRack::tool_addendum,
-                   "h_aP* − ρ_1* (1 − sin α_n), or no end if `tip_fillet_radius` is 0",
+                   "h_aP* − ρ_1* (1 − sin α_n); if `tip_fillet_radius` is 0, the straight flank "
+                   "does not end",
                    "height above the datum line at which the straight flank of the cutter ends"),
        Key::number("semi_topping_angle_deg", "", KeyRange::inside(0, 90),
                    &StraightRack::semi_topping_angle, "none",

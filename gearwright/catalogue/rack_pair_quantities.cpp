@@ -55,9 +55,9 @@ void add_rack_mounting(Quantities<RackPair>& q) {
            &RackPair::travel_per_turn)
       .unit(Unit::mm);
   q.number("usable_travel_mm", "usable travel", "",
-           "n p_t − 2 max(g_a, g_f) cos α_t: travel over which the whole path of contact of both "
-           "flanks lies on the rack; 0 if the rack is too short; null without contact, "
-           "and without `teeth` and `length_mm`",
+           "travel over which the whole path of contact of both flanks lies on the rack, n p_t − 2 "
+           "max(g_a, g_f) cos α_t; 0 if the rack is too short; null without contact, and without "
+           "`teeth` and `length_mm`",
            usable_travel);
   q.term("working_normal_pressure_angle_deg",
          "equal to the pressure angle of the basic rack at every centre distance",
@@ -118,7 +118,7 @@ void add_rack_pair(Quantities<RackPair>& q) {
       "backlash", "backlash of the flanks as cut, at this centre distance [T2.37]");
   q.under(kClearances);
   q.term("tip_clearance_mm",
-         "for the pinion from its tip to the root of the rack, for the rack from its tip to the "
+         "for the pinion, from its tip to the root of the rack; for the rack, from its tip to the "
          "root of the pinion [T2.40]",
          &RackPair::tip_clearance)
       .per_gear();
@@ -140,7 +140,7 @@ const Quantities<RackGeometry>& rack_quantities() {
         .doors(kJson);
     q.term("teeth",
            "number of teeth of the rack; null for a rack of unlimited length; if the length is "
-           "given, the whole teeth that fit into it",
+           "given, the number of whole teeth that fit into it",
            [](const R& r) { return r.bar.teeth; });
     q.term("normal_module_mm", "normal module of the pinion", &R::normal_module);
     q.term("helix_angle_deg",

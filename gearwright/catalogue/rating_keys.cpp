@@ -31,10 +31,11 @@ Key factor(std::string_view key, std::string_view symbol,
 // The key of K_γ. For a drive, the value may also be a table of numbers by mesh or the word
 // "computed", which spec/read_drive.hpp reads.
 Key mesh_load_factor() {
-  Key key = factor("mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
-                   "greatest load of a mesh divided by the mean load, if several meshes share the "
-                   "power, for example with planets. In the table, a mesh that is not named has 1; "
-                   "`\"computed\"` takes K_γ of each mesh from the drive under `[load]`");
+  Key key = factor(
+      "mesh_load_factor", "K_γ", &RatingInput::mesh_load_factor, "1",
+      "greatest load of a mesh divided by the mean load of all meshes that share the power, for "
+      "example the meshes of planets. A mesh that the table does not name has the factor 1; with "
+      "`\"computed\"`, the results of the drive under `[load]` give K_γ of each mesh");
   key.kind = KeyKind::any;
   key.words = {"computed"};
   key.form = "a number; for a drive also a table of numbers by mesh, or `\"computed\"`";
@@ -203,10 +204,10 @@ const KeyTable& rating_keys() {
            "0.85",
            "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
            "manufacture and lubrication"),
-       factor(
-           "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
-           "from `[rating.mounting]` or the shafts of the gears; 1.4 in a search that has neither",
-           "face load factor of the flank, which replaces the computed value"),
+       factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
+              "from `[rating.mounting]` or the shafts of the gears; a search without these values "
+              "uses 1.4",
+              "face load factor of the flank, which replaces the computed value"),
        Key::not_negative(
            "misalignment_um", "f_ma", {&RatingTable::input, &RatingInput::misalignment},
            "√(f_Hβ1² + f_Hβ2²)",
@@ -222,15 +223,17 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
-                     "no required value; 1 is used", "required safety of the flanks")
+                     "no value is required, and 1 is used where a value is needed",
+                     "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
-                     "no required value; 1 is used", "required safety of the roots")
+                     "no value is required, and 1 is used where a value is needed",
+                     "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "
-                 "also computed, as in `load`, with the positions, slices and accuracy of `[load]` "
-                 "(takes a few seconds)")
+                 "also computed, as in `load`. The positions, slices and accuracy are those of "
+                 "`[load]`; the computation takes a few seconds")
            .with_also({"loaded_contact", "compare_load"}),
        {.key = "spectrum",
         .kind = KeyKind::table,

@@ -298,8 +298,9 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque",
       &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "least face width for the same safeties, up to 40 modules; null if there is no such "
-           "face width",
+           "least face width, up to 40 modules, for which the safeties are at least "
+           "`safety_flank_min` and `safety_root_min`, or at least 1 if these keys are absent; null "
+           "if there is no such face width",
            &RatingAnswer::face_holding)
       .digits(2);
 }

@@ -64,9 +64,11 @@ std::optional<KeyFault> check_scatter(ScatterInput& s, const KeyGiven&) {
                     "points would fill the ranges unevenly"};
   const long long all = static_cast<long long>(s.samples) * s.replicates;
   if (all <= kMaxScatterSamples) return std::nullopt;
-  return KeyFault{"samples", fmt::format("must be smaller, because samples times replicates must "
-                                         "be at most {}, but the product is {}",
-                                         kMaxScatterSamples, all)};
+  return KeyFault{
+      "samples",
+      fmt::format(
+          "must be smaller; the product of samples and replicates must be at most {}, but it is {}",
+          kMaxScatterSamples, all)};
 }
 
 KeyPlace gear(std::size_t i) {
@@ -109,12 +111,13 @@ const KeyTable& scatter_keys() {
                  "if true, first-order and total Sobol indices of each input are computed "
                  "[T14.10], which multiplies the computing time by (inputs + 2)"),
        Key::flag("worst_case", &ScatterInput::worst_case, "false",
-                 "if true, the greatest peak-to-peak transmission error and the least play within "
-                 "all ranges are found by a search [T14.15]"),
+                 "if true, a search finds the greatest peak-to-peak transmission error and the "
+                 "least play within all ranges [T14.15]"),
        Key::flag("loosening", &ScatterInput::loosening, "false",
-                 "if true, the result contains the tolerance to tighten first and, for each "
-                 "tolerance, the factor by which it can grow before the greatest of `percentiles` "
-                 "of the peak-to-peak transmission error grows by 5 % [T14.19]"),
+                 "if true, the result contains the tolerance that should be tightened first. For "
+                 "each tolerance, it also contains a factor; if the tolerance grows by this "
+                 "factor, the greatest of `percentiles` of the peak-to-peak transmission error "
+                 "grows by 5 % [T14.19]"),
        Key::flag("pattern", &ScatterInput::pattern, "false",
                  "if true, the result contains the density of the contact pattern on both flanks. "
                  "At each point of a flank, the density is the share of samples in which the "
@@ -123,8 +126,8 @@ const KeyTable& scatter_keys() {
        Key::flag(
            "loaded", &ScatterInput::loaded, "false",
            "if true, loaded transmission error, pressure and face load factor are computed for the "
-           "first samples of each replicate, under the torques and at the positions of [load] (by "
-           "default 16 positions); pitch deviations have no effect on these quantities [T14.24]"),
+           "first samples of each replicate. The torques and positions are those of [load] (by "
+           "default 16 positions). Pitch deviations have no effect on these quantities [T14.24]"),
        Key::number("loaded_samples", "", KeyRange::between(1, kMaxScatterSamples),
                    &ScatterInput::loaded_samples, "256",
                    "greatest number of samples under load, for all replicates together. The number "
@@ -159,10 +162,10 @@ const KeyTable& scatter_keys() {
                                 "0.5 }}]"},
         .place = &ScatterInput::correlations,
         .tables = {scatter_correlation_keys},
-        .meaning = "correlations of inputs, each a table `[[scatter.correlations]]` or, in a list, "
-                   "{ between = [\"errors.crossing_deg\", \"errors.intersecting_deg\"], value = "
-                   "0.5 }; inputs without a correlation are independent. The worst case does not "
-                   "depend on correlations [T14.30]"},
+        .meaning = "correlations of inputs. Each is a table `[[scatter.correlations]]`, or an "
+                   "entry of a list such as { between = [\"errors.crossing_deg\", "
+                   "\"errors.intersecting_deg\"], value = 0.5 }. Inputs without a correlation are "
+                   "independent. The worst case does not depend on correlations [T14.30]"},
        Key::part("robust", scatter_robust_keys, &ScatterInput::robust,
                  "corrections that minimise a percentile of the peak-to-peak transmission error")},
       check_scatter};
@@ -258,12 +261,12 @@ const KeyTable& scatter_correlation_keys() {
                 "\"errors.intersecting_deg\"]",
         .place = &ScatterInput::Correlation::between,
         .required = true,
-        .meaning =
-            "two inputs. The position of a bore can be correlated with the position of the other "
-            "bore, or one coordinate of it, `bearings.bore_a.x_mm`, with a number. Pitches have "
-            "the score of their share of F_pT, or of `gear1.pitch.eccentric`, and waves that of "
-            "their number. Phases cannot be correlated. With `indices`, both must be in the same "
-            "group of `groups`"},
+        .meaning = "two inputs. The position of a bore can be correlated with the position of the "
+                   "other bore. One coordinate of a bore, such as `bearings.bore_a.x_mm`, can be "
+                   "correlated with an input that is a number. The score of pitch deviations is "
+                   "that of their share of F_pT, or of `gear1.pitch.eccentric`. The score of waves "
+                   "is that of their number. Phases cannot be correlated. With `indices`, both "
+                   "inputs must be in the same group of `groups`"},
        {.key = "value",
         .symbol = "ρ",
         .kind = KeyKind::number,

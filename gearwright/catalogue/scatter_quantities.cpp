@@ -84,8 +84,9 @@ const Quantities<WorstView>& worst_quantities() {
            [](const W& w) { return w.worst->corner; });
     q.number("bound", "bound", "",
              "lower bound of the values of all pairs within the ranges, in the unit of its key "
-             "[T14.29]; null for the peak to peak, which is not convex; otherwise only for "
-             "external involute pairs on parallel axes without reliefs, topographies and waves",
+             "[T14.29]; null for the peak-to-peak value, which is not convex. The other bounds are "
+             "given only for external involute pairs on parallel axes without reliefs, "
+             "topographies and waves",
              [](const W& w) { return shown(*w.entry, w.worst->bound); });
   });
 }
@@ -153,11 +154,11 @@ const Quantities<LooseningView>& loosening_change_quantities() {
   using L = LooseningView;
   return define("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return *l.input; });
-    q.number(
-        "factor", "factor by which the tolerance can grow until the percentile has grown by 5 %",
-        "",
-        "null if no factor up to 8 at which the teeth can exist makes the percentile grow by 5 %",
-        [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.number("factor",
+             "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
+             "null if the percentile grows by less than 5 % for every factor up to 8 for which the "
+             "teeth can exist",
+             [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "", [](const L& l) {
        return Angle::radians(l.change->halved).arcsec();
      }).or_null();
@@ -181,8 +182,8 @@ const Quantities<ScatterView>& loosening_quantities() {
           return list;
         });
     q.text("tighten_first",
-           "input whose tolerance lowers the percentile most when halved; null if no tolerance "
-           "lowers it when halved",
+           "input for which halving the tolerance lowers the percentile most; null if halving a "
+           "single tolerance never lowers it",
            [](const ScatterView& v) {
              const auto& first = v.scatter->loosening->tighten_first;
              return first ? Value(v.inputs[*first]) : Value();

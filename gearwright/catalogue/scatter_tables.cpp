@@ -167,8 +167,8 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
   const SpreadEntry& te = scatter_entries()[0];
   const auto arcsec = [&](double rad) { return fixed_decimals(te.shown(rad), te.digits); };
   TextTable table{
-      fmt::format("Factor on one tolerance alone that increases the {} % point of the peak-to-peak "
-                  "transmission error over the first {} samples ({} ″) by {:g} %",
+      fmt::format("Factor on a single tolerance that increases the {} % point of the peak-to-peak "
+                  "transmission error of the first {} samples ({} ″) by {:g} %",
                   format_number(l.percent), view.task->samples, arcsec(l.percentile),
                   100 * kLooser),
       {"factor", "point if halved"}};
@@ -187,7 +187,7 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
         "Tighten {}{} first, because halving this tolerance lowers the percentile to {} ″.",
         key_in(units, t.name), t.of_grade(), arcsec(l.by_tolerance[*l.tighten_first].halved)));
   } else {
-    table.notes.emplace_back("No single tolerance lowers the percentile if it is halved.");
+    table.notes.emplace_back("Halving a single tolerance does not lower the percentile.");
   }
   return table;
 }

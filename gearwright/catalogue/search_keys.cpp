@@ -258,7 +258,7 @@ std::vector<Key> limit_keys() {
                   "tip and 1.25 for a sharp tip")
           .with_fields({"racks.undercut_depth"}),
       limit("undercut_margin", "", KeyRange::between(-5, 5), &SearchLimits::undercut_margin, "0",
-            "least difference between x and its undercut limit"),
+            "least difference between a profile shift and its undercut limit"),
       limit("tip_thickness_min", "s_an", KeyRange::between(0, 1.5), &SearchLimits::tip_thickness,
             "0.2", "least normal tip thickness, in modules"),
       limit("contact_ratio_min", "ε_α", KeyRange::between(0, 10), &SearchLimits::contact_ratio,
@@ -312,7 +312,7 @@ std::vector<Key> design_keys() {
                 }),
                 "\"tight\" for internal pairs and for drawn designs, otherwise \"extended\"",
                 "kind of the centre distance; `\"extended\"` is a = a_d + m_n Σx, and `\"tight\"` "
-                "is free of backlash; if this key is given without tolerances and without a band "
+                "is free of backlash. If this key is given without tolerances and without a band "
                 "of face widths, designs have nominal teeth and are not drawn"),
       Key::flag("shorten_tips", &SearchProblem::shorten_tips, "false",
                 "if true, tips are shortened by the amount by which a backlash-free centre "
@@ -333,13 +333,13 @@ std::vector<Key> design_keys() {
           "face_width_diameters", "b/d_1", KeyRange::between(0.01, 100),
           &SearchProblem::face_diameters,
           "[0.2, 1] if a safety is required and no other face width is given, otherwise no limit",
-          "face width in reference diameters of the pinion")
+          "face width as a multiple of the reference diameter of the pinion")
           .with_list(kBand)
           .with_form(std::string("a number") + kBandForm)
           .with_fields({"face_diameters"}),
       Key::positive("face_width_step_mm", "", &SearchProblem::face_step, "1",
-                    "step of the face width; face widths within a band are multiples of this step; "
-                    "if the spec is in inch, the default is 0.05 in")
+                    "step of the face width; face widths within a band are multiples of this step. "
+                    "The default is 0.05 in if the spec is in inch")
           .with_fields({"face_step"}),
       Key::text("thickness_series", KeyPlace::by<SearchProblem, std::string>(set_series),
                 "\"cd25\" for drawn designs with `mounting = \"tight\"`",
@@ -384,11 +384,10 @@ std::vector<Key> design_keys() {
                   "0.05 for the objective `efficiency`, otherwise no efficiency",
                   "coefficient of friction of the flanks, for the efficiency")
           .with_also({"friction"}),
-      Key::number("cost_exponent", "e", KeyRange::between(0, 3), &SearchProblem::cost_exponent,
-                  "0.5",
-                  "exponent of the factor (b/d_1)^e by which the objective `cost` multiplies the "
-                  "mass, where b is the face width and d_1 the reference diameter of the pinion; "
-                  "0 gives the mass"),
+      Key::number(
+          "cost_exponent", "e", KeyRange::between(0, 3), &SearchProblem::cost_exponent, "0.5",
+          "exponent e of the factor (b/d_1)^e by which the objective `cost` multiplies the mass; b "
+          "is the face width, and d_1 is the reference diameter of the pinion; 0 gives the mass"),
       Key::number("shift_step", "", KeyRange::between(kMinShiftStep, 1), &SearchProblem::shift_step,
                   "none",
                   "step of a grid of profile shifts; the feasible points of the grid are written "

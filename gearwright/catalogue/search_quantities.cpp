@@ -59,7 +59,7 @@ const Quantities<SearchProblem>& margin_quantities() {
            })
         .when(drawn);
     q.term("backlash_mm",
-           "least and greatest backlash for which the teeth are thinned; `null` if the series "
+           "least and greatest backlash that the thinned teeth have; `null` if the series "
            "determines the allowances",
            [](const P& p) { return p.allowances.backlash; })
         .ends()
@@ -143,9 +143,10 @@ void add_search(Quantities<SearchView>& q) {
         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
         [](const S& s) { return s.answer.pareto; })
       .doors(kJson);
-  q.record<design_quantities>(
-      "designs", "feasible designs, the best first, at most 100 000, or as many as `--top` gives",
-      [](const S&) { return ValueList(); });
+  q.record<design_quantities>("designs",
+                              "feasible designs, the best first; the list has at most 100 000 "
+                              "designs, or at most as many as `--top` gives",
+                              [](const S&) { return ValueList(); });
 }
 
 }  // namespace

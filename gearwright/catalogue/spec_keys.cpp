@@ -22,7 +22,7 @@ Key stage_key() {
           .kind = KeyKind::table,
           .list = KeyList{.most = 100, .must = "must be a list of tables, [[stage]]"},
           .tables = {stage_keys},
-          .meaning = "the stages of a train, for the verb drive"};
+          .meaning = "the stages of a train, for the verb `drive`"};
 }
 
 Key gear_2_key() {
@@ -59,15 +59,16 @@ const KeyTable& spec_keys() {
        table_key("contact", contact_keys, &SpecTables::contact,
                  "settings of the contact computation"),
        table_key("compensate", compensate_keys, &SpecTables::compensate,
-                 "corrections that the verb compensate can make"),
-       table_key("scatter", scatter_keys, {}, "tolerances and options of the verb scatter"),
+                 "corrections that the verb `compensate` can make"),
+       table_key("scatter", scatter_keys, {}, "tolerances and options of the verb `scatter`"),
        table_key("load", load_keys, &SpecTables::load,
-                 "settings of the verb load: torques and resolution"),
+                 "torques and resolution for the verb `load`"),
        table_key("rating", rating_keys, &SpecTables::rating,
-                 "settings of the verb rate: load, life, accuracy, mounting"),
-       table_key("fit", fit_keys, &SpecTables::fit, "settings of the verb fit"), search_key(),
-       table_key("planetary", planetary_keys, {}, "a planetary set, for the verb drive"),
-       stage_key(), table_key("drive", drive_keys, {}, "a drive as a graph, for the verb drive")}};
+                 "load, life, accuracy and mounting for the verb `rate`"),
+       table_key("fit", fit_keys, &SpecTables::fit, "settings of the verb `fit`"), search_key(),
+       table_key("planetary", planetary_keys, {}, "a planetary set, for the verb `drive`"),
+       stage_key(),
+       table_key("drive", drive_keys, {}, "a drive as a graph, for the verb `drive`")}};
   return table;
 }
 

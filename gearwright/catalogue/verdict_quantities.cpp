@@ -65,12 +65,12 @@ const Quantities<Finding>& finding_quantities() {
            [](const F& f) { return f.gear ? Value(f.gear) : Value(); });
     q.text("message", "sentence for users", &F::message);
     q.text("at",
-           "tolerance ends at which the finding occurs; null if the finding occurs at the nominal "
-           "values",
+           "ends of the tolerances at which the finding occurs; null if the finding occurs at the "
+           "nominal values",
            [](const F& f) { return f.at.empty() ? Value() : Value(f.at); });
     q.text("remedy",
-           "change that removes the finding, verified by computation; null if no single change "
-           "that removes it was found",
+           "change that removes the finding, verified by computation; null if no such single "
+           "change was found",
            [](const F& f) { return f.remedy.empty() ? Value() : Value(f.remedy); });
     q.add(Type::map, "change", "change", "",
           "keys of the spec that the remedy sets, with their values", change_of);

@@ -52,8 +52,8 @@ Result<StraightRack> rack_leaving_root(const CylindricalSpec& spec, double root_
   if (!(d_Ff > g.base_diameter && d_Ff <= most && (undercut || d_Ff >= least))) {
     return refused(
         "root_form_diameter", d_Ff, {undercut ? g.base_diameter : least, most},
-        "no tip rounding of the rack gives this diameter together with the root diameter; the root "
-        "form diameter must lie between {} mm (sharp corner) and {} mm (full radius)");
+        "no tip rounding of the rack gives both this diameter and the root diameter; the root form "
+        "diameter must lie between {} mm (sharp corner) and {} mm (full radius)");
   }
   const double rho_F = std::sqrt((d_Ff / 2 - r_b) * (d_Ff / 2 + r_b));
   const double depth = x_E - (rho_F - rho_C) * sin_t / m;

@@ -12,7 +12,7 @@ constexpr bool kGearUnnamed = true;
 
 constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::contact_lost, "contact_lost", kProblem,
-     "verbs contact, load and compensate: no tooth pair touches at some positions",
+     "at some positions, no tooth pair touches (verbs `contact`, `load` and `compensate`)",
      "contact is lost at some positions"},
     {C::through_axis, "through_axis", kProblem,
      "the cutter passes through the axis of the gear, so the gear has no outline",
@@ -28,42 +28,41 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a gear has no usable flank"},
     {C::no_contact, "no_contact", kProblem,
      "the teeth do not touch, or they touch only outside the usable flanks or (on crossed axes) "
-     "outside the faces; amber on crossed axes if the computed contact is never lost",
+     "outside the faces. On crossed axes, the level is amber if the computed contact is never lost",
      "the flanks have no conjugate contact"},
     {C::jam, "jam", kProblem,
-     "verb contact: both flanks of a tooth space, or root fillets and flanks, are in contact at "
-     "the same time; the message gives the angle by which gear 2 would have to yield",
+     "both flanks of a tooth space, or root fillets and flanks, are in contact at the same time "
+     "(verb `contact`); the message gives the angle by which gear 2 would have to yield",
      "the gears jam"},
     {C::negative_backlash, "negative_backlash", kProblem,
      "the teeth are too thick for the centre distance",
      "the teeth are too thick for this centre distance"},
     {C::contact_ratio, "contact_ratio", kProblem,
-     "ε_γ of the path clipped to the usable flanks (on crossed axes: AE/p_bn) is below 1",
+     "ε_γ of the part of the path on the usable flanks (on crossed axes, AE/p_bn) is below 1",
      "contact is not continuous"},
     {C::load_unfinished, "load_unfinished", kProblem,
-     "verbs load and compensate: at some positions the forces do not converge; these positions "
-     "have no results",
+     "at some positions the forces do not converge (verbs `load` and `compensate`); these "
+     "positions have no results",
      "some positions under load have no result"},
     {C::interference, "interference", kProblem,
-     "circular arcs: the flanks cut into each other at the contact; there is also an entry in "
+     "circular-arc flanks cut into each other at the contact; there is also an entry in "
      "`interference`",
      "the flanks cut into each other"},
     {C::contact_off_flank, "contact_off_flank", kProblem,
-     "circular arcs: at this centre distance the contact lies outside the usable flanks",
+     "the contact of circular-arc teeth lies outside the usable flanks at this centre distance",
      "the teeth touch outside their usable flanks"},
     {C::root, "root", kProblem, "a tip reaches below the mating gear's root circle",
      "a tip cuts into the mating gear’s root"},
     {C::base_tangent, "base_tangent", kProblem,
      "the mating gear's tip passes the base tangent point",
-     "a tip reaches where the mating gear has no involute"},
+     "a tip reaches a place where the mating gear has no involute"},
     {C::form_circle, "form_circle", kProblem, "the mating gear's tip touches below d_Ff [T2.25]",
      "a tip reaches below the mating gear’s usable flank"},
     {C::tip_to_fillet, "tip_to_fillet", kProblem,
      "the mating gear's tip corner cuts into the root fillet [T2.26]",
      "a tip corner cuts into a root fillet"},
     {C::trochoid, "trochoid", kProblem,
-     "internal pairs: the tip of the pinion collides with the tip of the internal gear on entry or "
-     "exit [T2.27]",
+     "the tip of the pinion collides with the tip of the internal gear on entry or exit [T2.27]",
      "the tips collide"},
     {C::overlap, "overlap", kProblem,
      "the outlines overlap, and no other code explains the overlap", "the teeth overlap"},
@@ -76,38 +75,40 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "red",
      "the safety against pitting is too small"},
     {C::samples_jam, "samples_jam", kCaution,
-     "verb scatter: the gears jam in some samples; the message gives the least play of all samples",
+     "the gears jam in some samples (verb `scatter`); the message gives the least play of all "
+     "samples",
      "the gears jam at some deviations within the tolerances",
      "Give thickness allowances, a series of DIN 3967 or narrower tolerances."},
     {C::samples_lose_contact, "samples_lose_contact", kCaution,
-     "verb scatter: no tooth pair touches at some positions of some samples",
+     "at some positions of some samples, no tooth pair touches (verb `scatter`)",
      "contact is lost at some deviations within the tolerances"},
     {C::samples_touch_edges, "samples_touch_edges", kCaution,
-     "verb scatter: an edge touches in more than 5 % of the samples",
+     "an edge touches in more than 5 % of the samples (verb `scatter`)",
      "edges touch at many deviations within the tolerances",
      "Give crowning or end relief (computed by [scatter.robust]), or give narrower tolerances."},
     {C::contact_lost_to_undercut, "contact_lost", kCaution,
-     "if the warning names a gear: the tip of the mating gear passes a part of the flank that "
-     "undercut has removed; nothing collides, but contact ends earlier",
+     "if the warning names a gear, the tip of its mating gear passes a part of the flank that "
+     "undercut has removed; the teeth do not collide, but contact ends earlier",
      "contact is lost where undercut has removed the flank"},
     {C::beyond_flank, "beyond_flank", kCaution,
      "parts of the outlines meet before the flanks do, and the result has the entry beyond_flank",
      "teeth meet beyond their flanks, where the transmission ratio is not constant"},
     {C::saddle_gap, "saddle_gap", kCaution,
-     "internal gears on crossed axes: the flanks overlap beside the line of action, so that edges "
-     "touch; the message gives the lead crowning that prevents this [T4.36]",
+     "with an internal gear on crossed axes, the flanks overlap beside the line of action, so that "
+     "edges touch; the message gives the lead crowning that prevents this [T4.36]",
      "the flanks overlap beside the line of action"},
     {C::contact_below_form, "contact_below_form", kCaution,
-     "verb contact: on a gear without undercut, the mating gear's tip passes the end of the usable "
-     "flank and enters the root fillet",
+     "on a gear without undercut, the mating gear's tip passes the end of the usable flank and "
+     "enters the root fillet (verb `contact`)",
      "a tip enters a root fillet"},
     {C::fillet_contact, "fillet_contact", kCaution,
-     "verb contact under errors: a tip meets the root fillet of the mating gear before the flanks "
-     "meet; the message gives the amount, the position and the flanks (working or non-working)",
+     "under the errors, a tip meets the root fillet of the mating gear before the flanks meet "
+     "(verb `contact`); the message gives the amount, the position and the flanks (working or "
+     "non-working)",
      "a tip meets a root fillet"},
     {C::edge_carries, "edge_carries", kCaution,
-     "verbs load and compensate: an edge of a tooth carries load; the pressure there is a lower "
-     "bound, and the root stress depends on the number of slices",
+     "an edge of a tooth carries load (verbs `load` and `compensate`); the pressure there is a "
+     "lower bound, and the root stress depends on the number of slices",
      "an edge carries load",
      "Give more tip relief and lead crowning; for spur and single-helical gears on parallel axes, "
      "the verb propose computes them and shows their effect."},
@@ -118,14 +119,14 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
      "a tip without clearance to the root of the mating gear"},
     {C::beyond_hertz, "beyond_hertz", kCaution,
-     "verb load: the contact is wider than a tenth of the radius of curvature there",
+     "the contact is wider than a tenth of the radius of curvature there (verb `load`)",
      "the contact is outside the range of Hertz’ formulas"},
     {C::nearly_parallel, "nearly_parallel", kCaution,
      "the axes cross at less than 1°; the message gives the helix angle that parallel axes need",
      "the axes cross at a small angle"},
     {C::face_width, "face_width", kCaution,
-     "crossed axes: the lines of action run beyond the face; the message gives the required face "
-     "width f′",
+     "on crossed axes, the lines of action run beyond the face; the message gives the required "
+     "face width f′",
      "a face is too narrow for the line of action"},
     {C::undercut, "undercut", kCaution,
      "the profile shift x_E is less than the minimum that avoids undercut", "undercut", "",
@@ -135,11 +136,12 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::thin_tip, "thin_tip", kCaution, "the tip thickness s_an is less than 0.2 m_n", "a thin tip",
      "", kGearUnnamed},
     {C::tip_below_base, "tip_below_base", kCaution,
-     "internal gear: d_a is less than d_b, so the involute does not reach the tip",
+     "d_a of an internal gear is less than d_b, so the involute does not reach the tip",
      "a tip inside the base circle", "", kGearUnnamed},
     {C::trimming, "trimming", kCaution,
-     "internal pairs: the pinion can be mounted only axially [T2.28], but the mounted gears do not "
-     "collide; `cut_by`: in radial infeed, the cutter removes the tips of an internal gear [T6.18]",
+     "the pinion of an internal pair can be mounted only axially [T2.28], but the mounted gears do "
+     "not collide; or a cutter, `cut_by`, removes the tips of an internal gear in radial infeed "
+     "[T6.18]",
      "trimming interference in radial assembly or infeed", "", kGearUnnamed},
     {C::tip_margin, "tip_margin", kCaution, "the tip clearance is less than 0.1 modules",
      "a small tip clearance"},
@@ -169,35 +171,35 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "axis, internal gear that no default cutter can generate)",
      "a gear without an outline", "", kGearUnnamed},
     {C::no_corrections, "no_corrections", kCaution,
-     "verb run: corrections cannot be computed for this spec; the message gives the reason",
+     "corrections cannot be computed for this spec (verb `run`); the message gives the reason",
      "no corrections"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
-     "verb load: the contact ellipse extends beyond an end of the flank, and the pressure there is "
-     "a lower bound",
+     "the contact ellipse extends beyond an end of the flank, and the pressure there is a lower "
+     "bound (verb `load`)",
      "a contact ellipse beyond the flank"},
     {C::rating_root_fillet, "rating_root_fillet", kCaution,
      "the standard does not cover a circular root fillet, so Y_F and Y_S are computed for the root "
      "that the rack would cut",
      "a root that the standard does not describe", "", kGearUnnamed},
     {C::contact_search_unfinished, "contact_search_unfinished", kCaution,
-     "verb contact: some searches for a contact point did not converge",
+     "some searches for a contact point did not converge (verb `contact`)",
      "positions without an exact contact point", "Choose other positions."},
     {C::correction_at_bound, "correction_at_bound", kCaution,
-     "verb compensate: a correction is at the end of the searched range",
+     "a correction is at the end of the searched range (verb `compensate`)",
      "a correction at its bound", "Align the axes more accurately."},
     {C::rack_not_used, "rack_not_used", kCaution,
-     "internal gear: some dimensions of the rack have no effect",
+     "some dimensions of the rack have no effect on an internal gear",
      "dimensions of a rack that have no effect", "Leave out these dimensions of the rack.",
      kGearUnnamed},
     {C::default_shaft_angle, "default_shaft_angle", kCaution,
      "the axes cross at the angle of the minimum centre distance, because no shaft angle is given",
      "a default shaft angle", "Give the shaft angle, or equal helix angles of opposite hand."},
     {C::pressure_angle, "pressure_angle", kCaution,
-     "circular arcs: the flanks touch at a pressure angle that differs from the angle of the rack",
+     "circular-arc flanks touch at a pressure angle that differs from the angle of the rack",
      "a pressure angle that does not match the rack",
      "Leave out the pressure angle, or write the angle at which the flanks touch.", kGearUnnamed},
     {C::unequal_lead, "unequal_lead", kCaution,
-     "circular arcs: the gears do not have matching leads, so their contacts are not computed",
+     "the leads of circular-arc gears do not match, so their contacts are not computed",
      "unequal leads", "The verb contact computes where the teeth touch."},
     {C::rating_contact_ratio, "rating_contact_ratio", kCaution,
      "the transverse contact ratio is outside 1 to 2.5, the range of ISO 6336",
@@ -210,7 +212,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a pressure angle that the standard does not cover"},
     {C::rating_stiffness, "rating_stiffness", kCaution,
      "the profile shifts are outside the range of the formula for the tooth stiffness c'",
-     "profile shifts outside the range of the standard’s tooth stiffness"},
+     "profile shifts outside the range of the formula for the tooth stiffness"},
     {C::rating_resonance, "rating_resonance", kCaution,
      "the pinion runs in the main resonance of the mesh, N_S < N ≤ 1.15",
      "a speed in the main resonance"},
@@ -222,12 +224,13 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the notch parameter q_s is outside 1 to 8, the range of Y_S",
      "a root fillet outside the range of the stress correction factor", "", kGearUnnamed},
     {C::thin_rim, "thin_rim", kCaution,
-     "the rim, from the roots to the bore or to the outside of an internal gear, is thinner than "
-     "the rim thickness factor Y_B of ISO 6336-3 allows: half the tooth height, or 1.75 m_n for an "
-     "internal gear",
+     "the rim under the teeth is thinner than the limit of the rim thickness factor Y_B of ISO "
+     "6336-3, which is half the tooth height, or 1.75 m_n for an internal gear; the rim extends "
+     "from the roots to the bore, or to the outside of an internal gear",
      "a thin rim", "", kGearUnnamed},
     {C::rating_plastic, "rating_plastic", kCaution,
-     "plastic teeth: wear, deformation and static peaks, which VDI 2736 also covers, are not rated",
+     "wear, deformation and static peaks of plastic teeth, which VDI 2736 also covers, are not "
+     "rated",
      "wear and deformation that are not rated"},
     {C::not_read, "not_read", kNote,
      "a part of the spec has no effect in this version or with this verb", "", "Leave it out."},
@@ -239,20 +242,19 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "tip diameter that removes "
      "it"},
     {C::fillets_not_asked, "fillets_not_asked", kNote,
-     "verb contact: if the lead of the cutter is changed, contact of tips with root fillets is not "
-     "checked for circular fillets and for roots cut by a pinion cutter"},
+     "if the lead of the cutter is changed, contact of tips with circular root fillets, or with "
+     "roots cut by a pinion cutter, is not checked (verb `contact`)"},
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
-     "ε_α of the path clipped to the usable flanks is below 1, and the overlap compensates for it; "
-     "the message gives the least "
-     "face width"},
+     "ε_α of the part of the path on the usable flanks is below 1, and the overlap compensates for "
+     "it; the message gives the least face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the gear named in the message (in a drive: the output) cannot drive"},
+     "with this friction, the gear that the message names (in a drive, the output) cannot drive"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
-     "the bottom land of the cutter ends the tooth below the tip diameter of the blank; `cut_by` "
-     "with a cutter that is not the mating gear: the root of the cutter determines the tip, "
-     "because no tip diameter is given"},
+     "the bottom land of the cutter ends the tooth below the tip diameter of the blank; if "
+     "`cut_by` is not the mating gear and no tip diameter is given, the root of the cutter "
+     "determines the tip"},
     {C::default_face_width, "default_face_width", kNote,
      "b is 10 m_n, because no face width is given"},
     {C::default_rack_body, "default_rack_body", kNote,
@@ -268,82 +270,85 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::tip_fillet_cut_off, "tip_fillet_cut_off", kNote,
      "the blank ends the tooth before its circular tip fillet begins"},
     {C::no_chord, "no_chord", kNote,
-     "verb measure: there is no usable flank that a calliper can span, and no diameter is given"},
+     "there is no usable flank that a calliper can span, and no diameter is given (verb "
+     "`measure`)"},
     {C::no_span, "no_span", kNote,
-     "verb measure: no span touches the usable flank, and no number of teeth is given"},
+     "no span touches the usable flank, and no number of teeth is given (verb `measure`)"},
     {C::no_balls, "no_balls", kNote,
-     "verb measure: no balls touch the usable flanks, and no ball diameter is given"},
+     "no ball diameter is given, and balls of no size touch the usable flanks (verb `measure`)"},
     {C::span_off_flank, "span_off_flank", kNote,
-     "verb measure: the contacts of the given span lie off the usable flank"},
+     "the contacts of the given span are not on the usable flank (verb `measure`)"},
     {C::span_off_face, "span_off_face", kNote,
-     "verb measure: the face is too narrow for both anvils, or the anvils rest on less of the "
-     "flank than measuring practice requires [T10.36]"},
+     "the face is too narrow for both anvils, or the anvils rest on less of the flank than "
+     "measuring practice requires [T10.36] (verb `measure`)"},
     {C::ball_off_flank, "ball_off_flank", kNote,
-     "verb measure: the contacts of the given balls lie off the usable flank"},
+     "the contacts of the given balls are not on the usable flank (verb `measure`)"},
     {C::pin_off_flank, "pin_off_flank", kNote,
-     "verb measure: the contacts of the given pins lie off the usable flank or, for two pins that "
-     "may tilt, off the face"},
+     "the contacts of the given pins are not on the usable flank or, for two pins that may tilt, "
+     "not on the face (verb `measure`)"},
     {C::tolerances_out_of_range, "tolerances_out_of_range", kNote,
-     "verb measure: the gear is outside the range of sizes of ISO 1328-1"},
+     "the size of the gear is outside the range of ISO 1328-1 (verb `measure`)"},
     {C::held_at_half_the_root, "held_at_half_the_root", kNote,
-     "verb load: a gear has no bore, so its body is held at half the root diameter"},
+     "a gear has no bore, so the verb `load` holds its body at half the root diameter"},
     {C::held_at_rim_as_drawn, "held_at_rim_as_drawn", kNote,
-     "verb load: an internal gear has no rim diameter, so it is held at the rim diameter of its "
+     "an internal gear has no rim diameter, so the verb `load` holds it at the rim diameter of its "
      "CAD files"},
     {C::no_load, "no_load", kNote,
-     "verb run: an analysis under load cannot be computed for these gears; the message gives the "
-     "reason"},
+     "an analysis under load cannot be computed for these gears (verb `run`); the message gives "
+     "the reason"},
     {C::stiffness_differs, "stiffness_differs", kNote,
-     "verb load: the mesh stiffness differs from c_γα of ISO 6336-1; the message gives the "
+     "the mesh stiffness differs from c_γα of ISO 6336-1 (verb `load`); the message gives the "
      "reasons"},
     {C::designs_cut, "designs_cut", kNote,
-     "verb search: there are more designs than the list contains"},
+     "there are more designs than the list of the verb `search` contains"},
     {C::edges_left_out, "edges_left_out", kNote,
-     "verb search: the borders of the regions are omitted for more than 10 000 designs"},
+     "the borders of the regions are omitted if there are more than 10 000 designs (verb "
+     "`search`)"},
     {C::changes_left_out, "changes_left_out", kNote,
-     "verb search: the search for a change of the limits that would help was incomplete or "
-     "omitted; the message gives the reason"},
+     "the search for a change of the limits that would help was incomplete or omitted (verb "
+     "`search`); the message gives the reason"},
     {C::not_coaxial, "not_coaxial", kProblem,
-     "verb drive: no profile shift brings all meshes of a planet to the same centre distance, or "
-     "there is no possible place for an idler",
+     "no profile shift brings all meshes of a planet to the same centre distance, or there is no "
+     "possible place for an idler (verb `drive`)",
      "the gears do not fit on common axes"},
     {C::planets_collide, "planets_collide", kProblem,
-     "verb drive: the tip circles of neighbouring planets overlap, or there are fewer possible "
-     "positions than planets",
+     "the tip circles of neighbouring planets overlap, or there are fewer possible positions than "
+     "planets (verb `drive`)",
      "neighbouring planets collide"},
     {C::cannot_drive, "cannot_drive", kProblem,
-     "verb drive: with this friction, the input of the drive cannot drive its output",
+     "with this friction, the input of the drive cannot drive its output (verb `drive`)",
      "the input cannot drive the output",
      "Exchange `input` and `output`, or give a smaller `friction_coefficient`."},
     {C::unequal_spacing, "unequal_spacing", kCaution,
-     "verb drive: the planets are unequally spaced", "the planets are unequally spaced"},
+     "the planets are unequally spaced (verb `drive`)", "the planets are unequally spaced"},
     {C::redundant_meshes, "redundant_meshes", kCaution,
-     "verb drive: the torques in a closed loop of meshes depend on compliance, so they are not "
-     "computed",
+     "the torques in a closed loop of meshes depend on compliance, so they are not computed (verb "
+     "`drive`)",
      "the torques in a closed loop of meshes depend on compliance"},
     {C::power_against_input, "power_against_input", kNote,
-     "verb drive, several inputs: with the given speeds and torques, power flows out through an "
-     "input or in through the output"},
+     "in a drive with several inputs, the given speeds and torques let power flow out through an "
+     "input or in through the output (verb `drive`)"},
     {C::no_backlash, "no_backlash", kNote,
      "the teeth have no backlash at this centre distance; textbook gears are computed in this way, "
      "but manufactured gears need backlash",
      "", "Give thickness allowances or a series of DIN 3967."},
     {C::mesh_load_factor, "mesh_load_factor", kCaution,
-     "for a drive with [load]: K_γ of the planets under load is greater than K_γ of the rating or, "
-     "without a rating, at least 2",
+     "in a drive with [load], K_γ of the planets under load is greater than K_γ of the rating or, "
+     "without a rating, is at least 2",
      "the planets share the load unevenly"},
     {C::default_rack, "default_rack", kNote,
      "the pressure angle is 14.5° and the rack is not given; the message names the standard rack "
      "of this pressure angle"},
     {C::shaft_through_gear, "shaft_through_gear", kNote,
-     "verb drive: the axis of a shaft is within the tip circle of a gear on another shaft, so the "
-     "shaft must end before this gear"},
+     "the axis of a shaft is within the tip circle of a gear on another shaft, so the shaft must "
+     "end before this gear (verb `drive`)"},
     {C::rating_quality, "rating_quality", kCaution,
      "`quality` of [rating] differs from `quality` of a gear, which the drawing contains",
-     "a rating with another accuracy grade than the drawing",
+     "a rating with an accuracy grade that differs from the drawing",
      "Leave out quality in [rating]; the rating then uses the grades of the gears."},
     {C::tolerance_editions, "tolerance_editions", kNote,
-     "verb run: the rating and the drawing use the tolerances of different editions of ISO 1328-1"},
+     "the rating and the drawing use the tolerances of different editions of ISO 1328-1 (verb "
+     "`run`)"},
     {C::spectrum_safety, "spectrum_safety", kCaution,
      "a safety factor under the load spectrum is less than required",
      "a safety factor under the load spectrum that is less than required"},
@@ -351,7 +356,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the message gives the safety factors under the load spectrum; the verdict applies to the "
      "torque of the rating, with K_A"},
     {C::torque_of_rating, "torque_of_rating", kNote,
-     "verb load: [load] gives no torque, so the nominal torque of [rating] is used"},
+     "[load] gives no torque, so the verb `load` uses the nominal torque of [rating]"},
 }};
 
 constexpr bool each_has_its_row() {

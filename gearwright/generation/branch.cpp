@@ -155,7 +155,7 @@ std::optional<Error> amiss(const std::vector<Branch>& chain, const ToothEnds& en
       return std::nullopt;
     GW_ENSURES(root || tooth.tip_fillet);
     return Error{root ? "root_fillet.offset" : "tip_fillet", "",
-                 "leaves no flank between the root fillet and the tip cut by the rack; use a "
+                 "leaves no flank between the root fillet and the tip that the rack cuts; use a "
                  "smaller fillet, or a rack without semi-topping and tip rounding"};
   }
   if (!chain.empty() && is_continuous(chain)) return std::nullopt;

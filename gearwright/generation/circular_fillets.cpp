@@ -240,8 +240,9 @@ Result<CircularFillets> circular_fillets(const FlankRuler& ruler, int teeth,
     if (!xi) return xi.error();
     const auto arc = tip_fillet_at(ruler.flank, *xi);
     if (!arc) {
-      return Error{"tip_fillet", "",
-                   "the fillet would have to touch the tooth where the rack leaves no flank"};
+      return Error{
+          "tip_fillet", "",
+          "the fillet would have to touch the tooth at a place where the rack leaves no flank"};
     }
     fillets.tip = CircularFillet{*xi, *arc};
     top = std::min(top, *xi);

@@ -92,8 +92,9 @@ std::optional<Error> put_tip_fillet(std::vector<Branch>& branches, const Circula
                                     GeneratedTooth& tooth) {
   Branch& flank = branches.back();
   if (!(tip.roll > flank.t_lo && tip.roll <= flank.t_hi)) {
-    return Error{"tip_fillet", "",
-                 "the fillet would have to touch the tooth where the rack leaves no flank"};
+    return Error{
+        "tip_fillet", "",
+        "the fillet would have to touch the tooth at a place where the rack leaves no flank"};
   }
   flank.t_hi = tip.roll;
   flank.height_hi = flank.height(tip.roll);

@@ -53,7 +53,7 @@ Result<ChordalThickness<double>> chordal_thickness(const Gear& gear, double diam
   }
   return off_flank(diameter,
                    fmt::format("the tooth spans {} degrees about the axis, which is too much for a "
-                               "calliper; use a greater diameter, which must be {}",
+                               "calliper; use a greater diameter, {}",
                                format_number(2 * arc.half_angle * kDegPerRad), ends));
 }
 

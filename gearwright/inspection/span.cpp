@@ -60,7 +60,7 @@ std::string range_text(const Gear& gear, const UsableFlank& flank) {
   const Teeth k = touching_teeth(gear, flank, true);
   const char* what = gear.internal() ? "tooth spaces" : "teeth";
   if (k.most < k.least)
-    return fmt::format("no number of {} can be measured on this flank and face", what);
+    return fmt::format("no span over {} can be measured on this flank and face", what);
   return k.least == k.most ? fmt::format("{} {} can be measured", k.least, what)
                            : fmt::format("{} to {} {} can be measured", k.least, k.most, what);
 }

@@ -334,7 +334,7 @@ std::optional<Angle> rack_angle(TableReader& gear, std::optional<Angle> given) {
   const Angle own = agma->normal_pressure_angle;
   if (given && std::abs(given->rad() - own.rad()) > kSameInput * own.rad())
     gear.fail("rack", fmt::format("has a pressure angle of {:g}°, but the gear has a pressure "
-                                  "angle of {:.6g}°; leave out the pressure angle",
+                                  "angle of {:.6g}°; leave out the pressure angle of the gear",
                                   own.deg(), given->deg()));
   return own;
 }

@@ -128,8 +128,8 @@ Blank read_blank(const Json* node, const std::string& path) {
       const std::string name(key.key);
       if (blank_keys().find(name) || !node->contains(name)) continue;
       TableReader(gear_keys(), *node, path)
-          .fail(name, fmt::format("cannot be combined with [search] unless the gear has the key "
-                                  "teeth; without teeth, [{}] may contain only {}",
+          .fail(name, fmt::format("cannot be combined with [search] for a gear without the key "
+                                  "teeth; the table [{}] of such a gear may contain only {}",
                                   path, fmt::join(blank_keys().names(), ", ")));
     }
   }
@@ -204,10 +204,10 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const auto &one = blanks[0].alpha, &two = blanks[1].alpha;
   p.normal_pressure_angle = one ? *one : two.value_or(p.normal_pressure_angle);
   if (two && *two != p.normal_pressure_angle) {
-    throw SpecError{
-        {"gear2.normal_pressure_angle_deg", format_number(two->deg()),
-         fmt::format("both gears of a search need the same pressure angle, but gear1 has {}",
-                     format_number(p.normal_pressure_angle.deg()))}};
+    throw SpecError{{"gear2.normal_pressure_angle_deg", format_number(two->deg()),
+                     fmt::format("both gears of a search need the same pressure angle, but the "
+                                 "pressure angle of gear1 is {}",
+                                 format_number(p.normal_pressure_angle.deg()))}};
   }
   t.require_all();
   check_teeth(t, p);

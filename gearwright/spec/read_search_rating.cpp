@@ -77,9 +77,9 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
            "rated");
   if (!p.limits.safety_flank && !p.limits.safety_root && !p.limits.overlap_ratio)
     t.fail(key,
-           "is a band, in which each design takes the least sufficient width; also give "
-           "safety_flank_min, safety_root_min or overlap_ratio_min, or replace the band by a "
-           "single width");
+           "is a band, from which each design takes the least width that satisfies the limits; "
+           "also give safety_flank_min, safety_root_min or overlap_ratio_min, or replace the band "
+           "by a single width");
 }
 
 }  // namespace
@@ -206,8 +206,8 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
   if (p.shorten_tips && !p.tight()) {
     t.fail("shorten_tips",
-           "needs mounting = \"tight\" on parallel axes, because the extended centre distance "
-           "keeps the full clearance");
+           "needs mounting = \"tight\" on parallel axes, because the extended centre distance does "
+           "not reduce the tip clearance");
   }
   if (!drawn) return;
   const bool backlash_is_made = allowances.thin_teeth() || p.mounting == Mounting::extended;

@@ -133,9 +133,9 @@ Result<std::string> file_in_archive(std::string_view archive) {
   if (own.empty())
     return no_rexs("the archive contains no file whose name ends in .rexs or .rexsj");
   for (std::string& name : own) name = printable(name, 60);
-  return no_rexs(
-      fmt::format("the archive contains {} REXS files, {}; unpack it and give one of them",
-                  own.size(), enumerated(own)));
+  return no_rexs(fmt::format(
+      "the archive contains {} REXS files ({}); unpack the archive and give one of the files",
+      own.size(), enumerated(own)));
 }
 
 std::string rexs_text(const RexsModel& model) {
@@ -289,9 +289,11 @@ Result<RexsModel> read_rexs(std::string_view file) {
       parser::read_xml(in, tree, parser::trim_whitespace | parser::no_comments);
     }
   } catch (const boost::property_tree::xml_parser_error& e) {
-    return no_rexs(fmt::format("the file is not XML: line {}: {}", e.line(), e.message()));
+    return no_rexs(fmt::format("the file is not XML, because line {} has an error: {}", e.line(),
+                               e.message()));
   } catch (const Json::parse_error& e) {
-    return no_rexs(fmt::format("the file is not JSON: byte {} does not fit", e.byte));
+    return no_rexs(
+        fmt::format("the file is not JSON, because byte {} is not allowed there", e.byte));
   } catch (const Json::out_of_range&) {
     return no_rexs("the file has a number that is too large");
   }

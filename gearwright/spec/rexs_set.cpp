@@ -243,7 +243,7 @@ class SetFinder {
     if (following.size() > 1)
       return Error{"", "",
                    fmt::format("the bodies {} and {} are both outputs, but a drive has one output; "
-                               "a load that drives needs `defines_torque`",
+                               "set `defines_torque` in the load of each driving body",
                                following[0].body, following[1].body)};
     set_.inputs = defining;
     if (!following.empty()) set_.output = following[0].body;

@@ -66,8 +66,9 @@ std::optional<Error> check_joint(const ArcRack& rack) {
                                format_number(rack.center_b)));
   }
   if (is_F(rack) && !(s < 1.0)) {
-    return refused("rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
-                   "the whole arc of the flank lies deeper; the dedendum must be greater than {}");
+    return refused(
+        "rack.dedendum", rack.dedendum, {rack.center_b - rack.arc_radius},
+        "the whole arc of the flank lies below this depth; the dedendum must be greater than {}");
   }
   if (!is_F(rack) && !(s > 0.0)) {
     return refused("rack.root_fillet_radius", rho, {rack.center_b + rack.dedendum},
@@ -75,8 +76,9 @@ std::optional<Error> check_joint(const ArcRack& rack) {
                    "less than {}");
   }
   if (!is_F(rack) && !(s < 1.0)) {
-    return refused("rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
-                   "the whole arc of the flank lies less deep; the dedendum must be less than {}");
+    return refused(
+        "rack.dedendum", rack.dedendum, {rack.arc_radius - rack.center_b},
+        "the whole arc of the flank lies above this depth; the dedendum must be less than {}");
   }
   return std::nullopt;
 }

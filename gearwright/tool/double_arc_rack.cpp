@@ -58,12 +58,12 @@ Result<DoubleArcRack> gbt12759_rack(double m) {
     rack.space_width = 1.1573;
     return rack;
   }
-  return Error{
-      "rack", "GBT12759",
-      fmt::format("the numbers of the standard for a normal module of {}\u00a0mm are not available "
-                  "(modules of 1.5 to 3, over 3 to 6, over 10 to 16 and over 32 to 50\u00a0mm are "
-                  "available); give the numbers in a rack of the kind double_circular_arc",
-                  format_number(m))};
+  return Error{"rack", "GBT12759",
+               fmt::format("the numbers of the standard for a normal module of {}\u00a0mm are not "
+                           "available. They are available for modules of 1.5 to 3, over 3 to 6, "
+                           "over 10 to 16 and over 32 to 50\u00a0mm. For other modules, give the "
+                           "numbers in a rack of the kind double_circular_arc",
+                           format_number(m))};
 }
 
 Result<DoubleArcDerived> derived(const DoubleArcRack& r) {

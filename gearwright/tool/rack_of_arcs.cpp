@@ -34,8 +34,8 @@ std::optional<Error> check_arc(const RackArc& arc, std::size_t i) {
   }
   if (arc.radius != 0.0 && (arc.radius > 0.0) != (arc.end.rad() > arc.begin.rad())) {
     return bad_arc(
-        i, fmt::format("from {}° to {}° the arc turns back towards the axis of the gear; an edge "
-                       "must rise from the tip of the cutter, so the normal angle must increase "
+        i, fmt::format("from {}° to {}° the arc turns back towards the axis of the gear, but an "
+                       "edge must rise from the tip of the cutter; the normal angle must increase "
                        "along an arc with a radius > 0 and decrease along an arc with a radius < 0",
                        format_number(arc.begin.deg(), arc.end.deg()),
                        format_number(arc.end.deg(), arc.begin.deg())));

@@ -150,11 +150,11 @@ std::optional<Error> EdgeMaker::set_rounding() {
   if (!(greatest > 0.0)) {
     if (rack_.named) {
       const double limit = Angle::radians(std::atan(std::numbers::pi / 4 / rack_.dedendum)).deg();
-      return refused("normal_pressure_angle", angle_.deg(), {limit},
-                     fmt::format("must be less than {{}}°, because the tooth of the cutter becomes "
-                                 "pointed before it reaches the dedendum {} m_n; a `rack.dedendum` "
-                                 "that is smaller would help",
-                                 format_number(rack_.dedendum)));
+      return refused(
+          "normal_pressure_angle", angle_.deg(), {limit},
+          fmt::format("must be less than {{}}°, because the tooth of the cutter becomes pointed "
+                      "before it reaches the dedendum {} m_n; a smaller `rack.dedendum` would help",
+                      format_number(rack_.dedendum)));
     }
     const double deepest = (std::numbers::pi / 4 * c_ + rack_.protuberance) / s_;
     return refused("rack.dedendum", rack_.dedendum, {deepest},
