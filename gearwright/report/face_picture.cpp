@@ -153,8 +153,7 @@ Figure face_use_figure(const CrossedPair& pair) {
       fmt::format(" as mounted. {} {} Thick parts lie within the usable flanks and the faces.{}",
                   caption_key("action", "leading flanks A–E"),
                   caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)),
-      {"distance from the common perpendicular along the axis of each gear", "mm", -1.1 * reach,
-       1.1 * reach},
+      {"distance along each axis from the common perpendicular", "mm", -1.1 * reach, 1.1 * reach},
       {"", "", 0.0, 2.0}};
   f.tall = 0.32;
   for (const std::size_t i : {0u, 1u}) {

@@ -4,9 +4,11 @@
 // with the name of the file (cmake/gw_embed.cmake).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -14,22 +16,24 @@
 
 namespace gearwright {
 
-/// The form in which a section shows its figures: the unit of lengths, and a text in front of the
-/// ids of figures, which must be unique in a page.
+/// The form in which a section shows its figures: the unit of lengths, a text in front of the ids
+/// of figures, which must be unique in a page, and the ids of the figures at the head of the page,
+/// which sections omit.
 struct FigureForm {
   UnitSystem units = UnitSystem::mm;
   std::string prefix;
+  std::vector<std::string> above = {};
 
   // A system of units is a form without a prefix.
   FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
       : units(in), prefix(std::move(before)) {}
-  /// Returns figure_html() of the figure in this form.
+  /// Returns figure_html() of the figure in this form. Empty if the figure is above or missing.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
+  std::string html(std::optional<Figure> figure) const;
 };
 
 /// The style sheet of every page. It is light or dark as the user prefers, and always light on
-/// paper. The colours are those of Okabe and Ito, which can be distinguished with any colour
-/// vision. Colour alone never carries information.
+/// paper. The colours of figures are in figure/figure_style.css.
 std::string_view page_style();
 
 /// Additional styles for the page of a design search: the wide table, colours of the edges of a
