@@ -119,23 +119,6 @@ export interface Catalogue {
 
 // ---------------------------------------------------------------------------------- geometry
 
-/** The transverse outline of the whole gear in the section z = 0, in the gear's own frame. */
-export interface Section {
-  teeth: number; // |z|
-  internal: boolean;
-  /** x, y, x, y, … in mm, counter-clockwise. The outline is closed: the first point follows the last point. */
-  outline: Float64Array;
-  /** Pieces of the outline, in order. A piece consists of the points from[i] to to[i], both included.
-   *  These numbers are indices of points. The last `to` is the number of points, which stands for point 0. */
-  pieces: { name: string; tooth: number; land: boolean; from: number; to: number }[];
-  /** The outline of the bore, or of the rim of an internal gear, x, y, …. Empty if there is neither. */
-  bore: Float64Array;
-  /** Circles about the axis that the catalogue contains: tip, reference, base, root and form circles and the
-   *  working pitch circle. `key` is the key of the quantity, "base_diameter_mm". */
-  circles: { key: string; symbol: string; words: string; radius: number }[];
-  toleranceMm: number; // greatest distance of a chord from the exact curve
-}
-
 /** A closed mesh in the gear's own frame, for three.js buffers. Normals belong to the exact surface. */
 export interface Mesh {
   positions: Float32Array; // x, y, z, …, mm
@@ -217,11 +200,7 @@ export interface ShiftRegion {
   margin: number;
   /** The name of the nearest border if the point is on it or outside the region, otherwise "". */
   stoppedBy: string;
-  area: number; // modules²
-  pieces: { border: string; points: Float64Array }[][]; // each piece is a list of borders; points x1, x2, …
-  borders: Record<string, string>; // words for every border that occurs: "contact ratio 1.2"
-  window: [number, number, number, number]; // lower and upper limits of x1, then of x2
-  chosen: [number, number] | null; // the point that a search would choose
+  borders: Record<string, string>; // words for every border that occurs: "contact ratio 1.2"; empty without a region
   whatKills: string; // name of the first limit that leaves no region; "" if there is a region
   figure: Figure | null; // null if no view was requested
 }
@@ -321,13 +300,12 @@ export interface DesignDots {
 export interface Session {
   readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), driveSolids() and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
+  readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
   /** Sets the unit of lengths of figures, of the report and of drawings. Initially "mm". The figure of the gears
    *  in section and all other results are in mm. */
   showIn(unit: "mm" | "in"): void;
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
-  /** The outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
-  section(gear: 1 | 2, toleranceMm?: number): Section | Failed;
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;

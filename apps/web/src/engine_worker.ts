@@ -187,7 +187,7 @@ const questions = {
   /** Poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
-    const pitchDeg = 360 / good(s.section(1, 1)).teeth;
+    const { pitchDeg } = s;
     const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
     const places = eachGear(s, (gear) => {
       const all = new Float64Array(16 * q.n);
