@@ -81,7 +81,7 @@ std::string with_contents(const std::string& sections);
 /// until the script makes them visible.
 std::string turn_control(const InvolutePair& pair);
 
-/// The script of this control, report/page/turn_script.js.
+/// The script of this control, figure/turn_script.js. The web page uses the same file.
 std::string_view turn_script();
 
 }  // namespace gearwright

@@ -3,6 +3,7 @@
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";
+import "../../../gearwright/figure/turn_script.js";
 import "../../../gearwright/figure/zoom_script.js";
 import "./style/page.css";
 import "./style/spec.css";
