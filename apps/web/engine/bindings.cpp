@@ -220,7 +220,14 @@ val designs(const val& of) {
       return emscripten::convertJSArrayToNumberVector<double>(list);
     };
     const auto axis = [&](const char* name) {
-      return FigureAxis{of[name]["words"].as<std::string>(), of[name]["unit"].as<std::string>()};
+      const auto text = [axis = of[name]](const char* member) {
+        return axis[member].as<std::string>();
+      };
+      const std::string better = text("better");
+      return DesignAxis{{.words = text("words"), .unit = text("unit"), .symbol = text("symbol")},
+                        better == "greater"   ? Better::greater
+                        : better == "smaller" ? Better::smaller
+                                              : Better::none};
     };
     const Numbers x = numbers(of["x"]["values"]), y = numbers(of["y"]["values"]);
     const val styles = of["styles"], names = of["names"];

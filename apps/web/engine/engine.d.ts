@@ -110,9 +110,18 @@ export interface NamedMaterial {
   hardness_HV: number;
   note: string;
 }
+/** An objective of a search. */
+export interface Objective {
+  name: string; // value of the key `objective` in [search]
+  words: string;
+  symbol: string;
+  unit: string;
+  better: "smaller" | "greater";
+}
 export interface Catalogue {
   version: string;
   materials: NamedMaterial[];
+  objectives: Objective[];
   inputs: InputTable[]; // the table of the file itself comes first
   quantities: QuantityTable[];
 }
@@ -284,12 +293,21 @@ export interface ShiftView {
   window: [number, number, number, number] | null;
 }
 
-/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */
+/** A quantity of designs. `better` gives the better values of an objective; "" for other quantities. */
+export interface DesignAxis {
+  words: string;
+  unit: string;
+  symbol: string;
+  better: Objective["better"] | "";
+  values: number[];
+}
+/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. A line joins the
+ *  dots of the front if both axes are objectives. */
 export interface DesignDots {
   width: number; // px, width of the figure
   tall: number; // height over width of the plot
-  x: { words: string; unit: string; values: number[] };
-  y: { words: string; unit: string; values: number[] };
+  x: DesignAxis;
+  y: DesignAxis;
   styles: string[]; // "dot-front" or "dot-design"; for the chosen design, " taken" is added
   names: string[]; // names of the designs, shown with the values at the pointer
 }
