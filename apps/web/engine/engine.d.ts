@@ -316,7 +316,7 @@ export interface DesignDots {
 
 /** A spec that has been read and solved, with all results that a page shows while the user changes the spec. */
 export interface Session {
-  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), driveSolids() and files only
+  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), solids, figures and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
   /** Sets the unit of lengths of figures, of the report and of drawings. Initially "mm". The figure of the gears
@@ -327,6 +327,8 @@ export interface Session {
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;
+  /** The scheme of a drive ("scheme"), its power flow ("power") and its curves under load. */
+  driveFigures(width: number): Figure[] | Failed;
   lines(): MeshLines | Failed;
   /** The gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */

@@ -201,6 +201,7 @@ const questions = {
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
+  driveFigures: (q: { text: string; width: number }) => good(session(q.text).driveFigures(q.width)),
   /** The contact over one pitch with its figures. The time is that of the contact. */
   contact(q: { text: string; view: E.ContactView }) {
     const curve = timed(() => good(session(q.text).contactCurve(q.view.positions)));
