@@ -89,8 +89,8 @@ std::vector<FlankPlace> ellipse_on(const ContactScene& scene, const ContactPoint
 std::string pair_words(int k) { return k == 0 ? "0" : with_minus(fmt::format("{:+d}", k)); }
 
 const char* pair_style(int k) {
-  constexpr std::array kStyles{"tp0", "tp1", "tp2"};
-  return kStyles[static_cast<std::size_t>(((k % 3) + 3) % 3)];
+  constexpr std::array kPairs{"tp0", "tp1 bold", "tp2 fine"};
+  return kPairs[static_cast<std::size_t>(((k % 3) + 3) % 3)];
 }
 
 std::string shown_arcsec(double arcsec) {

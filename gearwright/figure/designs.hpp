@@ -1,6 +1,7 @@
 // Shows the designs of a search as dots over two of their quantities.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,18 +9,33 @@
 
 namespace gearwright {
 
+/// An axis of designs. The values of an objective are better if they are smaller or greater.
+enum class Better { none, smaller, greater };
+struct DesignAxis {
+  FigureAxis axis;
+  Better better = Better::none;
+};
+
 struct DesignDot {
   Vec2 at;
   std::string style;       ///< "dot-front", "dot-design", "dot-middle"
   std::string words = {};  ///< the design, shown at the pointer with its two values
 };
 
-/// Draws the border of the Pareto front, and over it the dots in their order. The axes extend a
+/// The corners of the staircase through the points that no other point dominates. The staircase
+/// separates the designs found from the part of the plane without designs. `greater` is true for an
+/// axis on which greater values are better.
+///
+/// Laws      (1) no given point lies beyond the staircase
+///           (2) along the staircase, one value becomes worse as the other becomes better
+std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
+
+/// Draws the dots in their order. Below them, if both axes are objectives, is the staircase of the
+/// dots of the front. The axis of an objective states which values are better. The axes extend a
 /// little beyond the dots. An axis of positive values is logarithmic if the greatest value exceeds
 /// fifteen times the least.
 ///
 /// Domain    at least one dot, all of them finite (contract)
-Figure designs_figure(FigureAxis x, FigureAxis y, const std::vector<DesignDot>& dots,
-                      std::vector<Vec2> border = {});
+Figure designs_figure(DesignAxis x, DesignAxis y, const std::vector<DesignDot>& dots);
 
 }  // namespace gearwright

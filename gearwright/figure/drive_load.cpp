@@ -141,4 +141,18 @@ Figure loaded_output_figure(const Drive& drive, std::size_t curve) {
   return fitted(std::move(f), kLeast);
 }
 
+std::vector<Figure> drive_load_figures(const Drive& drive) {
+  std::vector<Figure> figures;
+  if (!drive.loaded) return figures;
+  const LoadedDrive& loaded = *drive.loaded;
+  for (std::size_t s = 0; s < loaded.sets.size(); ++s) {
+    if (loaded.sets[s].share.size() < 2) continue;
+    figures.push_back(planet_share_figure(drive, s));
+    if (auto figure = displacement_figure(drive, s)) figures.push_back(std::move(*figure));
+  }
+  for (std::size_t c = 0; c < loaded.curves.size(); ++c)
+    figures.push_back(loaded_output_figure(drive, c));
+  return figures;
+}
+
 }  // namespace gearwright

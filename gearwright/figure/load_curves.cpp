@@ -139,15 +139,17 @@ std::optional<Figure> pair_share_figure(const LoadScene& scene) {
   const std::vector<Vec2> own = share_curve(scene, t);
   if (own.empty()) return std::nullopt;
   const double pitch = pitch_of(scene) * kDegPerRad;
-  Figure f{.id = "load-pairs" + scene.part,
-           .title = "Load shares of the tooth pairs",
-           .description = "Load shares of all tooth pairs in mesh over the rotation of gear 1.",
-           .caption = fmt::format(
-               " at {}. The shaded pitch is repeated. Each tooth pair has a colour and a number, "
-               "counted from the pair nearest to the centre line. The sum of the curves is 1.",
-               torque_words(t)),
-           .x = {"rotation of gear 1", "°", -pitch, pitch},
-           .y = {"share of the load", "", 0.0, 1.06}};
+  Figure f{
+      .id = "load-pairs" + scene.part,
+      .title = "Load shares of the tooth pairs",
+      .description = "Load shares of all tooth pairs in mesh over the rotation of gear 1.",
+      .caption = fmt::format(
+          " at {}. The shaded pitch is repeated. Each tooth pair has a colour, a width of its "
+          "curve and a number, counted from the pair nearest to the centre line. The sum of the "
+          "curves is 1.",
+          torque_words(t)),
+      .x = {"rotation of gear 1", "°", -pitch, pitch},
+      .y = {"share of the load", "", 0.0, 1.06}};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   const double turn = scene.gear2_drives ? -pitch : pitch;

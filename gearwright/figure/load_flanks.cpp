@@ -191,7 +191,7 @@ Figure pressure_along_figure(const LoadScene& scene) {
     f.line(
         bearing_places(scene, 0, pair,
                        [&](std::size_t j) { return pair.pressure[static_cast<Eigen::Index>(j)]; }),
-        fmt::format("curve tp{}", ((pair.pair % 3) + 3) % 3), {}, frame);
+        std::string("curve ") + pair_style(pair.pair), {}, frame);
   });
   return f;
 }

@@ -13,9 +13,9 @@ namespace gearwright {
 
 namespace {
 
-// The dashes distinguish the curves if they are printed in grey.
+// Dashes and widths distinguish the curves if they are printed in grey.
 constexpr std::array<const char*, 5> kCurves{"c-flank", "c-root-fillet dash", "c-tip-land dot",
-                                             "c-tip-fillet dashdot", "c-root-land"};
+                                             "c-tip-fillet dashdot", "c-root-land bold"};
 constexpr std::size_t kMostFrames = 64;
 
 // Returns `count` of the numbers 0 … n − 1, evenly spaced, including both ends.

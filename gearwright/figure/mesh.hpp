@@ -24,7 +24,6 @@ struct NamedCircle {
   double radius;           ///< mm
   const char* style = "";  ///< style classes, with a leading space
   std::string words = {};  ///< "tip diameter", shown at the pointer
-  std::string key = {};    ///< key of the quantity in the catalogue
 };
 
 /// The symbol with the number of gear `i` (0, 1) in its index: "d_a1". Empty if the circle has no

@@ -164,20 +164,21 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
   const TeUnit unit = te_unit(result.rack);
   const double peak = (te.hi - te.lo) * unit.per_rad;
   const double half = 0.62 * std::max(peak, kFlat);
-  Figure f{other ? "te-other" : "te",
-           other ? "Transmission error of the non-working flanks" : "Transmission error",
-           fmt::format("Transmission error in {} over the rotation of gear 1. Below the curve are "
-                       "the tooth pair in contact and the position of the contact on the flanks.",
-                       unit.words),
-           fmt::format(
-               ", relative to the middle of its range, {}. The shaded pitch has {} positions and "
-               "is repeated. Each tooth pair has a colour and a number, counted from the pair "
-               "nearest to the centre line. A dashed curve means that an edge touches. A dotted "
-               "vertical line marks the change from one tooth pair to the next.",
-               unit.text(Angle::radians(middle)), result.positions.size()),
-           {"rotation of gear 1", "°", -pitch, pitch},
-           {"transmission error", unit.words, -half, half},
-           "peak to peak " + unit.text(scene.span[other].value_or(Angle::radians(te.hi - te.lo)))};
+  Figure f{
+      other ? "te-other" : "te",
+      other ? "Transmission error of the non-working flanks" : "Transmission error",
+      fmt::format("Transmission error in {} over the rotation of gear 1. Below the curve are the "
+                  "tooth pair in contact and the position of the contact on the flanks.",
+                  unit.words),
+      fmt::format(
+          ", relative to the middle of its range, {}. The shaded pitch has {} positions and "
+          "is repeated. Each tooth pair has a colour, a width of its curve and a number, counted "
+          "from the pair nearest to the centre line. A dashed curve means that an edge touches. "
+          "A dotted vertical line marks the change from one tooth pair to the next.",
+          unit.text(Angle::radians(middle)), result.positions.size()),
+      {"rotation of gear 1", "°", -pitch, pitch},
+      {"transmission error", unit.words, -half, half},
+      "peak to peak " + unit.text(scene.span[other].value_or(Angle::radians(te.hi - te.lo)))};
   f.pitch = pitch;
   f.bar({-pitch / 2, -kInfinity}, {pitch / 2, kInfinity}, "measured");
   for (const double level : {te.hi, te.lo}) {

@@ -17,8 +17,10 @@ namespace {
 constexpr double kWidth = 520.0;
 constexpr double kAspect = 520.0 / 440.0;
 
-std::string contact_figure(const ArcPair& pair, std::size_t which,
-                           const std::array<std::string, 2>& shapes, UnitSystem units) {
+}  // namespace
+
+Figure arc_mesh_figure(const ArcPair& pair, std::size_t which,
+                       const std::array<std::string, 2>& shapes) {
   const ArcPairContact& contact = pair.contacts[which];
   const Vec3& at = contact.at.point;
   const double m = pair.gears[0].spec.normal_module;
@@ -51,10 +53,8 @@ std::string contact_figure(const ArcPair& pair, std::size_t which,
       "circles dash-dotted and root circles dashed. The contact point moves along the face, "
       "parallel to the axes.",
       fixed(at.z(), kLengthDigits), caption_of_gears(), caption_key("action", "common normal"));
-  return figure_html(in_units(units, std::move(f)), kWidth);
+  return f;
 }
-
-}  // namespace
 
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact) {
   const double z = contact.at.point.z();
@@ -67,13 +67,12 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 }
 
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
-                             UnitSystem units) {
+                             const FigureForm& form) {
   std::string figures;
   for (std::size_t i = 0; i < pair.contacts.size(); ++i)
-    figures += contact_figure(pair, i, shapes, units);
-  return fmt::format(
-      "<section class=\"pair\">\n<h2>Pair</h2>\n<div class=\"figures\">{}</div>\n{}</section>\n",
-      figures, pair_table(pair, units));
+    figures += form.html(arc_mesh_figure(pair, i, shapes), kWidth);
+  return fmt::format("<section class=\"pair\">\n<h2>Pair</h2>\n{}{}</section>\n",
+                     side_by_side(figures), pair_table(pair, form.units));
 }
 
 }  // namespace gearwright

@@ -81,8 +81,8 @@ std::string beside(const std::string& figure, const char* words) {
   return in_columns(figure, fmt::format("\n<p>{}</p>\n", words));
 }
 
-std::string te_part(const ContactReport& report, UnitSystem units) {
-  const std::string spectrum = html_of(in_units(units, spectrum_figure(report.driving)));
+std::string te_part(const ContactReport& report, const FigureForm& form) {
+  const std::string spectrum = form.html(spectrum_figure(report.driving));
   const std::string curves =
       std::string(
           "<h3>Transmission error, the cause of gear noise</h3>\n<p>If gear 1 turns evenly, a "
@@ -96,8 +96,8 @@ std::string te_part(const ContactReport& report, UnitSystem units) {
       "that repeats with every tooth excites the shafts at the tooth frequency and causes gear "
       "whine. A low and smooth curve means a quiet pair. A sharp corner causes an impact. The "
       "teeth are rigid here and carry no load.</p>\n" +
-      side_by_side(html_of(in_units(units, transmission_error_figure(report, report.driving))) +
-                   html_of(in_units(units, transmission_error_figure(report, report.other))));
+      side_by_side(form.html(transmission_error_figure(report, report.driving)) +
+                   form.html(transmission_error_figure(report, report.other)));
   if (spectrum.empty())
     return curves +
            fmt::format("<p class=\"nopicture\">{}</p>\n",
@@ -113,13 +113,16 @@ std::string te_part(const ContactReport& report, UnitSystem units) {
                          "bar near a resonance of the housing should be lowered.");
 }
 
-std::string pattern_part(const ContactReport& report, UnitSystem units) {
+std::string pattern_part(const ContactReport& report, const FigureForm& form) {
   // If the flanks are conjugate, all tooth pairs in mesh touch at the same time.
   const char* several = report.driving.peak_to_peak.arcsec() < kConjugate
                             ? " Here all tooth pairs in mesh touch at the same time. At each "
                               "position, the path shows only the tooth pair that is nearest to the "
                               "centre line."
                             : "";
+  const auto pattern = [&](std::size_t i) {
+    return form.html(flank_figure(report, i, {.pattern = &report.patterns[i]}));
+  };
   return fmt::format(
              "<h3>Bearing contact: where the teeth touch</h3>\n<p>Each picture shows a flank laid "
              "flat, with the face from left to right, the root at the bottom and the tip at the "
@@ -133,20 +136,14 @@ std::string pattern_part(const ContactReport& report, UnitSystem units) {
              "contact. The sharp edge then carries the load instead of the flank, scrapes off the "
              "oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
-         side_by_side(
-             figure_html(
-                 in_units(units, flank_figure(report, 0, {.pattern = &report.patterns[0]}))) +
-             (report.driving.rack
-                  ? std::string()
-                  : figure_html(in_units(
-                        units, flank_figure(report, 1, {.pattern = &report.patterns[1]})))));
+         side_by_side(pattern(0) + (report.driving.rack ? std::string() : pattern(1)));
 }
 
-std::string gap_part(const ContactReport& report, UnitSystem units) {
+std::string gap_part(const ContactReport& report, const FigureForm& form) {
   if (!report.middle) return {};
   const FlankLayers gap{.gap = &report.middle_gap, .now = &*report.middle, .way = false};
   return "<h3>Gap between the flanks</h3>\n" +
-         beside(figure_html(in_units(units, flank_figure(report, 0, gap))),
+         beside(form.html(flank_figure(report, 0, gap)),
                 "The contour lines show the gap between two teeth at one position. The gap is zero "
                 "at the contact point. Where the lines are far apart, the flanks are close over a "
                 "wide area and share the load. Where the lines are close together, a small spot is "
@@ -154,7 +151,7 @@ std::string gap_part(const ContactReport& report, UnitSystem units) {
                 "end of the face.");
 }
 
-std::string multiples_part(const ContactReport& report, UnitSystem units) {
+std::string multiples_part(const ContactReport& report, const FigureForm& form) {
   if (report.under.empty()) return {};
   std::string pictures;
   for (const PatternUnder& u : report.under) {
@@ -163,7 +160,7 @@ std::string multiples_part(const ContactReport& report, UnitSystem units) {
                              report.marking);
     f.caption =
         std::isnan(peak) ? "<br>no teeth touch" : "<br>peak to peak " + shown_arcsec(peak) + "″";
-    pictures += figure_html(in_units(units, f), 240.0, u.as_specified ? " class=\"own\"" : "");
+    pictures += figure_html(in_units(form.units, f), 240.0, u.as_specified ? " class=\"own\"" : "");
   }
   return "<h3>Which error moves the pattern</h3>\n<p>The pictures show the pattern on gear 1 under "
          "each error alone, in both directions, and under all errors together. The picture that "
@@ -172,10 +169,10 @@ std::string multiples_part(const ContactReport& report, UnitSystem units) {
          pictures + "</div>\n";
 }
 
-std::string map_part(const ContactReport& report, UnitSystem units) {
+std::string map_part(const ContactReport& report, const FigureForm& form) {
   if (!report.map) return {};
   return "<h3>Permissible misalignment</h3>\n" +
-         beside(figure_html(in_units(units, error_map_figure(*report.map))),
+         beside(form.html(error_map_figure(*report.map)),
                 "Each point of the map represents the pair with these two errors, and the shade of "
                 "the point shows the transmission error. If the area of low values is wide, the "
                 "pair tolerates errors of housings and bearings. If it is narrow, the pair "
@@ -183,11 +180,11 @@ std::string map_part(const ContactReport& report, UnitSystem units) {
                 "compensated by the other.");
 }
 
-std::string arc_part(const ContactReport& report, UnitSystem units) {
+std::string arc_part(const ContactReport& report, const FigureForm& form) {
   if (!report.arc_pair) return {};
   std::string figures;
   for (const Figure& figure : arc_contact_figures(*report.arc_pair))
-    figures += figure_html(in_units(units, figure), kArcFigure);
+    figures += form.html(figure, kArcFigure);
   if (figures.empty()) return {};
   return "<h3>Contact of the arcs</h3>\n<p>A convex arc lies in a slightly wider concave arc and "
          "touches it at a point. Both centres lie on the common normal through this point. Across "
@@ -197,10 +194,10 @@ std::string arc_part(const ContactReport& report, UnitSystem units) {
          side_by_side(figures);
 }
 
-std::string halves_of(const ContactReport& report, UnitSystem units) {
+std::string halves_of(const ContactReport& report, const FigureForm& form) {
   std::vector<std::string> pictures;
   for (const ContactReport& half : report.halves)
-    pictures.push_back(pattern_part(half, units) + gap_part(half, units));
+    pictures.push_back(pattern_part(half, form) + gap_part(half, form));
   return halves_part(
       "both halves transmit the same torque, and the transmission error is the mean of both halves",
       "The halves are mirror images of each other, so they touch at mirrored places.", pictures);
@@ -208,7 +205,7 @@ std::string halves_of(const ContactReport& report, UnitSystem units) {
 
 }  // namespace
 
-std::string contact_section(const ContactReport& report, UnitSystem units) {
+std::string contact_section(const ContactReport& report, const FigureForm& form) {
   GW_EXPECTS(report.gears[0] && (report.gears[1] || report.driving.rack) && report.positions >= 2);
   GW_EXPECTS(report.driving.positions.size() == static_cast<std::size_t>(report.positions));
   GW_EXPECTS(report.other.positions.size() == report.driving.positions.size());
@@ -219,10 +216,10 @@ std::string contact_section(const ContactReport& report, UnitSystem units) {
       "position.</p>\n<p><strong>{}</strong></p>\n{}",
       contact_words(report.driving, report.span[0]), assumed(report));
   return "<section class=\"contact\">\n<h2>Tooth contact</h2>\n" +
-         in_columns(what, "\n" + facts(report, units)) + te_part(report, units) +
-         (report.halves.empty() ? pattern_part(report, units) + gap_part(report, units)
-                                : halves_of(report, units)) +
-         multiples_part(report, units) + map_part(report, units) + arc_part(report, units) +
+         in_columns(what, "\n" + facts(report, form.units)) + te_part(report, form) +
+         (report.halves.empty() ? pattern_part(report, form) + gap_part(report, form)
+                                : halves_of(report, form)) +
+         multiples_part(report, form) + map_part(report, form) + arc_part(report, form) +
          "</section>\n";
 }
 

@@ -26,6 +26,7 @@
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/figure.hpp"
 #include "gearwright/pair/pair.hpp"
+#include "gearwright/report/page_parts.hpp"
 
 namespace gearwright {
 
@@ -38,7 +39,7 @@ std::array<Vec2, 4> face_in_plan(const InvolutePair& pair, std::size_t which, do
 /// The lines of action in plan, and both whole gears in plan.
 std::array<Figure, 2> plan_figures(const InvolutePair& pair);
 
-std::string plan_part(const InvolutePair& pair, UnitSystem units = UnitSystem::mm);
+std::string plan_part(const InvolutePair& pair, const FigureForm& form = {});
 
 /// The projection of a point of the housing onto the section, (h, x) in mm.
 ///

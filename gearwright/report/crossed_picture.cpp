@@ -204,10 +204,11 @@ std::array<Figure, 2> plan_figures(const InvolutePair& pair) {
   return {plan_figure(pair), whole_figure(pair)};
 }
 
-std::string plan_part(const InvolutePair& pair, UnitSystem units) {
+std::string plan_part(const InvolutePair& pair, const FigureForm& form) {
   const auto [plan, whole] = plan_figures(pair);
-  return "<div class=\"figures mesh\">\n" + figure_html(in_units(units, plan), kPlanWidth) +
-         figure_html(in_units(units, whole), kWholeWidth) + "</div>\n";
+  const std::string first = form.html(plan, kPlanWidth), second = form.html(whole, kWholeWidth);
+  return first.empty() ? side_by_side(second)
+                       : "<div class=\"figures mesh\">\n" + first + second + "</div>\n";
 }
 
 }  // namespace gearwright

@@ -116,13 +116,7 @@ std::string load_part(const Drive& drive, UnitSystem units) {
   }
   text += "</p>\n";
   std::string figures;
-  for (std::size_t s = 0; s < loaded.sets.size(); ++s) {
-    if (loaded.sets[s].share.size() < 2) continue;
-    figures += html_of(planet_share_figure(drive, s)) +
-               html_of(in_units(units, displacement_figure(drive, s)));
-  }
-  for (std::size_t c = 0; c < loaded.curves.size(); ++c)
-    figures += html_of(loaded_output_figure(drive, c));
+  for (const Figure& figure : drive_load_figures(drive)) figures += FigureForm(units).html(figure);
   text += side_by_side(figures);
   text += table_html("Under load", {"Value"}, units, drive_load_quantities(), drive);
   for (const PlanetShares& shares : loaded.sets) {

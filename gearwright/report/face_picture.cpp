@@ -16,6 +16,9 @@ namespace gearwright {
 
 namespace {
 
+// Styles of the face widths required by one flank of gears 1 and 2, and by both flanks.
+constexpr std::array kWidthStyles{"g1", "g2 fine", "dash g1", "dash g2 fine"};
+
 double degrees_of(double rad) { return Angle::radians(rad).deg(); }
 
 // The upper end of the axis of face widths. The axis contains the required and the actual widths.
@@ -94,20 +97,21 @@ Figure face_width_figure(const CrossedPair& pair) {
       "angle of the common rack. Lines show the actual face widths.",
       fmt::format(
           " required by the lines of action, without backlash. Full curves are for one flank ({}). "
-          "Dashed curves are for both flanks, measured about the common perpendicular ({}). {}{}{}",
-          symbol_html("f"), symbol_html("f′"), caption_of_gears(),
+          "Dashed curves are for both flanks, measured about the common perpendicular ({}).{}{}",
+          symbol_html("f"), symbol_html("f′"),
           pair.flanks_meet() ? " The dots show the pair as mounted." : "",
           pair.contact_ratio_range ? " In the shaded range the contact ratio is at least 1." : ""),
       {},
       {"face width", "mm", 0.0, max_shown(pair, samples)}};
+  f.keys = {{"line edge-g1", "gear 1"}, {"line fine edge-g2", "gear 2"}};
   const double most = f.y.hi;
   add_angles(f, pair, samples);
   for (const std::size_t i : {0u, 1u}) {
     const auto one = [&](const CrossedSample& s) { return s.faces.one_flank[i]; };
     const auto both = [&](const CrossedSample& s) { return s.faces.both_flanks[i]; };
-    f.line(over_angle(samples, one), std::string("curve ") + kInk[i],
+    f.line(over_angle(samples, one), std::string("curve ") + kWidthStyles[i],
            fmt::format("gear {}, one flank", i + 1));
-    f.line(over_angle(samples, both), std::string("curve dash ") + kInk[i],
+    f.line(over_angle(samples, both), std::string("curve ") + kWidthStyles[2 + i],
            fmt::format("gear {}, both flanks", i + 1));
   }
   // Horizontal lines at the actual face widths. Equal face widths share one line and its label.
@@ -149,8 +153,7 @@ Figure face_use_figure(const CrossedPair& pair) {
       fmt::format(" as mounted. {} {} Thick parts lie within the usable flanks and the faces.{}",
                   caption_key("action", "leading flanks A–E"),
                   caption_key("trailing", "trailing flanks A′–E′"), beyond(pair)),
-      {"distance from the common perpendicular along the axis of each gear", "mm", -1.1 * reach,
-       1.1 * reach},
+      {"distance along each axis from the common perpendicular", "mm", -1.1 * reach, 1.1 * reach},
       {"", "", 0.0, 2.0}};
   f.tall = 0.32;
   for (const std::size_t i : {0u, 1u}) {

@@ -17,7 +17,7 @@ std::string file_link(std::string_view name) {
 }
 
 std::string side_by_side(std::string_view figures) {
-  return fmt::format("<div class=\"figures\">\n{}</div>\n", figures);
+  return figures.empty() ? "" : fmt::format("<div class=\"figures\">\n{}</div>\n", figures);
 }
 
 std::string caption_of_gears() {

@@ -18,6 +18,7 @@ constexpr int kRatioDigits = 4;   ///< pure numbers
 /// percent-encoded.
 std::string file_link(std::string_view name);
 
+/// Figures in columns; empty if there are none.
 std::string side_by_side(std::string_view figures);
 
 /// Returns the legend of the colours of gear 1 and gear 2.

@@ -68,14 +68,14 @@ std::string facts(const LoadScene& report, UnitSystem units) {
   return table.str() + "<p>If a row has two values in a column, the first is for gear 1.</p>\n";
 }
 
-std::string te_part(const LoadScene& report) {
+std::string te_part(const LoadScene& report, const FigureForm& form) {
   const std::string harris = html_of(harris_figure(report));
   return "<h3>Transmission error under load</h3>\n<p>Gear 2 lags by the deflection of the teeth. "
          "The deflection is less where two tooth pairs share the load than where one pair carries "
          "it alone, so gear 2 oscillates at the tooth frequency even if the flanks are perfect. A "
          "tip relief compensates this oscillation at one torque. At lower torques the relief "
          "itself causes noise, and at higher torques the deflection causes noise.</p>\n" +
-         side_by_side(html_of(loaded_te_figure(report)) + harris) +
+         side_by_side(form.html(loaded_te_figure(report)) + harris) +
          (harris.empty() ? "<p>If several torques are given, a Harris map shows the torque at "
                            "which the pair is quietest.</p>\n"
                          : "");
@@ -94,18 +94,20 @@ std::string share_part(const LoadScene& report) {
                       html_of(stiffness_figure(report)));
 }
 
-std::string ellipse_part(const LoadScene& report, UnitSystem units) {
+std::string ellipse_part(const LoadScene& report, const FigureForm& form) {
   return "<h3>Pressure on the flanks</h3>\n<p>These teeth touch at points. Under load, a point "
          "grows into a contact ellipse, whose long axis points in the direction in which the "
          "flanks fit most closely. The bending of the teeth makes the ellipse still longer. The "
          "pressure is highest in the middle of the ellipse. If an ellipse extends beyond an end of "
          "the flank, or if an edge touches, the pressure is higher than drawn.</p>\n" +
-         side_by_side(figure_html(in_units(units, ellipse_figure(report, 0))) +
-                      figure_html(in_units(units, ellipse_figure(report, 1))) +
+         side_by_side(form.html(ellipse_figure(report, 0)) + form.html(ellipse_figure(report, 1)) +
                       html_of(point_pressure_figure(report)));
 }
 
-std::string pressure_part(const LoadScene& report, UnitSystem units) {
+std::string pressure_part(const LoadScene& report, const FigureForm& form) {
+  // The control is at the first figure, or at the second if the first is above.
+  const std::string control = turn_control(*report.pair);
+  const std::string first = form.html(pressure_figure(report, 0), kFigureWidth, control);
   return fmt::format(
              "<h3>Pressure on the flanks</h3>\n<p>The picture shows the Hertz pressure of the "
              "teeth that carry load. It should be greatest in the middle of the face and decrease "
@@ -114,10 +116,10 @@ std::string pressure_part(const LoadScene& report, UnitSystem units) {
              shown_torque(report).edge_carries
                  ? ". An edge carries load here, and the true pressure is higher than drawn"
                  : "") +
-         side_by_side(figure_html(in_units(units, pressure_figure(report, 0)), kFigureWidth, "",
-                                  turn_control(*report.pair)) +
-                      figure_html(in_units(units, pressure_figure(report, 1))) +
-                      figure_html(in_units(units, pressure_along_figure(report))));
+         side_by_side(first +
+                      form.html(pressure_figure(report, 1), kFigureWidth,
+                                first.empty() ? control : std::string()) +
+                      form.html(pressure_along_figure(report)));
 }
 
 std::string root_part(const LoadScene& report, const std::array<std::string, 2>& shapes,
@@ -132,17 +134,17 @@ std::string root_part(const LoadScene& report, const std::array<std::string, 2>&
 }
 
 std::string pictures_of(const LoadScene& report, const std::array<std::string, 2>& shapes,
-                        UnitSystem units) {
+                        const FigureForm& form) {
   return share_part(report) +
-         (at_points(report) ? ellipse_part(report, units) : pressure_part(report, units)) +
-         root_part(report, shapes, units);
+         (at_points(report) ? ellipse_part(report, form) : pressure_part(report, form)) +
+         root_part(report, shapes, form.units);
 }
 
 // The pictures of each half of a double-helical pair, under half of the torque.
 std::string halves_of(const LoadScene& report, const std::array<std::string, 2>& shapes,
-                      UnitSystem units) {
+                      const FigureForm& form) {
   std::vector<std::string> pictures;
-  for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes, units));
+  for (const LoadScene& half : report.halves) pictures.push_back(pictures_of(half, shapes, form));
   return halves_part(
       "each half carries half of the torque",
       "The halves are mirror images of each other, and the pictures show one of them.", pictures);
@@ -151,7 +153,7 @@ std::string halves_of(const LoadScene& report, const std::array<std::string, 2>&
 }  // namespace
 
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
-                         UnitSystem units) {
+                         const FigureForm& form) {
   const auto& torques = report.contact.torques;
   GW_EXPECTS((report.pair || at_points(report)) && !torques.empty());
   return fmt::format(
@@ -159,9 +161,9 @@ std::string load_section(const LoadScene& report, const std::array<std::string, 
       "bends, its root deforms the body, and the flanks flatten where they touch. At each of {} "
       "positions of a pitch the load is shared so that no flanks overlap and no force is "
       "tensile.</p>\n<p><strong>{}</strong></p>\n{}{}{}</section>\n",
-      torques.front().positions.size(), finding(report), facts(report, units), te_part(report),
-      report.halves.empty() ? pictures_of(report, shapes, units)
-                            : halves_of(report, shapes, units));
+      torques.front().positions.size(), finding(report), facts(report, form.units),
+      te_part(report, form),
+      report.halves.empty() ? pictures_of(report, shapes, form) : halves_of(report, shapes, form));
 }
 
 }  // namespace gearwright

@@ -53,8 +53,11 @@ std::array<Figure, 2> mesh_figures(const InvolutePair& pair,
 std::string mesh_part(const InvolutePair& pair, const std::array<std::string, 2>& shapes,
                       const FigureForm& form, const std::string& below) {
   const auto [mesh, whole] = mesh_figures(pair, shapes);
-  return "<div class=\"figures mesh\">\n" + form.html(mesh, kMeshWidth, turn_control(pair)) +
-         "<div>" + form.html(whole, kWholeMeshWidth) + below + "</div>\n</div>\n";
+  const std::string control = turn_control(pair), first = form.html(mesh, kMeshWidth, control);
+  if (first.empty())
+    return side_by_side("<div>" + form.html(whole, kWholeMeshWidth, control) + "</div>\n" + below);
+  return "<div class=\"figures mesh\">\n" + first + "<div>" + form.html(whole, kWholeMeshWidth) +
+         below + "</div>\n</div>\n";
 }
 
 }  // namespace gearwright

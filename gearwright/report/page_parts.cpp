@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/mesh.hpp"
@@ -9,8 +11,13 @@
 namespace gearwright {
 
 std::string FigureForm::html(Figure figure, double width, std::string_view control) const {
+  if (std::find(above.begin(), above.end(), figure.id) != above.end()) return {};
   figure.id = prefix + figure.id;
   return figure_html(in_units(units, std::move(figure)), width, "", control);
+}
+
+std::string FigureForm::html(std::optional<Figure> figure) const {
+  return figure ? html(std::move(*figure)) : std::string();
 }
 
 std::string page_head(std::string_view title, std::string_view version,

@@ -4,9 +4,11 @@
 // with the name of the file (cmake/gw_embed.cmake).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -14,22 +16,25 @@
 
 namespace gearwright {
 
-/// The form in which a section shows its figures. It consists of the unit of lengths and a prefix
-/// for the ids of the figures, because ids must be unique in a page.
+/// The form in which a section shows its figures. It consists of the unit of lengths, a prefix for
+/// the ids of the figures, because ids must be unique in a page, and the ids of the figures at the
+/// head of the page, which sections omit.
 struct FigureForm {
   UnitSystem units = UnitSystem::mm;
   std::string prefix;
+  std::vector<std::string> above = {};
 
   // This constructor converts a system of units to a form without a prefix.
   FigureForm(UnitSystem in = UnitSystem::mm, std::string before = {})
       : units(in), prefix(std::move(before)) {}
-  /// Returns figure_html() of the figure in this form.
+  /// Returns figure_html() of the figure in this form. Empty if the figure is above or missing.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
+  std::string html(std::optional<Figure> figure) const;
 };
 
 /// The style sheet of every page. On screen, the preference of the user determines whether the page
-/// is light or dark. On paper, the page is always light. The colours are those of Okabe and Ito,
-/// which can be distinguished with any colour vision. Colour alone never carries information.
+/// is light or dark. On paper, the page is always light. The colours of figures are in
+/// figure/figure_style.css.
 std::string_view page_style();
 
 /// Additional styles for the page of a design search: the wide table, colours of the edges of a
@@ -77,7 +82,7 @@ std::string with_contents(const std::string& sections);
 /// until the script makes them visible.
 std::string turn_control(const InvolutePair& pair);
 
-/// The script of this control, report/page/turn_script.js.
+/// The script of this control, figure/turn_script.js. The web page uses the same file.
 std::string_view turn_script();
 
 }  // namespace gearwright

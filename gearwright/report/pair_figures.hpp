@@ -50,6 +50,11 @@ bool centrodes_are_worth_a_picture(const InvolutePair& pair);
 /// circles at the centre distance of the pair. Empty if centrodes_are_worth_a_picture() is false.
 std::string centrode_figures(const InvolutePair& pair, const FigureForm& form = {});
 
+/// Circular-arc gears in the transverse section through contact point `which` of the pair.
+/// `shapes` are as in mesh_figures().
+Figure arc_mesh_figure(const ArcPair& pair, std::size_t which,
+                       const std::array<std::string, 2>& shapes);
+
 // Draws circular-arc teeth at their contact point.
 //
 //   ρ, a, b   radius of an arc and position of its centre, mm, as in pair/arc_contact.hpp

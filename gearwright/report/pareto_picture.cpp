@@ -17,10 +17,8 @@ namespace {
 enum class Along { objective, distance, ratio };
 
 // A quantity of the designs that is shown along an axis.
-struct PlotAxis {
-  FigureAxis axis;
-  Along along;
-  bool greater = false;  // true if greater values are better
+struct PlotAxis : DesignAxis {
+  Along along = Along::objective;
 };
 
 struct Dot {
@@ -31,11 +29,9 @@ struct Dot {
 
 PlotAxis quantity_of(Objective objective) {
   const ObjectiveWords w = words_of(objective);
-  FigureAxis axis{std::string(w.name), std::string(w.unit)};
-  axis.unit += fmt::format("{}{} values are better", w.unit.empty() ? "" : ", ",
-                           seeks_greatest(objective) ? "greater" : "smaller");
-  axis.symbol = w.symbol;
-  return {axis, Along::objective, seeks_greatest(objective)};
+  return {
+      {{.words = std::string(w.name), .unit = std::string(w.unit), .symbol = std::string(w.symbol)},
+       seeks_greatest(objective) ? Better::greater : Better::smaller}};
 }
 
 std::string title_of(const DesignRow& row) {
@@ -48,8 +44,8 @@ std::string title_of(const DesignRow& row) {
 PlotAxis across_one_objective(const SearchProblem& problem) {
   const auto& band = problem.center_distance;
   if (band && (*band)[0] == (*band)[1])
-    return {{.words = "gear ratio", .unit = {}, .symbol = "u"}, Along::ratio};
-  return {{.words = "centre distance", .unit = "mm", .symbol = "a"}, Along::distance};
+    return {{{.words = "gear ratio", .unit = {}, .symbol = "u"}}, Along::ratio};
+  return {{{.words = "centre distance", .unit = "mm", .symbol = "a"}}, Along::distance};
 }
 
 std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answer, Along across) {
@@ -73,27 +69,6 @@ std::vector<Dot> dots_of(const SearchProblem& problem, const SearchAnswer& answe
 
 }  // namespace
 
-std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater) {
-  // The objectives are converted to costs. Lower costs are better.
-  const Vec2 sign(greater[0] ? -1.0 : 1.0, greater[1] ? -1.0 : 1.0);
-  std::vector<Vec2> costs;
-  for (const Vec2& p : points) costs.push_back(p.cwiseProduct(sign));
-  std::sort(costs.begin(), costs.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  std::vector<Vec2> corners;
-  for (const Vec2& c : costs) {
-    if (corners.empty()) {
-      corners.push_back(c);
-    } else if (c.y() < corners.back().y()) {
-      corners.push_back({c.x(), corners.back().y()});
-      corners.push_back(c);
-    }
-  }
-  for (Vec2& c : corners) c = c.cwiseProduct(sign);
-  return corners;
-}
-
 std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answer,
                           UnitSystem units) {
   const bool plane = problem.objectives.size() > 1;
@@ -107,12 +82,8 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
   across.axis.unit = x.text();
   upright.axis.unit = y.text();
 
-  std::vector<Vec2> best;
-  bool unranked = false;
-  for (const Dot& d : dots) {
-    if (d.front) best.push_back(d.value);
-    unranked = unranked || !d.row->balanced;
-  }
+  const bool unranked =
+      std::any_of(dots.begin(), dots.end(), [](const Dot& d) { return !d.row->balanced; });
   // Dots of the front cover all other dots, and the best design covers the front.
   std::vector<DesignDot> drawn;
   for (const bool front : {false, true}) {
@@ -122,9 +93,7 @@ std::string pareto_figure(const SearchProblem& problem, const SearchAnswer& answ
       drawn.push_back({d->value, style, title_of(*d->row)});
     }
   }
-  Figure f = designs_figure(
-      across.axis, upright.axis, drawn,
-      plane ? staircase(best, {across.greater, upright.greater}) : std::vector<Vec2>());
+  Figure f = designs_figure(across, upright, drawn);
   f.caption =
       ", with one dot for each design. Point at a dot to see module, teeth and profile shifts. ";
   if (!plane && dots.front().row == &answer.designs.front())

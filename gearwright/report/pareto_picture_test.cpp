@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "gearwright/figure/designs.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/report/search_table.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
@@ -47,6 +48,19 @@ TEST(ParetoPicture, TheStaircaseIsTheBorderOfWhatWasFound) {
       EXPECT_NE(std::find(points.begin(), points.end(), corners[i]), points.end());
   }
   EXPECT_TRUE(staircase({}, {true, true}).empty());
+}
+
+TEST(ParetoPicture, OnlyTwoObjectivesHaveAStaircase) {
+  const std::vector<DesignDot> dots{
+      {{1, 3}, "dot-front", "1"}, {{2, 2}, "dot-front taken", "2"}, {{3, 3}, "dot-design", "3"}};
+  const DesignAxis size{{"size", "mm²"}, Better::smaller}, other{{"centre distance", "mm"}};
+  const Figure f = designs_figure(size, {{"contact ratio", ""}, Better::greater}, dots);
+  EXPECT_EQ(f.x.unit, "mm², smaller values are better");
+  EXPECT_EQ(f.y.unit, "greater values are better");
+  EXPECT_EQ(f.marks.front().style, "staircase");
+  EXPECT_EQ(f.marks.size(), dots.size() + 1);
+  EXPECT_EQ(designs_figure(size, other, dots).marks.size(), dots.size());
+  EXPECT_EQ(designs_figure(size, other, dots).y.unit, "mm");
 }
 
 TEST(ParetoPicture, ADotForEveryDesignWithItsWords) {

@@ -37,8 +37,8 @@ std::string effects(const ProposeView& v) {
     numbers.push_back(std::to_string(i + 1));
   }
   if (dots.empty()) return {};
-  Figure f = designs_figure({"transmission error, peak to peak", "arc seconds"},
-                            {"greatest pressure", "N/mm²"}, dots);
+  Figure f = designs_figure({{"transmission error, peak to peak", "arc seconds"}},
+                            {{"greatest pressure", "N/mm²"}}, dots);
   f.id = "proposals-plot";
   f.title = "Effects of the proposals";
   f.description = "Transmission error and greatest pressure of each proposal, by its number.";

@@ -8,8 +8,10 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
+#include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/load_figures.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -24,9 +26,8 @@ namespace {
 
 const std::array<std::string, 2> kShapes{"gear1", "gear2"};
 
-// px. Width of a figure that has a table beside it, and width of the figure of bars below the
-// picture of the whole pair.
-constexpr double kWideFigure = 640.0, kBarWidth = 420.0;
+// px. Width of a figure that has a table or narrow figures beside it, and width of a narrow figure.
+constexpr double kWideFigure = 640.0, kNarrowFigure = 420.0;
 
 std::string default_title(const ReportInput& input) {
   const int z1 = input.gears[0]->spec.teeth;
@@ -159,6 +160,65 @@ std::string foot(const ReportInput& input) {
                    : " Strength is not considered.");
 }
 
+// The figures that decide, at most three: the gears in mesh, then figures of the load, of the
+// contact or of the pair.
+std::vector<Figure> deciding_figures(const ReportInput& input) {
+  constexpr std::size_t kMost = 3;
+  std::vector<Figure> figures, of_pair;
+  const auto add = [&](std::optional<Figure> figure) {
+    if (figure) figures.push_back(std::move(*figure));
+  };
+  if (input.pair)
+    of_pair = input.pair->visit(
+        Overloaded{[](const ArcPair& pair) {
+                     std::vector<Figure> contacts;
+                     for (std::size_t i = 0; i < pair.contacts.size(); ++i)
+                       contacts.push_back(arc_mesh_figure(pair, i, kShapes));
+                     return contacts;
+                   },
+                   [](const CrossedPair& pair) {
+                     std::vector<Figure> views{plan_figures(pair)[0], section_figure(pair)};
+                     if (pair.flanks_meet()) views.push_back(face_use_figure(pair));
+                     return views;
+                   },
+                   [](const ParallelPair& pair) {
+                     std::vector<Figure> views{mesh_figures(pair, kShapes)[0]};
+                     if (pair.flanks_meet())
+                       views.insert(views.end(), {path_figure(pair), ratio_figure(pair)});
+                     return views;
+                   }});
+  if (input.rack) {
+    if (auto figure = rack_figure(*input.rack, kShapes)) of_pair.push_back(*figure);
+  }
+  if (!of_pair.empty()) add(of_pair.front());
+  // The figures of a double-helical pair that belong to one half remain under its heading.
+  if (input.load) {
+    const LoadScene& load = *input.load;
+    add(loaded_te_figure(load));
+    if (load.halves.empty())
+      add(load.contact.regime == LoadRegime::point ? ellipse_figure(load, 0)
+                                                   : pressure_figure(load, 0));
+  } else if (input.contact) {
+    const ContactReport& contact = *input.contact;
+    add(transmission_error_figure(contact, contact.driving));
+    if (contact.halves.empty()) add(flank_figure(contact, 0, {.pattern = &contact.patterns[0]}));
+  }
+  for (std::size_t i = 1; i < of_pair.size() && figures.size() < kMost; ++i) add(of_pair[i]);
+  return figures;
+}
+
+std::string deciding_part(const ReportInput& input, const std::vector<Figure>& figures) {
+  if (figures.empty()) return {};
+  const ParallelPair* const turning = input.pair ? input.pair->parallel() : nullptr;
+  const FigureForm form(input.units);
+  std::string first = form.html(figures.front(), kWideFigure,
+                                turning ? turn_control(*turning) : std::string()),
+              others;
+  if (figures.size() == 1) return side_by_side(first);
+  for (std::size_t i = 1; i < figures.size(); ++i) others += form.html(figures[i], kNarrowFigure);
+  return "<div class=\"figures mesh\">\n" + first + "<div>" + others + "</div>\n</div>\n";
+}
+
 }  // namespace
 
 std::string finding_list(const Verdict& verdict, std::string_view whole) {
@@ -178,27 +238,25 @@ std::string pair_section(const ParallelPair& pair, const std::array<std::string,
                          const FigureForm& form, std::string_view head) {
   const bool meet = pair.flanks_meet();
   const std::string table = path_table(pair, form.units);
-  const std::string path =
-      meet ? side_by_side(form.html(path_figure(pair), kWideFigure) + "<div>" + table + "</div>")
-           : table;
+  const std::string drawn = meet ? form.html(path_figure(pair), kWideFigure) : std::string();
+  const std::string path = drawn.empty() ? table : side_by_side(drawn + "<div>" + table + "</div>");
   return fmt::format("<section class=\"pair\">\n{}{}{}{}{}{}</section>\n", head,
                      mesh_part(pair, shapes, form,
-                               meet ? form.html(ratio_figure(pair), kBarWidth) : std::string()),
+                               meet ? form.html(ratio_figure(pair), kNarrowFigure) : std::string()),
                      pair_table(pair, form.units), interference_table(pair, form.units), path,
                      centrode_figures(pair, form));
 }
 
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>&,
-                         UnitSystem units) {
-  const auto wide = [&](Figure figure) {
-    return figure_html(in_units(units, std::move(figure)), kWideFigure);
-  };
+                         const FigureForm& form) {
+  const UnitSystem units = form.units;
+  const auto wide = [&](Figure figure) { return form.html(std::move(figure), kWideFigure); };
   std::string figures = wide(section_figure(pair)), tables;
   if (pair.flanks_meet()) {
     figures += wide(face_use_figure(pair)) + wide(speed_figure(pair));
     tables = speed_table(pair, units);
   }
-  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair, units) +
+  return "<section class=\"pair\">\n<h2>Pair</h2>\n" + plan_part(pair, form) +
          pair_table(pair, units) + interference_table(pair, units) +
          side_by_side(figures + "<div>" + tables + path_table(pair, units) + "</div>") +
          "<h3>Other positions of these gears</h3>\n" +
@@ -227,15 +285,18 @@ std::string report_html(const ReportInput& input) {
   GW_EXPECTS(!input.pair || input.gears.size() == 2);
   const UnitSystem units = input.units;
   // The most important sections come first, and the data sheets of the gears later.
+  const std::vector<Figure> deciding = deciding_figures(input);
+  FigureForm form(units);
+  for (const Figure& figure : deciding) form.above.push_back(figure.id);
   std::string sections;
   if (input.pair) {
     sections += input.pair->visit(
-        Overloaded{[&](const ArcPair& pair) { return arc_pair_section(pair, kShapes, units); },
-                   [&](const auto& pair) { return pair_section(pair, kShapes, units); }});
+        Overloaded{[&](const ArcPair& pair) { return arc_pair_section(pair, kShapes, form); },
+                   [&](const auto& pair) { return pair_section(pair, kShapes, form); }});
   }
-  if (input.rack) sections += rack_section(*input.rack, kShapes, units);
-  if (input.contact) sections += contact_section(*input.contact, units);
-  if (input.load) sections += load_section(*input.load, kShapes, units);
+  if (input.rack) sections += rack_section(*input.rack, kShapes, form);
+  if (input.contact) sections += contact_section(*input.contact, form);
+  if (input.load) sections += load_section(*input.load, kShapes, form);
   if (input.propose) sections += propose_section(*input.propose, input.units);
   if (input.compensate) sections += compensate_section(*input.compensate, units);
   if (input.scatter) sections += scatter_section(*input.scatter, units);
@@ -244,9 +305,10 @@ std::string report_html(const ReportInput& input) {
               measure_section(input.measures, input.measure_ends, input.k_diagrams, units);
   const std::string head =
       title_block(input.drawing) + key_figures(input) +
-      sentence_in(units, finding_list(input.verdict, input.pair   ? "Pair"
-                                                     : input.rack ? "Rack and pinion"
-                                                                  : "")) +
+      sentence_in(units, deciding_part(input, deciding) +
+                             finding_list(input.verdict, input.pair   ? "Pair"
+                                                         : input.rack ? "Rack and pinion"
+                                                                      : "")) +
       picture_hint();
   return page_html({.title = input.title.empty() ? default_title(input) : input.title,
                     .version = input.version,

@@ -32,7 +32,7 @@ std::string finding_list(const Verdict& verdict, std::string_view whole);
 std::string pair_section(const ParallelPair& pair, const std::array<std::string, 2>& shapes,
                          const FigureForm& form, std::string_view head = "<h2>Pair</h2>\n");
 std::string pair_section(const CrossedPair& pair, const std::array<std::string, 2>& shapes,
-                         UnitSystem units);
+                         const FigureForm& form);
 
 /// The text `shared` about both halves of a double-helical pair, followed by the pictures of each
 /// half under a heading. If there are only pictures of one half, the sentence `alike` is added.
@@ -52,7 +52,7 @@ std::string measure_section(const std::vector<ValueRecord>& measures,
 /// A pair of circular-arc gears: its quantities, and a picture of each contact in the transverse
 /// section through the contact point.
 std::string arc_pair_section(const ArcPair& pair, const std::array<std::string, 2>& shapes,
-                             UnitSystem units);
+                             const FigureForm& form);
 
 /// The rotations of both gears in the transverse section through a contact point, as
 /// counter-clockwise angles of their x axes, rad.
@@ -63,14 +63,14 @@ std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContac
 /// Domain    two gears with teeth, or a pinion and its rack; `driving` and `other` have the same
 ///           positions over one pitch, and `driving` has contact at some position; rasters of at
 ///           least 2 × 2 nodes (contract)
-std::string contact_section(const ContactReport& report, UnitSystem units = UnitSystem::mm);
+std::string contact_section(const ContactReport& report, const FigureForm& form = {});
 
 /// Teeth under load. Each subject has one paragraph and its pictures.
 ///
 /// Domain    at least one torque; positions evenly spaced over one pitch, with contact at some of
 ///           them (contract)
 std::string load_section(const LoadScene& report, const std::array<std::string, 2>& shapes,
-                         UnitSystem units = UnitSystem::mm);
+                         const FigureForm& form = {});
 
 /// The figures of the root stress: one figure of the stress along the fillet for each gear, and a
 /// figure of the stress over the face. Empty if root stresses were not computed.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gearwright/catalogue/gear_quantities.hpp"
+#include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
 #include "gearwright/report/testing/strict_html.hpp"
 #include "gearwright/verdict/verdict.hpp"
@@ -99,6 +100,44 @@ TEST(Report, KeyFiguresHaveTheBacklashAtBothEnds) {
   EXPECT_EQ(report_html(input).find("<dt>Mass"), std::string::npos);
   input.masses = {0.4136, 1.77};
   EXPECT_EQ(key("Mass"), "0.414 / 1.77 kg");
+}
+
+// The ids of the figures at the head of a report.
+Values ids_at_the_head(const std::string& page) {
+  constexpr std::string_view kFigure = "<svg class=\"zoom\" id=\"";
+  const std::string head = page.substr(0, page.find("</header>"));
+  Values ids;
+  for (std::size_t at = head.find(kFigure); at != head.npos; at = head.find(kFigure, at + 1)) {
+    const std::size_t begin = at + kFigure.size();
+    ids.push_back(head.substr(begin, head.find('"', begin) - begin));
+  }
+  return ids;
+}
+
+TEST(Report, FiguresThatDecideAreAtTheHead) {
+  const auto expect_head = [](const ReportInput& input, const Values& ids) {
+    const std::string page = report_html(input);
+    expect_sound_page(page);  // no id twice: the sections omit these figures
+    EXPECT_EQ(ids_at_the_head(page), ids);
+  };
+  const ParallelPair helical = helical_pair();
+  ReportInput input = report_input(helical);
+  expect_head(input, {"mesh", "path", "ratios"});
+  const testing::ContactSample contact = testing::helical_contact();
+  input.contact = &contact.report;
+  expect_head(input, {"mesh", "te", "bearing1"});
+  EXPECT_EQ(StrictHtml::read(report_html(input)).ids.count("path"), 1u);
+
+  const testing::LoadSample load = testing::load_sample(testing::spur_pair(), {100e3}, 0.0);
+  ReportInput loaded = report_input(*load.pair);
+  loaded.load = &load.report;
+  expect_head(loaded, {"mesh", "loaded-te", "pressure1"});
+
+  const CrossedPair crossed = testing::crossed_pair();
+  expect_head(report_input(crossed), {"plan", "section", "faces"});
+  EXPECT_EQ(ids_at_the_head(report_html(report_input(testing::crossed_apart()))),
+            (Values{"plan", "section"}));
+  EXPECT_EQ(ids_at_the_head(report_html(report_input(sample_gear(17, 2, 0, 0)))), Values{});
 }
 
 TEST(Report, IsWellFormedAndReachesForNothing) {

@@ -8,9 +8,7 @@
 //                                              theory: docs/theory/09-design-search.md
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/design/search.hpp"
@@ -20,14 +18,6 @@ namespace gearwright {
 
 /// Number of designs with a dot, besides the front. More dots cannot be distinguished.
 inline constexpr std::size_t kMaxDots = 2000;
-
-/// The corners of the staircase through the points that no other point dominates. The staircase
-/// separates the designs found from the part of the plane without designs. `greater` is true for an
-/// axis on which greater values are better.
-///
-/// Laws      (1) no given point lies beyond the staircase
-///           (2) along the staircase, one value becomes worse as the other becomes better
-std::vector<Vec2> staircase(const std::vector<Vec2>& points, const std::array<bool, 2>& greater);
 
 /// A figure of the designs over the first two objectives. If there is only one objective, the other
 /// axis is the centre distance, or the ratio if the centre distance is given. The figure shows the

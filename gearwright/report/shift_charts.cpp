@@ -98,11 +98,13 @@ std::string shift_limits_figure(const SearchProblem& problem, const Trial& trial
     f.keys.push_back({fmt::format("line {}", style), name});
   };
   constexpr std::array kTipNames{"pointed", "tip 0.2", "tip 0.4"};
-  constexpr std::array kTipStyles{"limit-tip dot", "limit-tip", "limit-tip dash"};
-  limit("undercut", "limit-undercut", [](const ShiftLimits& row) { return row.undercut; });
+  // The limit of undercut, then those of the tips.
+  constexpr std::array kLimitStyles{"limit-undercut bold", "limit-tip dot", "limit-tip",
+                                    "limit-tip dash"};
+  limit("undercut", kLimitStyles[0], [](const ShiftLimits& row) { return row.undercut; });
   name_curve(f);
   for (std::size_t i = 0; i < kChartTips.size(); ++i)
-    limit(kTipNames[i], kTipStyles[i], [i](const ShiftLimits& row) { return row.tip[i]; });
+    limit(kTipNames[i], kLimitStyles[i + 1], [i](const ShiftLimits& row) { return row.tip[i]; });
   std::string fewest;
   for (std::size_t i = 0; i < kChartTips.size(); ++i) {
     const auto meet = where_limits_meet(chart, i);
@@ -152,6 +154,8 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
        .x = {},
        .y = {.words = "contact ratio", .unit = {}, .symbol = "ε_α"}});
   constexpr std::array kNames{"least shift", "¼ of the way", "½", "¾", "greatest shift"};
+  constexpr std::array kShareStyles{"share0 dot", "share1 dash", "share2", "share3 dashdot",
+                                    "share4 bold"};
   double lowest = 1.0;
   double highest = 1.8;
   std::optional<int> first;  // least number of teeth with ε_α ≥ 1.2 at the least shift
@@ -166,9 +170,9 @@ std::string identical_gears_figure(const SearchProblem& problem, const Trial& tr
       if (k == 0 && !first && eps >= kSoundContactRatio) first = row.limits.teeth;
     }
     if (points.empty()) continue;
-    f.line(std::move(points), fmt::format("curve share{}", k), kNames[k]);
+    f.line(std::move(points), std::string("curve ") + kShareStyles[k], kNames[k]);
     name_curve(f);
-    f.keys.push_back({fmt::format("line share{}", k), kNames[k]});
+    f.keys.push_back({std::string("line ") + kShareStyles[k], kNames[k]});
   }
   if (f.marks.empty()) return {};
   f.y.lo = std::max(lowest, 0.8) - 0.05;

@@ -82,40 +82,6 @@ const tests = {
     session.delete();
   },
 
-  an_outline_is_closed_and_its_area_is_the_solids() {
-    for (const [name, gear] of [["helical_pair", 1], ["ring_pair", 2], ["two_tooth_drive", 1]]) {
-      const session = engine.open(example(name));
-      const s = session.section(gear, 0.0005);
-      assert.ok(!failed(s), JSON.stringify(s));
-      const n = s.outline.length / 2;
-      assert.equal(s.pieces[0].from, 0);
-      assert.equal(s.pieces.at(-1).to, n);
-      s.pieces.slice(1).forEach((p, i) => assert.equal(p.from, s.pieces[i].to));
-      const area = (xy) => {
-        let sum = 0;
-        for (let i = 0; i < xy.length; i += 2) {
-          const j = (i + 2) % xy.length;
-          sum += xy[i] * xy[j + 1] - xy[j] * xy[i + 1];
-        }
-        return sum / 2;
-      };
-      const m = session.mesh(gear, 0.005);
-      let volume = 0;
-      const p = (i) => m.positions.subarray(3 * m.indices[i], 3 * m.indices[i] + 3);
-      for (let i = 0; i < m.indices.length; i += 3) {
-        const [a, b, c] = [p(i), p(i + 1), p(i + 2)];
-        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-          a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
-      }
-      const { gears } = JSON.parse(session.json("gear"));
-      const metal = Math.abs(area(s.outline) - area(s.bore)) * gears[gear - 1].face_width_mm;
-      near(volume / metal, 1, 2e-3);
-      assert.equal(m.normals.length, m.positions.length);
-      assert.ok(s.circles.some((c) => c.key === "base_diameter_mm"));
-      session.delete();
-    }
-  },
-
   a_pose_puts_the_flanks_together() {
     for (const name of ["helical_pair", "misaligned_pair", "ring_pair", "crossed_pair"]) {
       const session = engine.open(example(name));
@@ -134,26 +100,6 @@ const tests = {
           near(Math.hypot(...axis), 1, 1e-12);
         }
         if (name === "misaligned_pair") assert.notEqual(session.pose(1, rotation)[8], 0);
-        // The point also lies on the outline of each gear in its section, except for the error of a chord.
-        for (const gear of [1, 2]) {
-          const s = session.section(gear, 0.0002);
-          const x = session.pose(gear, rotation);
-          const p = [0, 1, 2].map((c) => [0, 1, 2].reduce((sum, i) => sum + x[4 * c + i] * (at.point_mm[i] - x[12 + i]), 0));
-          const { gears } = JSON.parse(session.json("gear"));
-          const lead = gears[gear - 1].lead_mm;
-          const turn = lead ? (-2 * Math.PI * p[2]) / lead : 0;
-          const q = [p[0] * Math.cos(turn) - p[1] * Math.sin(turn), p[0] * Math.sin(turn) + p[1] * Math.cos(turn)];
-          let least = Infinity;
-          for (let i = 0; i < s.outline.length; i += 2) {
-            const j = (i + 2) % s.outline.length;
-            const [ax, ay, bx, by] = [s.outline[i], s.outline[i + 1], s.outline[j], s.outline[j + 1]];
-            const t = Math.max(0, Math.min(1, ((q[0] - ax) * (bx - ax) + (q[1] - ay) * (by - ay)) /
-              ((bx - ax) ** 2 + (by - ay) ** 2)));
-            least = Math.min(least, Math.hypot(q[0] - ax - t * (bx - ax), q[1] - ay - t * (by - ay)));
-          }
-          // Modifications and tilted errors move the flank by a few µm from that of the drawing.
-          assert.ok(least < 0.03, `${name} gear ${gear}: the point lies ${least} mm off the outline`);
-        }
       }
       session.delete();
     }
@@ -207,8 +153,7 @@ const tests = {
     const session = engine.open(example("helical_pair"));
     const chart = session.shiftRegion();
     assert.ok(!failed(chart), JSON.stringify(chart));
-    assert.ok(chart.pieces.length > 0 && chart.area > 0);
-    for (const loop of chart.pieces) for (const b of loop) assert.ok(chart.borders[b.border]);
+    assert.ok(Object.values(chart.borders).length > 2 && Object.values(chart.borders).every(Boolean));
     assert.equal(chart.inside, chart.margin >= 0);
   },
 

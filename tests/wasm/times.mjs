@@ -31,7 +31,6 @@ for (const name of names.length ? names : ["helical_pair", "misaligned_pair", "c
     t.delete();
   });
   row("text to tree", () => engine.toJson(text));
-  row("section of both, 1 µm", () => [1, 2].map((g) => s.section(g)));
   row("mesh of both, 20 µm", () => [1, 2].map((g) => s.mesh(g)));
   row("contact curve, 64", () => s.contactCurve(64));
   row("contact point", () => s.contactPoint(1.5));

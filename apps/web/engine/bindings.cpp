@@ -220,7 +220,14 @@ val designs(const val& of) {
       return emscripten::convertJSArrayToNumberVector<double>(list);
     };
     const auto axis = [&](const char* name) {
-      return FigureAxis{of[name]["words"].as<std::string>(), of[name]["unit"].as<std::string>()};
+      const auto text = [axis = of[name]](const char* member) {
+        return axis[member].as<std::string>();
+      };
+      const std::string better = text("better");
+      return DesignAxis{{.words = text("words"), .unit = text("unit"), .symbol = text("symbol")},
+                        better == "greater"   ? Better::greater
+                        : better == "smaller" ? Better::smaller
+                                              : Better::none};
     };
     const Numbers x = numbers(of["x"]["values"]), y = numbers(of["y"]["values"]);
     const val styles = of["styles"], names = of["names"];
@@ -303,11 +310,12 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .smart_ptr<std::shared_ptr<Session>>("SessionHandle")
       .property("gears", &Session::gears)
       .property("hasPair", &Session::has_pair)
+      .property("pitchDeg", &Session::pitch_deg)
       .function("json", &session_json)
       .function("showIn", &show_in)
-      .function("section", &call<&Session::section, Session, int, double>)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("driveSolids", &call<&Session::drive_solids, Session>)
+      .function("driveFigures", &call<&Session::drive_figures, Session, double>)
       .function("lines", &call<&Session::lines, Session>)
       .function("meshFigure", &call<&mesh_figure, const Session, val>)
       .function("pose", &call<&Session::pose, Session, int, double, bool>)

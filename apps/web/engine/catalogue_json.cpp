@@ -10,6 +10,7 @@
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/job/result_json.hpp"
 #include "gearwright/rating/material.hpp"
+#include "gearwright/report/search_table.hpp"
 #include "gearwright/spec/json.hpp"
 
 namespace gearwright::web {
@@ -146,8 +147,19 @@ std::string catalogue_json() {
                          {"kind", material_letters(m.kind)},
                          {"hardness_HV", m.hardness_HV},
                          {"note", m.note}});
+  Json objectives = Json::array();
+  for (std::size_t i = 0; i < kObjectiveNames.size(); ++i) {
+    const auto objective = static_cast<Objective>(i);
+    const ObjectiveWords words = words_of(objective);
+    objectives.push_back({{"name", kObjectiveNames[i]},
+                          {"words", words.name},
+                          {"symbol", words.symbol},
+                          {"unit", words.unit},
+                          {"better", seeks_greatest(objective) ? "greater" : "smaller"}});
+  }
   return json_text({{"version", kVersion},
                     {"materials", std::move(materials)},
+                    {"objectives", std::move(objectives)},
                     {"inputs", std::move(inputs)},
                     {"quantities", std::move(quantities)}});
 }

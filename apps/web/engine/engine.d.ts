@@ -110,31 +110,23 @@ export interface NamedMaterial {
   hardness_HV: number;
   note: string;
 }
+/** An objective of a search. */
+export interface Objective {
+  name: string; // value of the key `objective` in [search]
+  words: string;
+  symbol: string;
+  unit: string;
+  better: "smaller" | "greater";
+}
 export interface Catalogue {
   version: string;
   materials: NamedMaterial[];
+  objectives: Objective[];
   inputs: InputTable[]; // the table of the file itself comes first
   quantities: QuantityTable[];
 }
 
 // ---------------------------------------------------------------------------------- geometry
-
-/** The transverse outline of the whole gear in the section z = 0, in the gear's own frame. */
-export interface Section {
-  teeth: number; // |z|
-  internal: boolean;
-  /** x, y, x, y, … in mm, counter-clockwise. The outline is closed: the first point follows the last point. */
-  outline: Float64Array;
-  /** Pieces of the outline, in order. A piece consists of the points from[i] to to[i], both included.
-   *  These numbers are indices of points. The last `to` is the number of points, which stands for point 0. */
-  pieces: { name: string; tooth: number; land: boolean; from: number; to: number }[];
-  /** The outline of the bore, or of the rim of an internal gear, x, y, …. Empty if there is neither. */
-  bore: Float64Array;
-  /** Circles about the axis that the catalogue contains: tip, reference, base, root and form circles and the
-   *  working pitch circle. `key` is the key of the quantity, "base_diameter_mm". */
-  circles: { key: string; symbol: string; words: string; radius: number }[];
-  toleranceMm: number; // greatest distance of a chord from the exact curve
-}
 
 /** A closed mesh in the gear's own frame, for three.js buffers. Normals belong to the exact surface. */
 export interface Mesh {
@@ -217,11 +209,7 @@ export interface ShiftRegion {
   margin: number;
   /** The name of the nearest border if the point is on it or outside the region, otherwise "". */
   stoppedBy: string;
-  area: number; // modules²
-  pieces: { border: string; points: Float64Array }[][]; // each piece is a list of borders; points x1, x2, …
-  borders: Record<string, string>; // words for every border that occurs: "contact ratio 1.2"
-  window: [number, number, number, number]; // lower and upper limits of x1, then of x2
-  chosen: [number, number] | null; // the point that a search would choose
+  borders: Record<string, string>; // words for every border that occurs: "contact ratio 1.2"; empty without a region
   whatKills: string; // name of the first limit that leaves no region; "" if there is a region
   figure: Figure | null; // null if no view was requested
 }
@@ -305,12 +293,21 @@ export interface ShiftView {
   window: [number, number, number, number] | null;
 }
 
-/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. */
+/** A quantity of designs. `better` gives the better values of an objective; "" for other quantities. */
+export interface DesignAxis {
+  words: string;
+  unit: string;
+  symbol: string;
+  better: Objective["better"] | "";
+  values: number[];
+}
+/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. A line joins the
+ *  dots of the front if both axes are objectives. */
 export interface DesignDots {
   width: number; // px, width of the figure
   tall: number; // height over width of the plot
-  x: { words: string; unit: string; values: number[] };
-  y: { words: string; unit: string; values: number[] };
+  x: DesignAxis;
+  y: DesignAxis;
   styles: string[]; // "dot-front" or "dot-design"; for the chosen design, " taken" is added
   names: string[]; // names of the designs, shown with the values at the pointer
 }
@@ -319,18 +316,19 @@ export interface DesignDots {
 
 /** A spec that has been read and solved, with all results that a page shows while the user changes the spec. */
 export interface Session {
-  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), driveSolids() and files only
+  readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), solids, figures and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
+  readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
   /** Sets the unit of lengths of figures, of the report and of drawings. Initially "mm". The figure of the gears
    *  in section and all other results are in mm. */
   showIn(unit: "mm" | "in"): void;
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
-  /** The outline of gear 1 or 2 within the tolerance (default 0.001 mm). */
-  section(gear: 1 | 2, toleranceMm?: number): Section | Failed;
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;
+  /** The scheme of a drive ("scheme"), its power flow ("power") and its curves under load. */
+  driveFigures(width: number): Figure[] | Failed;
   lines(): MeshLines | Failed;
   /** The gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */

@@ -20,7 +20,6 @@ const kTexts = ["run", "json", "best"];
 const kDefaults = {
   openSearch: ["", 0],
   step: [8],
-  section: [1, 0.001],
   mesh: [1, 0.02],
   pose: [1, 0, false],
   shiftRegion: [null],

@@ -1,16 +1,14 @@
-// Outlines, solids, lines and positions of the gears of a session.
+// Figures in section, solids, lines and positions of the gears of a session.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "apps/web/engine/session.hpp"
+#include "gearwright/cad/bore_loop.hpp"
 #include "gearwright/cad/contour.hpp"
-#include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/mesh.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
-#include "gearwright/curve/curve.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 
@@ -31,42 +29,6 @@ void append(Numbers& out, const Eigen::Matrix<double, n, 1>& p) {
   out.insert(out.end(), p.data(), p.data() + n);
 }
 
-// Appends the points of a circular arc, except its first point. The points are so close that every
-// chord is within the tolerance. The last point is exactly `end`.
-void append_circle(Numbers& out, const Vec2& center, const Vec2& begin, const Vec2& end,
-                   double sweep, double tolerance) {
-  const Vec2 arm = begin - center;
-  const double r = arm.norm();
-  const double step = 2 * std::acos(std::max(0.0, 1.0 - tolerance / std::max(r, tolerance)));
-  const int n = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / std::max(step, 1e-6))));
-  for (int i = 1; i < n; ++i) {
-    const double a = sweep * i / n;
-    const double c = std::cos(a), s = std::sin(a);
-    append(out, Vec2(center + Vec2(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y())));
-  }
-  append(out, end);
-}
-
-Result<Numbers> bore_outline(const ToothedBody& body, const Contour& contour, double tolerance) {
-  const auto bore = bore_contour(body, contour.inner_radius, contour.outer_radius);
-  if (!bore) return bore.error();
-  Numbers out;
-  if (!*bore) return out;
-  const BoreContour& b = **bore;
-  append(out, b.points.front());
-  for (std::size_t i = 0; i < b.points.size(); ++i) {
-    const Vec2& from = b.points[i];
-    const Vec2& to = b.points[(i + 1) % b.points.size()];
-    if (b.bulges[i] == 0.0) {
-      append(out, to);
-    } else {  // all curved pieces of a bore are circles about the axis
-      append_circle(out, Vec2::Zero(), from, to, 4 * std::atan(b.bulges[i]), tolerance);
-    }
-  }
-  out.resize(out.size() - 2);  // removes the last point, which repeats the first
-  return out;
-}
-
 void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record,
                     std::size_t gear) {
   for (const Member& m : record) {
@@ -76,7 +38,7 @@ void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record
     const auto d = each ? (*each)[gear].number() : m.value.number();
     if (!d) continue;
     circles.push_back({std::string(info.symbol), std::abs(*d) / 2, style_of_circle(info.symbol),
-                       std::string(info.words), std::string(info.key)});
+                       std::string(info.words)});
   }
 }
 
@@ -93,47 +55,6 @@ std::optional<Error> Session::no_gear_2() const {
   if (auto error = two_gears_error(job_.spec)) return error;
   if (!job_.pair) return absent_input("gear2", ": there is no pair");
   return std::nullopt;
-}
-
-Result<Json> Session::section(int gear, double tolerance) const {
-  if (auto error = check_tolerance(tolerance)) return *error;
-  if (gear == 2 && job_.rack) return no_gear_2().value();
-  const auto made = body(gear, false);
-  if (!made) return made.error();
-  const auto contour = closed_contour(made->outline);
-  if (!contour) return contour.error();
-  auto bore = bore_outline(*made, *contour, tolerance);
-  if (!bore) return spelled(within(made->name, bore.error()), job_.spec.given);
-  const Gear& g = job_.gears[static_cast<std::size_t>(gear - 1)];
-  // Each arc of the half tooth is computed once and then copied to all its positions.
-  std::vector<std::vector<Vec2>> arcs;
-  for (const Arc& arc : made->outline.arcs) arcs.push_back(chords(arc, tolerance));
-  Numbers out;
-  Json pieces = Json::array(), named = Json::array();
-  append(out, contour->pieces.front().begin);
-  for (const ContourPiece& piece : contour->pieces) {
-    const int from = static_cast<int>(out.size() / 2) - 1;
-    if (piece.land) {
-      append_circle(out, Vec2::Zero(), piece.begin, piece.end, piece.sweep, tolerance);
-    } else {
-      const auto points = placed(*contour, piece, arcs[piece.arc]);
-      for (std::size_t i = 1; i < points.size(); ++i) append(out, points[i]);
-    }
-    pieces.push_back({{"name", to_string(made->outline.arcs[piece.arc].name)},
-                      {"tooth", piece.tooth},
-                      {"land", piece.land},
-                      {"from", from},
-                      {"to", static_cast<int>(out.size() / 2) - 1}});
-  }
-  out.resize(out.size() - 2);  // the last point equals the first
-  for (const NamedCircle& c : circles(gear)) {
-    named.push_back(
-        {{"key", c.key}, {"symbol", c.symbol}, {"words", c.words}, {"radius", c.radius}});
-  }
-  return Json{{"teeth", contour->teeth}, {"internal", g.internal()},
-              {"outline", row(out)},     {"pieces", std::move(pieces)},
-              {"bore", row(*bore)},      {"circles", std::move(named)},
-              {"toleranceMm", tolerance}};
 }
 
 std::vector<NamedCircle> Session::circles(int gear) const {
@@ -160,10 +81,15 @@ Result<Json> Session::rack_figure(const MeshView& view) const {
 
 Result<Json> Session::mesh_figure(const MeshView& view) const {
   if (job_.rack) return rack_figure(view);
-  constexpr double kCoarse = 0.1;  // mm; coarse, because only the errors of section() are used here
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
-    if (const auto made = section(gear, kCoarse); !made) return made.error();
+    // A gear that has no body has no figure either.
+    const auto made = body(gear, false);
+    if (!made) return made.error();
+    const auto contour = closed_contour(made->outline);
+    if (!contour) return contour.error();
+    if (const auto bore = bore_contour(*made, contour->inner_radius, contour->outer_radius); !bore)
+      return spelled(within(made->name, bore.error()), job_.spec.given);
     const auto i = static_cast<std::size_t>(gear - 1);
     scene.gears.push_back(&job_.gears[i]);
     scene.shapes[i] = view.name + "-gear" + std::to_string(gear);

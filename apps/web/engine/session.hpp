@@ -5,6 +5,7 @@
 // several requests need them.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,10 @@ class Session : public std::enable_shared_from_this<Session> {
   /// The number of gears, including a rack.
   int gears() const { return job_.parts(); }
   bool has_pair() const { return job_.pair || job_.rack; }
+  /// One pitch of gear 1 in degrees; 0 for a drive.
+  double pitch_deg() const {
+    return job_.gears.empty() ? 0.0 : 360.0 / std::abs(job_.gears.front().spec.teeth);
+  }
 
   /// Sets the system of units of figures, report and drawings. All other results are in mm.
   void show_in(UnitSystem units) { units_ = units; }
@@ -61,10 +66,11 @@ class Session : public std::enable_shared_from_this<Session> {
   Json drawn(Figure figure, double width) const;
 
   std::string json(std::string_view verb) const;
-  Result<Json> section(int gear, double tolerance) const;
   Result<Json> mesh(int gear, double tolerance) const;
   /// The solids of a drive in their positions, with the data of their motion.
   Result<Json> drive_solids() const;
+  /// The scheme of a drive, its power flow and its curves under load.
+  Result<Json> drive_figures(double width) const;
   Result<Json> lines() const;
   /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;

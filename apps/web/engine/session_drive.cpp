@@ -3,6 +3,7 @@
 
 #include "apps/web/engine/session.hpp"
 #include "gearwright/cad/mesh.hpp"
+#include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/job/drive_job.hpp"
 
 namespace gearwright::web {
@@ -70,6 +71,17 @@ Result<Json> Session::drive_solids() const {
               {"fixed", names(graph.fixed)},
               {"inputs", names(graph.inputs)},
               {"output", graph.bodies[graph.output].name}};
+}
+
+Result<Json> Session::drive_figures(double width) const {
+  const auto job = solve_drive(job_.spec);
+  if (!job) return job.error();
+  Json figures = Json::array();
+  if (job->places) figures.push_back(drawn(scheme_figure(job->drive, *job->places), width));
+  if (auto power = power_figure(job->drive)) figures.push_back(drawn(std::move(*power), width));
+  for (Figure& figure : drive_load_figures(job->drive))
+    figures.push_back(drawn(std::move(figure), width));
+  return figures;
 }
 
 }  // namespace gearwright::web

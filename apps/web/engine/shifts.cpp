@@ -139,9 +139,8 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
     return Error{"gear1.teeth", "", "a search needs a gear 2 with more teeth than gear 1"};
   }
   const ShiftGraph graph = search.graph(search.space().trial(0));
-  const auto turned = [&](const Vec2& p) { return swapped ? Vec2(p.y(), p.x()) : p; };
   const Vec2 point(job_.gears[0].spec.profile_shift, job_.gears[1].spec.profile_shift);
-  const Vec2 asked = turned(point);
+  const Vec2 asked = swapped ? Vec2(point.y(), point.x()) : point;
   // The least margin over all limits. Each limit has its own unit, so the code uses only the sign
   // of the margin and whether the margin is nearly 0.
   const auto range = graph.sums();
@@ -149,18 +148,11 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
                                            : -std::numeric_limits<double>::infinity();
   const bool inside = room >= 0.0 && std::isfinite(asked.x() + asked.y());
   const auto killed = graph.what_kills();
-  std::array<Json, 2> ends;  // least and greatest profile shift of each gear
-  for (const std::size_t i : {0, 1})
-    ends[swapped ? 1 - i : i] = {graph.gears()[i].x_min, graph.gears()[i].x_max};
   Json chart{{"point", {point.x(), point.y()}},
              {"inside", inside},
              {"margin", -std::numeric_limits<double>::infinity()},
              {"stoppedBy", ""},
-             {"area", 0.0},
-             {"pieces", Json::array()},
              {"borders", Json::object()},
-             {"window", {ends[0][0], ends[0][1], ends[1][0], ends[1][1]}},
-             {"chosen", nullptr},
              {"figure", nullptr},
              {"whatKills", killed ? words_of(*killed) : ""}};
   const auto region = gearwright::shift_region(graph);
@@ -171,29 +163,18 @@ Result<Json> Session::shift_region(const std::optional<ShiftView>& view) const {
   std::map<std::string, std::string> borders;
   Nearest nearest;
   for (const auto& loop : region_boundary(graph, *region)) {
-    Json piece = Json::array();
     for (const RegionEdge& edge : loop) {
       const ShiftEdge which = swapped ? swapped_edge(edge.edge) : edge.edge;
       const std::string border(name(which));
-      Numbers points;
-      for (const Vec2& p : edge.points) {
-        const Vec2 q = turned(p);
-        points.insert(points.end(), {q.x(), q.y()});
-      }
       nearest.look_at(border, edge.points, asked);
       borders[border] = words_of(which);
-      piece.push_back({{"border", border}, {"points", row(points)}});
     }
-    chart["pieces"].push_back(std::move(piece));
   }
-  const Vec2 chosen = turned(chosen_point(graph, *region));
   if (view) chart["figure"] = drawn(chart_figure(graph, asked, swapped, *view), view->width);
   constexpr double kAtWall = 1e-6;  // modules; smaller than the accuracy of any profile shift
   chart["margin"] = inside ? nearest.distance : -nearest.distance;
   if (room < kAtWall) chart["stoppedBy"] = nearest.border;
-  chart["area"] = region->area;
   chart["borders"] = borders;
-  chart["chosen"] = {chosen.x(), chosen.y()};
   return chart;
 }
 

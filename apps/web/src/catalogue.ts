@@ -1,6 +1,6 @@
 // The catalogue of the engine, which defines every key of a spec and every quantity of a result.
 
-import type { Catalogue, InputKey, InputTable, NamedMaterial, Quantity, QuantityTable } from "../engine/engine";
+import type { Catalogue, InputKey, InputTable, NamedMaterial, Objective, Quantity, QuantityTable } from "../engine/engine";
 
 let whole: Catalogue;
 
@@ -23,6 +23,10 @@ export function inputKey(table: string, key: string): InputKey | undefined {
 /** Rows of the table of known materials. */
 export function materials(): NamedMaterial[] {
   return whole.materials;
+}
+
+export function objective(name: string): Objective {
+  return whole.objectives.find((one) => one.name === name)!;
 }
 
 /** For a table of keys, the tables of results that contain its quantities. By default, this is the

@@ -188,7 +188,7 @@ const questions = {
   /** Poses of the gears, and their contact, during one pitch of gear 1, from −½ to ½. */
   motion(q: { text: string; n: number }): Motion {
     const s = session(q.text);
-    const pitchDeg = 360 / good(s.section(1, 1)).teeth;
+    const { pitchDeg } = s;
     const curve = s.hasPair ? s.contactCurve(q.n - 1) : null;
     const places = eachGear(s, (gear) => {
       const all = new Float64Array(16 * q.n);
@@ -202,6 +202,7 @@ const questions = {
     return eachGear(s, (gear) => s.mesh(gear, q.tolerance));
   },
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
+  driveFigures: (q: { text: string; width: number }) => good(session(q.text).driveFigures(q.width)),
   /** The contact over one pitch with its figures. The time in the answer is the time of the contact
    *  analysis without the figures. */
   contact(q: { text: string; view: E.ContactView }) {

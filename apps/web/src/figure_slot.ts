@@ -82,11 +82,7 @@ export class FigureSlot {
         plot.append(svg("path", { class: "cursor", d: `M${at} ${y1}L${at} ${y2}` }));
       }
     }
-    for (const frame of plot.querySelectorAll<SVGGElement>("[data-frame]")) {
-      const of = Number(frame.dataset["frames"]);
-      const seen = ((Math.round(t * of) % of) + of) % of === Number(frame.dataset["frame"]);
-      frame.setAttribute("visibility", seen ? "visible" : "hidden");
-    }
+    figureTurn(plot)(t, true);
   }
 
   /** The group that contains the marks. */

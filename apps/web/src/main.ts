@@ -3,6 +3,7 @@
 
 import "../../../gearwright/figure/figure_style.css";
 import "../../../gearwright/figure/figure_script.js";
+import "../../../gearwright/figure/turn_script.js";
 import "../../../gearwright/figure/zoom_script.js";
 import "./style/page.css";
 import "./style/spec.css";
@@ -16,6 +17,7 @@ import { EngineLink } from "./engine_link";
 import { textOf } from "./link";
 import { LoadView } from "./load/load_view";
 import { MeshView } from "./mesh/mesh_view";
+import { DriveView } from "./drive/drive_view";
 import { Page } from "./page";
 import { RatingView } from "./rating/rating_view";
 import { ScatterView } from "./scatter/scatter_view";
@@ -35,6 +37,7 @@ async function begin(): Promise<void> {
   setCatalogue(await bench.front.call("catalogue", undefined as never));
   const page = new Page([
     new MeshView(),
+    new DriveView(),
     new SolidView(),
     new ContactView(),
     new LoadView(),

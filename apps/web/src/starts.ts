@@ -172,11 +172,16 @@ export class Starts {
         if (searching) throw new Error("a search has no picture yet");
         const { text } = example;
         const view = { ...kCard, name: example.name };
-        picture.innerHTML = (await bench.back.call("meshFigure", { text, view })).html;
+        const figure = kDrive.test(text)
+          ? (await bench.back.call("driveFigures", { text, width: kCard.width }))[0]!
+          : await bench.back.call("meshFigure", { text, view });
+        // All schemes have the same id, and an id is unique in the page.
+        picture.innerHTML = figure.html.replaceAll(new RegExp(`\\b${figure.id}(?=["-])`, "g"), example.name);
         picture.querySelector("svg")!.removeAttribute("tabindex"); // the card itself has the focus
+        picture.querySelector("figcaption")?.remove();
       } catch {
         // The gears of this example must be computed first, so the card has no picture.
-        picture.textContent = kDrive.test(example.text) ? "drive" : (searching ? "search" : "fit") + " …";
+        picture.textContent = (searching ? "search" : "fit") + " …";
       }
     }
   }

@@ -20,8 +20,8 @@ export interface Tab {
    *  tab is hidden. */
   readonly part?: Part;
   judge?(): Promise<void>;
-  /** True if the tab also shows drives. */
-  readonly ofDrives?: boolean;
+  /** True if the tab also shows drives, "only" if it shows nothing else. */
+  readonly ofDrives?: boolean | "only";
   /** Shows the current design. It is called when the design has changed and when the tab is opened. */
   refresh(): Promise<void> | void;
   /** Called when the unit of lengths has changed, before the next refresh(). */
@@ -60,6 +60,7 @@ export class Tabs {
           type: "button",
           role: "tab",
           id: "tab-" + tab.id,
+          hidden: tab.ofDrives === "only",
           "aria-controls": "room-" + tab.id,
           click: () => this.open(tab.id),
         },
@@ -82,9 +83,12 @@ export class Tabs {
     });
     bench.on("solved", () => {
       // If the spec on screen becomes a drive, a tab for drives is opened.
-      const moves = isDrive() && !this.ofDrive && !this.current.ofDrives;
+      // If it becomes a pair, the tab that shows only drives is closed.
+      const moves = isDrive() ? !this.ofDrive && !this.current.ofDrives : this.current.ofDrives === "only";
       this.ofDrive = isDrive();
-      if (moves) this.open(this.tabs.find((tab) => tab.ofDrives)!.id);
+      for (const tab of this.tabs) this.buttons.get(tab.id)!.hidden = tab.ofDrives === "only" && !this.ofDrive;
+      if (moves && !this.ofDrive) this.open(this.tabs[0]!.id);
+      else if (moves) this.open(this.tabs.find((tab) => tab.ofDrives)!.id);
       else void this.refresh();
       clearTimeout(this.rest);
       this.rest = window.setTimeout(() => void this.judge(), kRestMs);
@@ -154,7 +158,7 @@ export class Tabs {
     this.age();
     let fault = "";
     try {
-      if (isDrive() && !tab.ofDrives) fault = "This spec describes a drive. The tabs “solid” and “sheet” show it.";
+      if (isDrive() && !tab.ofDrives) fault = "This spec describes a drive. The tabs “drive”, “solid” and “sheet” show it.";
       else await tab.refresh();
     } catch (reason) {
       fault = sentenceOf(reason);
@@ -169,8 +173,9 @@ export class Tabs {
   }
 
   private step(step: number): void {
-    const index = (this.tabs.indexOf(this.current) + step + this.tabs.length) % this.tabs.length;
-    this.open(this.tabs[index]!.id);
+    const seen = this.tabs.filter((tab) => !this.buttons.get(tab.id)!.hidden);
+    const index = (seen.indexOf(this.current) + step + seen.length) % seen.length;
+    this.open(seen[index]!.id);
     this.buttons.get(this.current.id)!.focus();
   }
 }

@@ -1,11 +1,11 @@
-// Tests the tab "solid" of drives: all bodies in their colours, which turn, and the choice of the bodies that are held,
-// drive and are driven. Numbers are compared with the native program.
+// Tests the tabs "drive" and "solid" of drives: scheme and power flow; all bodies in their colours, which turn, and the
+// choice of the bodies that are held, drive and are driven. Numbers are compared with the native program.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe } from "node:test";
-import { idle, it, native, put, root, settled, withPage } from "./stage.mjs";
+import { example, idle, it, native, put, root, settled, withPage } from "./stage.mjs";
 
 let page;
 withPage((stage) => ({ page } = stage));
@@ -28,6 +28,34 @@ const pixels = () =>
     context.drawImage(document.querySelector(selector), 0, 0, 160, 100);
     return Array.from(context.getImageData(0, 0, 160, 100).data);
   }, `${room} canvas`);
+
+describe("the figures of a drive", () => {
+  const ids = () => page.$$eval("#room-drive .figure-slot:not([hidden]) svg[id]", (all) => all.map((one) => one.id));
+
+  it("the tab drive has the scheme, the power flow and the curves under load, and saves them", async () => {
+    await put(page, drive("planetary_set"), "drive");
+    await shown();
+    assert.deepEqual(await ids(), ["scheme", "power"]);
+    for (const name of Object.keys(native("drive", drive("planetary_set")).drive.bodies))
+      assert.match(await page.textContent("#room-drive #scheme"), new RegExp(name));
+    const [saved] = await Promise.all([
+      page.waitForEvent("download"),
+      page.click('#room-drive .figure-slot:has(#power) .figure-save button:has-text("SVG")'),
+    ]);
+    assert.equal(saved.suggestedFilename(), "power.svg");
+    await put(page, drive("loaded_planets"), "drive");
+    await shown();
+    assert.ok((await ids()).some((id) => id.startsWith("planet-share")));
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it("a pair has no tab drive", async () => {
+    await put(page, example("spur_pair"), "drive");
+    await shown();
+    assert.equal(await page.locator("#tab-drive").isHidden(), true);
+    assert.equal(await page.locator("#room-mesh").isVisible(), true);
+  });
+});
 
 describe("the solids of a drive", () => {
   it("a planetary set has all its bodies and turns by the rotation of the chosen body", async () => {

@@ -1,11 +1,11 @@
 // Shows the designs as points over two of their quantities. The engine draws the figure in the available
 // size. A click on a point chooses its design.
 
-import type { Quantity } from "../../engine/engine";
 import { h } from "../elements";
 import { FigureSlot } from "../figure_slot";
 import { shownUnit, toShown } from "../numbers";
 import { bench } from "../workbench";
+import type { Column } from "./search_table";
 
 export interface Point {
   row: number;
@@ -20,14 +20,14 @@ const kRoom = { across: 110, up: 84 };
 export class ParetoPicture {
   private readonly slot = new FigureSlot();
   readonly element = h("div", { class: "pareto", click: (event: Event) => this.press(event) }, this.slot.element);
-  private last: [Point[], Quantity, Quantity, number] | null = null;
+  private last: [Point[], Column, Column, number] | null = null;
   private asked = 0;
 
   constructor(private readonly choose: (row: number) => void) {
     new ResizeObserver(() => void this.draw()).observe(this.element);
   }
 
-  show(points: Point[], x: Quantity, y: Quantity, chosen: number): void {
+  show(points: Point[], x: Column, y: Column, chosen: number): void {
     // The points of the Pareto front are drawn last and cover the others.
     const real = points
       .filter((one) => Number.isFinite(one.x) && Number.isFinite(one.y))
@@ -47,10 +47,13 @@ export class ParetoPicture {
     const asked = ++this.asked;
     if (!this.last || !width || !height) return;
     const [points, x, y, chosen] = this.last;
-    const axis = (of: Quantity, values: number[]) => ({
-      words: of.words,
-      unit: shownUnit(of),
-      values: values.map((value) => toShown(value, of)),
+    const axis = ({ info, place, words }: Column, values: number[]) => ({
+      words,
+      unit: shownUnit(info),
+      symbol: place === -1 || typeof place === "string" ? info.symbol : "",
+      // Only an objective has a name as its place.
+      better: typeof place !== "string" ? ("" as const) : info.greaterFirst ? ("greater" as const) : ("smaller" as const),
+      values: values.map((value) => toShown(value, info)),
     });
     const figure = await bench.front.call("designs", {
       width,

@@ -3,7 +3,7 @@
 // are listed above the table.
 
 import type { Quantity } from "../../engine/engine";
-import { quantities } from "../catalogue";
+import { objective, quantities } from "../catalogue";
 import { button, fill, h, scroller, symbol, tableOf } from "../elements";
 import type { Json } from "../engine_worker";
 import { shownUnit, textOf } from "../numbers";
@@ -55,12 +55,11 @@ export function columnsOf(designs: Design[]): Column[] {
     if (!values.length) continue;
     // If the search has several objectives, each becomes a column with its own name.
     if (info.key === "objective" && typeof values[0] === "object") {
-      for (const name of Object.keys(values[0] as Design))
-        columns.push({
-          info: { ...info, symbol: "", unit: "", digits: 4, type: "number" },
-          place: name,
-          words: name.replaceAll("_", " "),
-        });
+      for (const name of Object.keys(values[0] as Design)) {
+        const { words, symbol, unit, better } = objective(name);
+        const own: Quantity = { ...info, words, symbol, unit, digits: 4, type: "number", greaterFirst: better === "greater" };
+        columns.push({ info: own, place: name, words });
+      }
       continue;
     }
     if (

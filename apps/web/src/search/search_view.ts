@@ -230,7 +230,7 @@ export class SearchView implements Tab {
       y: real(valueIn(design, y)),
       front: front.has(row),
     }));
-    this.pareto.show(points, { ...x.info, words: x.words }, { ...y.info, words: y.words }, this.taken);
+    this.pareto.show(points, x, y, this.taken);
   }
 
   private async take(row: number): Promise<void> {

@@ -152,8 +152,8 @@ export class ShiftsView implements Tab {
       this.sentence,
       h("b", {}, where),
       ". ",
-      !region.pieces.length
-        ? `No shifts satisfy the limits${region.whatKills ? ": " + (region.borders[region.whatKills] ?? region.whatKills) : ""}.`
+      !Object.keys(region.borders).length
+        ? `No shifts satisfy the limits${region.whatKills ? ": " + region.whatKills : ""}.`
         : region.inside
           ? stop
             ? `The design is on a border of the region: ${stop}.`
