@@ -48,9 +48,9 @@ const Quantities<C>& tensor_quantities() {
 const Quantities<ArcContact>& arc_quantities() {
   using A = ArcContact;
   return define("pair.arc_contacts ellipse", [](Quantities<A>& q) {
-    q.number("marking_mm", "thickness of the marking compound", "δ",
-             "the ellipse is computed for this thickness", [](const A&) { return kMarking; })
-        .doors(kJson);
+    q.term("marking_mm", "the ellipse is computed for this thickness", [](const A&) {
+       return kMarking;
+     }).doors(kJson);
     q.number("semi_major_mm", "semi-major axis of the contact ellipse", "",
              "null if the flanks interfere in this direction",
              [](const A& a) { return semi_axis(a.gap[0]); });

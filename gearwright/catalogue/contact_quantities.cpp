@@ -209,10 +209,8 @@ struct RasterView {
 const Quantities<RasterView>& raster_quantities() {
   using R = RasterView;
   return define("contact.pattern gear", [](Quantities<R>& q) {
-    q.number("diameter_mm", "diameters", "", "diameters of the rows",
-             [](const R& r) { return r.raster->diameter; });
-    q.number("height_mm", "heights", "", "heights of the columns",
-             [](const R& r) { return r.raster->height; });
+    q.term("diameter_mm", "diameters of the rows", [](const R& r) { return r.raster->diameter; });
+    q.term("height_mm", "heights of the columns", [](const R& r) { return r.raster->height; });
     q.number("gap_mm", "gap", "",
              "least normal gap during the mesh at each point; null at points that the mating gear "
              "never reaches",

@@ -65,8 +65,7 @@ void add_numbers(Quantities<DesignView>& q) {
         [](const DesignView& v) { return v.row->trial.index; })
       .column("trial")
       .doors(kJson);
-  q.number("module_mm", "normal module", "m_n", "",
-           [](const DesignView& v) { return v.row->trial.module; })
+  q.term("module_mm", "", [](const DesignView& v) { return v.row->trial.module; })
       .column("module_mm")
       .digits(3);
   q.term("teeth", "[z1, z2]; negative for an internal gear",
@@ -84,8 +83,8 @@ void add_numbers(Quantities<DesignView>& q) {
       .column("helix#_deg")
       .digits(kFewDigits)
       .shown([](const DesignView& v) { return is_crossed(v) || v.row->trial.helix[0] != Angle(); });
-  q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
-          [](const DesignView& v) { return v.row->trial.rack + 1; })
+  q.term("rack", "number of the rack, from 1; only with several racks",
+         [](const DesignView& v) { return v.row->trial.rack + 1; })
       .column("rack")
       .when([](const DesignView& v) { return v.problem->racks.size() > 1; });
 }

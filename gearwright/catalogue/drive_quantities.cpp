@@ -103,11 +103,10 @@ Value efficiency_of(const std::optional<PowerFlow>& flow) {
 
 void add_motion(Quantities<Drive>& q) {
   q.under(kMotion);
-  q.number(
-      "ratio", "ratio", "i", "n_in/n_out, signed; null with several inputs [T13.3]",
-      [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
-  q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
-          [](const Drive& d) { return d.motion.ratio ? exact_fraction(*d.motion.ratio) : Value(); })
+  q.term("ratio", "n_in/n_out, signed; null with several inputs [T13.3]",
+         [](const Drive& d) { return d.motion.ratio ? Value(d.motion.ratio->value()) : Value(); });
+  q.term("ratio_exact", "[p, q] in lowest terms",
+         [](const Drive& d) { return d.motion.ratio ? exact_fraction(*d.motion.ratio) : Value(); })
       .fraction()
       .doors(kJson | kListing)
       .shown([](const Drive& d) { return d.motion.ratio && !d.motion.ratio->whole(); });
@@ -128,9 +127,8 @@ void add_power(Quantities<Drive>& q) {
          "if the input drives, including the losses of the teeth; 0 if the drive is self-locking "
          "[T13.9]",
          [](const Drive& d) { return efficiency_of(d.flow); });
-  q.number("efficiency_backward", "efficiency, output driving", "η",
-           "0 if the output cannot drive the input",
-           [](const Drive& d) { return efficiency_of(d.backward); });
+  q.term("efficiency_backward", "0 if the output cannot drive the input",
+         [](const Drive& d) { return efficiency_of(d.backward); });
   q.add(Type::flag, "self_locking", "self-locking", "", "true if the input cannot drive the output",
         [](const Drive& d) { return locks(d.flow); });
   q.add(Type::flag, "self_locking_backward", "self-locking, output driving", "",

@@ -55,18 +55,15 @@ void add_found(Quantities<F>& q) {
     return f.candidate.stages.empty() ? Value(static_cast<long long>(f.candidate.planets))
                                       : Value();
   });
-  q.number("ratio", "ratio", "i", "n_in/n_out", [](const F& f) {
-     return of_drive(f, "ratio");
-   }).always();
-  q.whole("ratio_exact", "exact ratio", "i", "[p, q] in lowest terms",
-          [](const F& f) { return of_drive(f, "ratio_exact"); })
+  q.term("ratio", "n_in/n_out", [](const F& f) { return of_drive(f, "ratio"); }).always();
+  q.term("ratio_exact", "[p, q] in lowest terms",
+         [](const F& f) { return of_drive(f, "ratio_exact"); })
       .fraction()
       .doors(kJson);
   q.number("efficiency", "efficiency", "η", "efficiency with the input driving",
            [](const F& f) { return of_drive(f, "efficiency"); });
-  q.number("efficiency_backward", "efficiency, output driving", "η",
-           "0 if the output cannot drive the input",
-           [](const F& f) { return of_drive(f, "efficiency_backward"); });
+  q.term("efficiency_backward", "0 if the output cannot drive the input",
+         [](const F& f) { return of_drive(f, "efficiency_backward"); });
   q.number("noise", "variation of the elastic rotation", "ΔΘ/Θ",
            "relative variation, peak to peak, of the elastic rotation of the output under load "
            "[T13.33], for perfect teeth with a constant stiffness per length of the contact line. "
@@ -88,14 +85,12 @@ void add_found(Quantities<F>& q) {
   q.add(Type::map, "profile_shift", "profile shifts", "x", "per gear; null without geometry",
         [](const F& f) { return of_drive(f, "profile_shift", coaxial_quantities()); })
       .doors(kJson);
-  q.whole("positions", "possible positions per turn", "N*",
-          "number of positions in a turn at which a planet can be assembled",
-          [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
-  q.add(Type::flag, "equal", "equal pitch", "", "true if the planets are at equal pitch",
-        [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
-  q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
-           "least distance of their tip circles",
-           [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
+  q.term("positions", "number of positions in a turn at which a planet can be assembled",
+         [](const F& f) { return of_set(f, assembly_quantities(), "positions"); });
+  q.term("equal", "true if the planets are at equal pitch",
+         [](const F& f) { return of_set(f, assembly_quantities(), "equal"); });
+  q.term("neighbour_clearance_mm", "least distance of their tip circles",
+         [](const F& f) { return of_set(f, assembly_quantities(), "neighbour_clearance_mm"); });
   q.word("phasing", "class of phasing", "for the first harmonic", [](const F& f) {
      return of_set(f, phasing_quantities(), "class");
    }).one_of({"in_phase", "sequential", "counter", "mixed"});
@@ -160,10 +155,10 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
   using S = DriveSearchView;
   q.word("kind", "kind", "kind of the drives",
          [](const S& s) { return kDriveKindNames[static_cast<std::size_t>(s.problem->kind)]; });
-  q.add(Type::index, "tested", "tested", "",
-        "number of tested sets; sets that differ only in the number of planets are counted "
-        "separately",
-        [](const S& s) { return s.result->tested; });
+  q.term("tested",
+         "number of tested sets; sets that differ only in the number of planets are counted "
+         "separately",
+         [](const S& s) { return s.result->tested; });
   q.add(Type::index, "feasible_count", "feasible", "", "number of sets that satisfy all limits",
         [](const S& s) { return s.result->found.size(); });
   q.add(Type::map, "rejected", "rejected", "",
@@ -193,9 +188,9 @@ void add_drive_search(Quantities<DriveSearchView>& q) {
            "default of rated searches; only if `[rating]` has no `face_load_factor`",
            [](const S& s) { return s.default_face_load; })
       .when([](const S& s) { return s.default_face_load.has_value(); });
-  q.add(Type::index, "pareto", "Pareto front", "",
-        "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-        [](const S& s) { return s.designs->pareto; })
+  q.term("pareto",
+         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
+         [](const S& s) { return s.designs->pareto; })
       .doors(kJson);
   q.record<found_drive_quantities>(
        "designs",

@@ -159,8 +159,7 @@ void add_sizes(Quantities<Gear>& q) {
   of_reference.number("base_diameter_mm", "base diameter", "d_b", "of the involute",
                       &Reference::base_diameter);
   q.term("tip_diameter_mm", "of the blank", &Gear::tip_diameter);
-  q.number("root_diameter_mm", "root diameter", "d_f",
-           "negative if the rack passes through the axis", &Gear::root_diameter);
+  q.term("root_diameter_mm", "negative if the rack passes through the axis", &Gear::root_diameter);
   q.number("root_form_diameter_mm", "root form diameter", "d_Ff",
            "diameter at the start of the usable flank; the flank starts where it intersects the "
            "root as cut, or at point C of a circular root fillet",
@@ -183,9 +182,8 @@ void add_sizes(Quantities<Gear>& q) {
                       &Reference::base_tooth_thickness);
   q.term("reference_tooth_thickness_normal_mm",
          "at the reference cylinder, including the thickness allowance", reference_thickness);
-  q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
-           "allowance that is included in s_n; < 0 thins the tooth",
-           [](const Gear& g) { return g.spec.thickness_allowance; })
+  q.term("thickness_allowance_mm", "allowance that is included in s_n; < 0 thins the tooth",
+         [](const Gear& g) { return g.spec.thickness_allowance; })
       .doors(kPage);
   of_reference
       .number("reference_tooth_thickness_transverse_mm", "transverse tooth thickness", "s_t",

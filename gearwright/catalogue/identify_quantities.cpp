@@ -42,12 +42,12 @@ const Quantities<G>& drawing_quantities() {
            "usual allowance and agrees with the tip. Otherwise, it is the profile shift computed "
            "from the tip, or x_E if the tip does not determine x",
            &G::profile_shift);
-    q.number("thickness_allowance_mm", "thickness allowance", "E_sn",
-             "allowance of the normal tooth thickness, including wear of the flanks",
-             &G::thickness_allowance);
+    q.term("thickness_allowance_mm",
+           "allowance of the normal tooth thickness, including wear of the flanks",
+           &G::thickness_allowance);
     q.number("nominal_tip_diameter_mm", "nominal tip diameter", "d_a",
              "tip diameter that the rack and the profile shift give", &G::nominal_tip_diameter);
-    q.number("root_diameter_mm", "root diameter", "d_f", "as cut by the rack", &G::root_diameter);
+    q.term("root_diameter_mm", "as cut by the rack", &G::root_diameter);
     q.word("tip", "tip",
            "the measured tip in comparison with the nominal tip; `tip_diameter_mm` is the measured "
            "value if the tip is longer or shortened; null if the tip was not measured",

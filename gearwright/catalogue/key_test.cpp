@@ -18,12 +18,11 @@
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spec_keys.hpp"
 #include "gearwright/gear/testing/plain_spec.hpp"
+#include "gearwright/spec/json.hpp"
 #include "gearwright/tool/rack.hpp"
 
 namespace gearwright {
 namespace {
-
-using Json = nlohmann::json;
 
 TEST(Keys, each_is_said_once_and_knows_its_neighbours) {
   std::size_t count = 0;

@@ -59,10 +59,10 @@ void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
           std::identity{})
       .doors(kJson);
   of_efficiency
-      .number("efficiency_driving", "efficiency with this gear driving", "η", "per gear",
-              [](const Efficiency& e) {
-                return std::array{e.gear1_drives, e.gear2_drives};
-              })
+      .term("efficiency_driving", "per gear",
+            [](const Efficiency& e) {
+              return std::array{e.gear1_drives, e.gear2_drives};
+            })
       .unit(Unit::percent)
       .per_gear()
       .otherwise("self-locking")

@@ -208,9 +208,8 @@ void add_contact(Quantities<Pair>& q) {
                  }))
       .shown(is<ParallelPair>);
   q.part(as<ParallelPair>)
-      .number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
-              "for the part of the path on the usable flanks",
-              [](const ParallelPair& p) { return p.mesh.true_ratio; })
+      .term("transverse_contact_ratio_true", "for the part of the path on the usable flanks",
+            [](const ParallelPair& p) { return p.mesh.true_ratio; })
       .doors(kPeople);
   q.term("overlap_ratio", "null on crossed axes",
          by_kind([](const ParallelPair& p) { return Value(p.mesh.overlap_ratio); },

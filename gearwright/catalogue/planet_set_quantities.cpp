@@ -49,11 +49,11 @@ Value phase_list(const std::vector<Rational>& phases) {
 const Quantities<PlanetSet>& assembly_quantities() {
   using P = PlanetSet;
   return define("drive.assembly", [](Quantities<P>& q) {
-    q.whole("positions", "possible positions per turn", "N*",
-            "number of positions in a turn at which a planet can be assembled; 0 if every position "
-            "is possible [T13.12]",
-            [](const P& p) { return p.assembly.places; });
-    q.flag("equal", "equal pitch", "true if the planets are at equal pitch",
+    q.term("positions",
+           "number of positions in a turn at which a planet can be assembled; 0 if every position "
+           "is possible [T13.12]",
+           [](const P& p) { return p.assembly.places; });
+    q.term("equal", "true if the planets are at equal pitch",
            [](const P& p) { return p.assembly.equal; });
     q.number("angles_deg", "positions of the planets", "",
              "counter-clockwise from the first planet [T13.13]",
@@ -72,9 +72,8 @@ const Quantities<PlanetSet>& assembly_quantities() {
         .list({0});
     q.whole("planets_max", "greatest number of planets", "", "at equal pitch [T13.15b]",
             [](const P& p) { return p.neighbours ? Value(p.neighbours->most) : Value(); });
-    q.number("neighbour_clearance_mm", "clearance of neighbouring planets", "c",
-             "least distance of their tip circles [T13.15b]",
-             [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
+    q.term("neighbour_clearance_mm", "least distance of their tip circles [T13.15b]",
+           [](const P& p) { return p.neighbours ? Value(p.neighbours->clearance) : Value(); });
   });
 }
 

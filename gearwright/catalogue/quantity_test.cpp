@@ -26,34 +26,16 @@
 #include "gearwright/catalogue/load_quantities.hpp"
 #include "gearwright/catalogue/rating_quantities.hpp"
 #include "gearwright/catalogue/search_quantities.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
 #include "gearwright/spec/spec.hpp"
 
 namespace gearwright {
 namespace {
 
-void collect(const QuantityTable& table, std::set<const QuantityTable*>& all) {
-  if (!all.insert(&table).second) return;
-  for (const QuantityInfo* s : table.list)
-    if (s->of) collect(s->of(), all);
-}
-
-std::set<const QuantityTable*> all_tables() {
-  std::set<const QuantityTable*> all;
-  for (const QuantityTable* t :
-       {&gear_quantities().table(), &pair_quantities().table(), &contact_quantities().table(),
-        &compensate_quantities().table(), &load_quantities().table(), &fit_quantities().table(),
-        &measure_quantities().table(), &as_rack_quantities().table(), &search_quantities().table(),
-        &design_quantities().table(), &file_quantities().table(), &outline_quantities().table(),
-        &warning_quantities().table(), &verdict_quantities().table(), &drawing_quantities().table(),
-        &rating_quantities().table()})
-    collect(*t, all);
-  return all;
-}
-
 TEST(Catalogue, EveryKeyStandsOnceAndEndsWithItsUnit) {
-  const auto tables = all_tables();
-  EXPECT_GT(tables.size(), 30u);
+  const auto tables = result_tables();
+  EXPECT_GT(tables.size(), 100u);
   for (const QuantityTable* t : tables) {
     std::set<std::string> keys;
     for (const QuantityInfo* s : t->list) {
@@ -77,7 +59,7 @@ TEST(Catalogue, SharedWordsAreTerms) {
     return std::string_view(a.key) < b.key;
   }));
   std::map<std::pair<Type, std::array<std::string, 3>>, std::set<std::string>> tables;
-  for (const QuantityTable* t : all_tables())
+  for (const QuantityTable* t : result_tables())
     for (const QuantityInfo* s : t->list)
       // The tables of stiffness are left out, because one function fills both of them.
       if (s->type != Type::record && s->type != Type::text && s->type != Type::map &&
@@ -96,7 +78,7 @@ TEST(Catalogue, SharedWordsAreTerms) {
 }
 
 TEST(Catalogue, WordsAreTerms) {
-  for (const QuantityTable* t : all_tables()) {
+  for (const QuantityTable* t : result_tables()) {
     for (const QuantityInfo* s : t->list) {
       ASSERT_FALSE(s->words.empty()) << t->name << ": " << s->key;
       if (!(s->doors & kPeople) || s->type == Type::record) continue;

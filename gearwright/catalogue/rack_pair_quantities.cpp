@@ -88,8 +88,8 @@ void add_rack_contact(Quantities<RackPair>& q) {
            const double e = v.true_contact_ratio();
            return e > 0.0 ? e + v.overlap_ratio : 0.0;
          });
-  q.number("transverse_contact_ratio_true", "effective transverse contact ratio", "",
-           "for the part of the path on the usable flanks", &RackPair::true_contact_ratio)
+  q.term("transverse_contact_ratio_true", "for the part of the path on the usable flanks",
+         &RackPair::true_contact_ratio)
       .doors(kPeople);
   q.term("overlap_ratio", "over the common face", &RackPair::overlap_ratio);
   q.term("approach_contact_ratio", "contact ratio before the pitch point, with the pinion driving",

@@ -12,10 +12,8 @@ struct DensityView {
 const Quantities<DensityView>& flank_density_quantities() {
   using D = DensityView;
   return define("scatter.pattern gear", [](Quantities<D>& q) {
-    q.number("diameter_mm", "diameters", "", "diameters of the rows",
-             [](const D& d) { return d.flank->diameter; });
-    q.number("height_mm", "heights", "", "heights of the columns",
-             [](const D& d) { return d.flank->height; });
+    q.term("diameter_mm", "diameters of the rows", [](const D& d) { return d.flank->diameter; });
+    q.term("height_mm", "heights of the columns", [](const D& d) { return d.flank->height; });
     q.number("share", "share of the samples", "",
              "share of the samples whose pattern covers the place, 0 to 1",
              [](const D& d) {
@@ -38,8 +36,7 @@ const Quantities<DensityView>& flank_density_quantities() {
 const Quantities<PatternDensity>& density_quantities() {
   using D = PatternDensity;
   return define("scatter.pattern", [](Quantities<D>& q) {
-    q.number("marking_mm", "thickness of the marking compound", "δ", "value in `[contact]`",
-             &D::marking);
+    q.term("marking_mm", "value in `[contact]`", &D::marking);
     q.add(Type::index, "samples", "number of samples", "",
           "the first samples of each replicate are used",
           [](const D& d) { return static_cast<long long>(d.samples); });

@@ -199,10 +199,8 @@ void add_scatter(Quantities<ScatterView>& q) {
            for (const ScatterTolerance& t : v.task->tolerances) keys.emplace_back(t.source);
            return keys;
          });
-  q.whole("samples", "samples of each replicate", "n", "",
-          [](const ScatterView& v) { return v.task->samples; });
-  q.whole("replicates", "replicates", "R", "",
-          [](const ScatterView& v) { return v.task->replicates; });
+  q.term("samples", "", [](const ScatterView& v) { return v.task->samples; });
+  q.term("replicates", "", [](const ScatterView& v) { return v.task->replicates; });
   q.whole("seed", "seed", "", "",
           [](const ScatterView& v) { return static_cast<long long>(v.task->seed); });
   for (const ScatterEntry& entry : scatter_entries()) {

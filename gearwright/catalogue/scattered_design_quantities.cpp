@@ -15,8 +15,7 @@ void add_scattered_design(Quantities<D>& q) {
   q.add(Type::index, "design", "number of the design", "",
         "rank of the design in the search; `search --take` with this number prints its spec",
         [](const D& d) { return static_cast<long long>(d.number); });
-  q.number("module_mm", "normal module", "m_n", "",
-           [](const D& d) { return d.design.row->trial.module; });
+  q.term("module_mm", "", [](const D& d) { return d.design.row->trial.module; });
   q.term("teeth", "[z1, z2]; negative for an internal gear", [](const D& d) {
      return std::array{d.design.row->trial.z1, d.design.row->trial.z2};
    }).per_gear();
@@ -24,9 +23,9 @@ void add_scattered_design(Quantities<D>& q) {
      const auto& helix = d.design.row->trial.helix;
      return std::array{tidy_degrees(helix[0]), tidy_degrees(helix[1])};
    }).per_gear();
-  q.whole("rack", "rack", "", "number of the rack, from 1; only with several racks",
-          [](const D& d) { return d.design.row->trial.rack + 1; })
-      .when([](const D& d) { return d.design.problem->racks.size() > 1; });
+  q.term("rack", "number of the rack, from 1; only with several racks", [](const D& d) {
+     return d.design.row->trial.rack + 1;
+   }).when([](const D& d) { return d.design.problem->racks.size() > 1; });
   q.term("profile_shift", "[x1, x2]", [](const D& d) { return d.design.row->shift; }).per_gear();
   q.term("center_distance_mm", "of the design, as mounted",
          [](const D& d) { return d.design.row->center_distance; });
@@ -66,8 +65,8 @@ const Quantities<ScatterStudyView>& scatter_study_quantities() {
   return define("scatter_designs", [](Quantities<ScatterStudyView>& q) {
     q.number("percentile", "percentile of the ranking", "p", "the greatest of `percentiles`",
              &ScatterStudyView::percent);
-    q.whole("samples", "samples of each replicate", "n", "", &ScatterStudyView::samples);
-    q.whole("replicates", "replicates", "R", "", &ScatterStudyView::replicates);
+    q.term("samples", "", &ScatterStudyView::samples);
+    q.term("replicates", "", &ScatterStudyView::replicates);
     q.add(Type::index, "seed", "seed", "", "", &ScatterStudyView::seed);
     q.add(Type::index, "count", "number of designs", "", "including the designs in `refused`",
           &ScatterStudyView::count);

@@ -91,8 +91,9 @@ void add_search(Quantities<SearchView>& q) {
                  [member](const S& s) { return s.answer.counts.*member; });
   };
   const auto grid = [](const S& s) { return s.problem->shift_step.has_value(); };
-  count("tested", "number of trials, that is combinations of module, z1, z2, helix angles and rack",
-        &SearchCounts::tested);
+  q.term("tested",
+         "number of trials, that is combinations of module, z1, z2, helix angles and rack",
+         [](const S& s) { return s.answer.counts.tested; });
   count("feasible_count", "number of trials with a region of feasible shifts",
         &SearchCounts::feasible);
   q.add(Type::map, "rejected", "rejected", "",
@@ -139,9 +140,9 @@ void add_search(Quantities<SearchView>& q) {
          return s.safest ? Value(design_quantities().of({s.problem, &*s.safest})) : Value();
        })
       .when([](const S& s) { return s.safest.has_value(); });
-  q.add(Type::index, "pareto", "Pareto front", "",
-        "positions of the Pareto-optimal designs in `designs`; only with several objectives",
-        [](const S& s) { return s.answer.pareto; })
+  q.term("pareto",
+         "positions of the Pareto-optimal designs in `designs`; only with several objectives",
+         [](const S& s) { return s.answer.pareto; })
       .doors(kJson);
   q.record<design_quantities>("designs",
                               "feasible designs, the best first; the list has at most 100 000 "

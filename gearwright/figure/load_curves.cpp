@@ -245,7 +245,7 @@ std::optional<Figure> harris_figure(const LoadScene& scene) {
            .y = {"transmission error", "arc seconds"}};
   const auto add = [&](auto of, const std::string& style, const std::string& words) {
     std::vector<Vec2> values;
-    for (const LoadedTorque* t : by_torque) values.push_back({t->torque / kMmPerM, of(*t)});
+    for (const LoadedTorque* t : by_torque) values.push_back({newton_metres(t->torque), of(*t)});
     f.line(values, "curve " + style, words);
     for (const Vec2& v : values)
       if (std::isfinite(v.y())) f.dot(v, 3.0, "mark");

@@ -41,7 +41,7 @@ const LoadedTorque& shown_torque(const LoadScene& scene) {
 }
 
 std::string torque_words(const LoadedTorque& torque) {
-  return fmt::format("{:.6g} N m", torque.torque / kMmPerM);
+  return fmt::format("{:.6g} N m", newton_metres(torque.torque));
 }
 
 std::string curve_style(std::size_t i) { return kCurves[i % kCurves.size()]; }

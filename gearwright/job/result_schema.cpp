@@ -104,10 +104,10 @@ Json search_schema(Schema& schema) {
   const Json stopped{{"type", "object"},
                      {"properties",
                       {{"finished", {{"const", false}}},
-                       {"stopped", {{"type", "string"}}},
+                       {"stopped", {{"type", "boolean"}}},
                        {"chunks_done", {{"type", "integer"}}},
                        {"chunks", {{"type", "integer"}}}}},
-                     {"required", {"finished", "chunks_done", "chunks"}},
+                     {"required", {"finished", "stopped", "chunks_done", "chunks"}},
                      {"additionalProperties", false}};
   return {{"anyOf", Json{schema.reference(search_quantities().table()),
                          schema.reference(drive_search_quantities().table()), stopped}}};

@@ -8,6 +8,7 @@
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/overloaded.hpp"
 #include "gearwright/catalogue/figure_units.hpp"
+#include "gearwright/catalogue/file_quantities.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
@@ -114,23 +115,10 @@ std::string gear_section(const ReportInput& input) {
 std::string title_block(const DrawingInput& drawing) {
   if (!drawing.given()) return {};
   std::string rows;
-  const auto row = [&](const char* what, const std::string& words) {
-    if (!words.empty())
-      rows += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", what, escaped(words));
-  };
-  row("Title", drawing.title);
-  row("Number", drawing.number);
-  row("Author", drawing.author);
-  row("Date", drawing.date);
-  row("Material", drawing.material);
-  row("Heat treatment", drawing.heat_treatment);
-  row("Surface texture", drawing.surface_texture);
-  row("Texture of the flanks", drawing.flank_roughness);
-  row("Texture of the faces", drawing.face_roughness);
-  row("Texture of the bore", drawing.bore_roughness);
-  row("Edges", drawing.edges);
-  row("General tolerances", drawing.general_tolerances);
-  row("Note", drawing.note);
+  for (const Member& m : drawing_quantities().of(drawing))
+    if (!m.value.nothing())
+      rows += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", capitalised(m.info->words),
+                          escaped(text_of(*m.info, m.value)));
   return "<dl class=\"titleblock\">" + rows + "</dl>\n";
 }
 

@@ -41,7 +41,7 @@ std::string finding_under_load(const CompensateView& v) {
   const char* unit = pressure ? " N/mm²" : "″";
   return fmt::format(
       "With these corrections, the {1} under {0:.6g} N m is {2}{3} instead of {4}{5}.",
-      worst->torque / kMmPerM,
+      newton_metres(worst->torque),
       pressure ? "greatest pressure on the flanks" : "peak-to-peak transmission error",
       text(worst->after), unit, text(worst->before), unit);
 }
@@ -84,7 +84,7 @@ std::string scores(const CompensateView& v, UnitSystem units) {
   const auto& loaded = loaded_score_quantities();
   TableBuilder t("Results for the worst combination of errors", {"Before", "After"});
   for (const AimedLoad& l : v.loads) {
-    t.group(fmt::format("Under {:.6g} N m", l.torque / kMmPerM));
+    t.group(fmt::format("Under {:.6g} N m", newton_metres(l.torque)));
     for (const TextGroup& g :
          text_groups(loaded.table(), {loaded.of(l.before), loaded.of(l.after)}, kPage, units))
       t.rows(g);

@@ -154,15 +154,31 @@ std::string chart_section(const SearchReport& report) {
          "</section>\n";
 }
 
-std::string foot(UnitSystem units) {
+// What the numbers of the designs include.
+std::string included(const SearchProblem& problem) {
+  const SearchAllowances& allowances = problem.allowances;
+  const bool toleranced = allowances.thin_teeth() || allowances.distance_tolerance;
+  if (!toleranced && !problem.rating)
+    return "Manufacturing deviations, load and strength are not considered.";
+  std::string text = "Load and strength are not considered.";
+  if (problem.rating) {
+    text =
+        fmt::format("Strength is rated by ISO 6336. Load is considered only in this rating{}.",
+                    problem.ranks_by(Objective::noise) ? " and in the estimate of the noise" : "");
+  }
+  return text + (toleranced ? " The geometry includes the tolerances of the tooth thicknesses and "
+                              "of the centre distance, and no other manufacturing deviations."
+                            : " The geometry includes no manufacturing deviations.");
+}
+
+std::string foot(const SearchProblem& problem, UnitSystem units) {
   return fmt::format(
-      "The geometry is the nominal geometry of gears cut by racks. Symbols and terms are those of "
+      "The geometry is that of gears cut by racks. Symbols and terms are those of "
       "ISO 21771. Lengths are in {}, angles in degrees, profile shifts and regions in normal "
       "modules; “{}” means that there is no such value.</p>\n<p>Every combination of module and "
       "numbers of teeth is tried. The profile shifts of a combination are not sampled, because "
-      "their region within the limits is computed exactly. Manufacturing deviations, load and "
-      "strength are not considered.",
-      to_string(units), kNoValue);
+      "their region within the limits is computed exactly. {}",
+      to_string(units), kNoValue, included(problem));
 }
 
 std::string search_verdict(const SearchReport& report) {
@@ -206,7 +222,7 @@ std::string search_report(const SearchReport& report) {
        .verdict = search_verdict(report),
        .sections = search_sections(report),
        .spec = report.spec_text,
-       .foot = foot(report.units),
+       .foot = foot(problem, report.units),
        .style = search_style(),
        .script = sort_script()});
 }

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "gearwright/design/testing/found_designs.hpp"
+#include "gearwright/figure/markup.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/testing/page_text.hpp"
 #include "gearwright/report/testing/sample_search.hpp"
@@ -91,6 +93,35 @@ TEST(SearchReport, TextIsTextWhateverItContains) {
   EXPECT_FALSE(has(page, "alert(\"1\")"));
   EXPECT_FALSE(has(page, "</pre><b>"));
   EXPECT_TRUE(has(page, "<pre>title = &quot;&lt;/pre&gt;&lt;b&gt;&quot;\n</pre>"));
+}
+
+// The foot contradicts no column of the table: a rated search has safeties, and a search with
+// allowances has the backlash at the ends of the tolerances.
+TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
+  const auto page_of = [](bool rated, bool toleranced) {
+    SearchProblem p = testing::spur_problem();
+    p.modules = {5};
+    p.helix = {Angle()};
+    if (rated) p.rating = testing::search::load(120.0);
+    if (rated) p.objectives = {Objective::safety, Objective::noise};
+    if (toleranced) p.allowances.backlash = {{0.1, 0.2}};
+    return search_report(testing::search_sample(p).report());
+  };
+  const std::string plain = "Manufacturing deviations, load and strength are not considered.";
+  EXPECT_TRUE(has(page_of(false, false), plain));
+  for (const bool rated : {false, true}) {
+    for (const bool toleranced : {false, true}) {
+      const std::string page = page_of(rated, toleranced);
+      EXPECT_EQ(has(page, plain), !rated && !toleranced);
+      EXPECT_EQ(has(page, symbol_html("S_H1")), rated);
+      EXPECT_EQ(has(page,
+                    "Strength is rated by ISO 6336. Load is considered only in this rating "
+                    "and in the estimate of the noise."),
+                rated);
+      EXPECT_EQ(has(page, "includes the tolerances of the tooth thicknesses"), toleranced);
+      EXPECT_EQ(has(page, "includes no manufacturing deviations."), rated && !toleranced);
+    }
+  }
 }
 
 TEST(SearchReport, SeveralObjectivesAreSaid) {

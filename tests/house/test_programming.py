@@ -1,4 +1,5 @@
-"""Tests that docs/programming.md shows every program of examples/cpp unchanged, and that the C++ of README.md compiles.
+"""Tests that docs/programming.md shows every program of examples/cpp unchanged, that the C++ of README.md compiles,
+and that CONTRIBUTING.md shows the code of a verb as it is.
 
     <!-- example: gear.cpp -->
     ```cpp
@@ -9,6 +10,7 @@
     verbatim  a block is the file, letter for letter
     complete  every program has a block, and every block has a program
     length    a program has 20 to 60 lines, not counting its output
+    verb      the parts of "A new verb" occur in job/verbs.cpp, apart from white space
 
 If GW_WRITE_DOCS is set, the blocks are replaced. Each rule is first tested with a page that violates it,
 so that a rule that no longer detects anything fails.
@@ -22,6 +24,7 @@ from pathlib import Path
 
 ROOT = Path(os.environ.get("GW_SOURCE", Path(__file__).resolve().parents[2]))
 PAGE = ROOT / "docs/programming.md"
+VERB = re.compile(r"^## A new verb\n.*?^```cpp\n(.*?)^```", re.S | re.M)
 BLOCK = re.compile(r"(<!-- example: (\S+) -->\n).*?(<!-- end -->)", re.S)
 LINES = range(20, 61)
 
@@ -67,6 +70,14 @@ def compiled(page):
     return faults
 
 
+def verb_faults(page, code):
+    """Returns the parts of the verb of a page that are not in the code. Empty lines separate the parts."""
+    def folded(text):
+        return "".join(text.split())
+    parts = VERB.search(page).group(1).split("\n\n")
+    return [f"CONTRIBUTING.md: not in job/verbs.cpp: {p}" for p in parts if folded(p) not in folded(code)]
+
+
 def self_test():
     text = "// An idea.\n" + "int x;\n" * 25 + "\n/* prints\n1\n*/\n"
     page = f"# P\n\n<!-- example: a.cpp -->\n```cpp\n{text}```\n<!-- end -->\n"
@@ -79,6 +90,9 @@ def self_test():
             ("does not end", page, {"a.cpp": text.replace("prints", "says")}),
             ("the measure", page, {"a.cpp": text.replace("int x;\n", "")})]:
         assert any(word in fault for fault in check(broken, programs)), f"blind to: {word}"
+    verb = "## A new verb\n\n```cpp\nint run() {\n  return 1;\n}\n\n    {\"run\", run},\n```\n"
+    assert verb_faults(verb, "int run() { return 1; }\nVerb k[] = {{\"run\", run},};") == []
+    assert len(verb_faults(verb, "int run() { return 2; }")) == 2
     assert compiled("```cpp\nconst double x = nothing;\n```") and not compiled("```cpp\nint x = 1;\n```")
 
 
@@ -92,7 +106,9 @@ def main():
         PAGE.write_text(page, encoding="utf-8")
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     assert "```cpp" in readme
-    faults = check(page, programs) + compiled(readme)
+    contributing = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    verbs = (ROOT / "gearwright/job/verbs.cpp").read_text(encoding="utf-8")
+    faults = check(page, programs) + compiled(readme) + verb_faults(contributing, verbs)
     for fault in faults:
         print(fault)
     print(f"{len(programs)} programs, {len(faults)} faults")

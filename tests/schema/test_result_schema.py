@@ -32,6 +32,10 @@ def answers():
             p = subprocess.run([BIN, verb, "-", "--json"], input=json.dumps(spec), capture_output=True, text=True)
             if p.stdout.strip():
                 found[f"{name} {verb} in inch"] = json.loads(p.stdout)
+    with tempfile.TemporaryDirectory() as out:
+        first = [BIN, "search", SOURCE / "examples/gearbox_search.toml", "--out", out, "--shard", "1/3", "--json"]
+        p = subprocess.run([*first, "--chunk", "100"], capture_output=True, text=True, timeout=120)
+        found["unfinished search"] = json.loads(p.stdout)
     return found
 
 
@@ -55,6 +59,7 @@ class Results(unittest.TestCase):
         valid = answers()
         self.assertGreater(len(valid), 90)
         self.assertEqual(refused(valid), {})
+        self.assertFalse(valid["unfinished search"]["search"]["finished"])
         good = valid["helical_pair.toml pair"]
         wrong = {}
         for name, change in (("key", lambda j: j["gears"][0].update(tip_diameter=1.0)),
