@@ -12,8 +12,6 @@ namespace gearwright {
 
 namespace {
 
-double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
-
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
@@ -142,7 +140,6 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
   const bool ring = g.internal();
   const double half = g.spec.face_width / 2;
   const RemovalField* removal = gear.removal[right ? 0 : 1];
-  const double turned = sign_if(place_.gear2_drives);
   const auto touches = [&](ArcName name) {
     if (name == ArcName::flank) return true;
     if (!place_.fillets) return false;
@@ -175,7 +172,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       continue;
     }
     p.removal = removal;
-    p.removal_z = turned;
+    p.removal_z = turned();
     for (const auto& cell : removal->pieces()) {
       FlankPatch c = p;
       c.piece = cell.piece;
@@ -192,13 +189,13 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       };
       if (c.u_lo > p.u_lo + kSameBorder) cut_u(c.u_lo, true);
       if (c.u_hi < p.u_hi - kSameBorder) cut_u(c.u_hi, false);
-      const double z_a = turned * cell.z_lo;
-      const double z_b = turned * cell.z_hi;
+      const double z_a = turned() * cell.z_lo;
+      const double z_b = turned() * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
       // In the frame N, z may have the opposite sign of z in the RemovalField.
-      if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
-      if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
+      if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned() > 0.0);
+      if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned() < 0.0);
       patches_[which].push_back(c);
     }
   }
@@ -206,11 +203,10 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
 
 void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
-  const double turned = sign_if(place_.gear2_drives);
   tilt_ = detail::crossing_turn(mirror() * e.crossing.rad()) *
-          detail::intersecting_turn(turned * e.intersecting.rad());
+          detail::intersecting_turn(turned() * e.intersecting.rad());
   // [T8.26]
-  lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
+  lift_ = Vec3(0, 0, turned() * e.axial) + middle(1) * tilt_.col(2);
   const Mat3 shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
   relative_.rotation = shaft * tilt_;
   relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
