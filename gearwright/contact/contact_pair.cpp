@@ -203,22 +203,28 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
 
 void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
-  tilt_ = detail::crossing_turn(mirror() * e.crossing.rad()) *
-          detail::intersecting_turn(turned() * e.intersecting.rad());
+  tilt_ = detail::tilt(mirror() * e.crossing.rad(), turned() * e.intersecting.rad());
   // [T8.26]
-  lift_ = Vec3(0, 0, turned() * e.axial) + middle(1) * tilt_.col(2);
-  const Mat3 shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
+  lift_.r = Vec3(0, 0, turned() * e.axial) + middle(1) * tilt_.matrix().col(2);
+  const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
+  const FreeVector<World> from_axis_2{lift_.r -
+                                      Vec3(place_.center_distance + e.center_distance, 0, 0)};
   relative_.rotation = shaft * tilt_;
-  relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
-                    Vec3(0, 0, middle(2));
+  relative_.shift.r = (shaft * from_axis_2).v - Vec3(0, 0, middle(2));
 }
 
-Vec3 ContactPair::direction_in_housing(const Vec3& v) const {
-  return {v.x(), turned() * mirror() * v.y(), turned() * v.z()};
+Vec3 ContactPair::in_housing(const FreeVector<World>& v) const {
+  return {v.v.x(), turned() * mirror() * v.v.y(), turned() * v.v.z()};
 }
 
 Vec3 ContactPair::in_housing(const Complex& w1, double z) const {
-  return direction_in_housing(tilt_ * space(w1, z) + lift_);
+  return in_housing(FreeVector<World>{(tilt_ * along_1(w1, z)).v + lift_.r});
+}
+
+Vec3 ContactPair::tilted(const Vec3& direction) const {
+  // The conversion between the frame N and the housing is its own inverse.
+  const Vec3 in_n = in_housing(FreeVector<World>{direction});
+  return in_housing(tilt_ * FreeVector<Axis1>{in_n});
 }
 
 }  // namespace gearwright
