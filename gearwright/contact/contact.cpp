@@ -178,4 +178,9 @@ double peak_to_peak(const std::vector<double>& te) {
   return greatest >= least ? greatest - least : kNoNumber;
 }
 
+std::optional<Angle> sampled_peak_to_peak(const std::vector<double>& te) {
+  const double span = peak_to_peak(te);
+  return span >= 0.0 ? std::optional(Angle::radians(span)) : std::nullopt;
+}
+
 }  // namespace gearwright

@@ -83,4 +83,7 @@ std::vector<double> transmission_error(const ContactPair& pair, int positions);
 /// Greatest minus least value; NaN if all values are NaN.
 double peak_to_peak(const std::vector<double>& te);
 
+/// Greatest minus least value of a TE in rad; none if contact is lost at all positions.
+std::optional<Angle> sampled_peak_to_peak(const std::vector<double>& te);
+
 }  // namespace gearwright

@@ -12,8 +12,6 @@ namespace gearwright {
 
 namespace {
 
-double sign_if(bool negative) { return negative ? -1.0 : 1.0; }
-
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
@@ -142,7 +140,6 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
   const bool ring = g.internal();
   const double half = g.spec.face_width / 2;
   const RemovalField* removal = gear.removal[right ? 0 : 1];
-  const double turned = sign_if(place_.gear2_drives);
   const auto touches = [&](ArcName name) {
     if (name == ArcName::flank) return true;
     if (!place_.fillets) return false;
@@ -175,7 +172,7 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       continue;
     }
     p.removal = removal;
-    p.removal_z = turned;
+    p.removal_z = turned();
     for (const auto& cell : removal->pieces()) {
       FlankPatch c = p;
       c.piece = cell.piece;
@@ -192,13 +189,13 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
       };
       if (c.u_lo > p.u_lo + kSameBorder) cut_u(c.u_lo, true);
       if (c.u_hi < p.u_hi - kSameBorder) cut_u(c.u_hi, false);
-      const double z_a = turned * cell.z_lo;
-      const double z_b = turned * cell.z_hi;
+      const double z_a = turned() * cell.z_lo;
+      const double z_b = turned() * cell.z_hi;
       c.z_lo = std::max(-half, std::min(z_a, z_b));
       c.z_hi = std::min(half, std::max(z_a, z_b));
       // In the frame N, z may have the opposite sign of z in the RemovalField.
-      if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned > 0.0);
-      if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned < 0.0);
+      if (c.z_lo > -half) c.z_lo_end = border(*removal, cell, false, turned() > 0.0);
+      if (c.z_hi < half) c.z_hi_end = border(*removal, cell, false, turned() < 0.0);
       patches_[which].push_back(c);
     }
   }
@@ -206,23 +203,28 @@ void ContactPair::add_patches(int which, const ContactGear& gear,
 
 void ContactPair::set_mount() {
   const ContactErrors& e = place_.errors;
-  const double turned = sign_if(place_.gear2_drives);
-  tilt_ = detail::crossing_turn(mirror() * e.crossing.rad()) *
-          detail::intersecting_turn(turned * e.intersecting.rad());
+  tilt_ = detail::tilt(mirror() * e.crossing.rad(), turned() * e.intersecting.rad());
   // [T8.26]
-  lift_ = Vec3(0, 0, turned * e.axial) + middle(1) * tilt_.col(2);
-  const Mat3 shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
+  lift_.r = Vec3(0, 0, turned() * e.axial) + middle(1) * tilt_.matrix().col(2);
+  const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror() * place_.axis_angle.rad());
+  const FreeVector<World> from_axis_2{lift_.r -
+                                      Vec3(place_.center_distance + e.center_distance, 0, 0)};
   relative_.rotation = shaft * tilt_;
-  relative_.shift = shaft * (lift_ - Vec3(place_.center_distance + e.center_distance, 0, 0)) -
-                    Vec3(0, 0, middle(2));
+  relative_.shift.r = (shaft * from_axis_2).v - Vec3(0, 0, middle(2));
 }
 
-Vec3 ContactPair::direction_in_housing(const Vec3& v) const {
-  return {v.x(), turned() * mirror() * v.y(), turned() * v.z()};
+Vec3 ContactPair::in_housing(const FreeVector<World>& v) const {
+  return {v.v.x(), turned() * mirror() * v.v.y(), turned() * v.v.z()};
 }
 
 Vec3 ContactPair::in_housing(const Complex& w1, double z) const {
-  return direction_in_housing(tilt_ * space(w1, z) + lift_);
+  return in_housing(FreeVector<World>{(tilt_ * along_1(w1, z)).v + lift_.r});
+}
+
+Vec3 ContactPair::tilted(const Vec3& direction) const {
+  // The conversion between the frame N and the housing is its own inverse.
+  const Vec3 in_n = in_housing(FreeVector<World>{direction});
+  return in_housing(tilt_ * FreeVector<Axis1>{in_n});
 }
 
 }  // namespace gearwright

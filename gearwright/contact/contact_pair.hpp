@@ -99,10 +99,12 @@ class ContactPair {
   double to_world(double rotation1) const { return place_.gear2_drives ? -rotation1 : rotation1; }
   /// Converts a point (w1, z) of gear 1, before mounting, to the housing frame.
   Vec3 in_housing(const Complex& w1, double z) const;
-  /// Converts a direction from the frame N to the housing frame.
-  Vec3 direction_in_housing(const Vec3& v) const;
-  /// Rotates directions from the frame of gear 1, before mounting, to the frame N.
-  const Mat3& tilt() const { return tilt_; }
+  /// Converts a vector from the frame N to the housing frame.
+  Vec3 in_housing(const FreeVector<World>& v) const;
+  /// A direction in the housing after errors have tilted it together with axis 1.
+  Vec3 tilted(const Vec3& direction) const;
+  /// Rotates vectors from the frame of gear 1, before mounting, to the frame N.
+  const LinearMap<World, Axis1>& tilt() const { return tilt_; }
   /// −1 for an internal pair, whose frame N is mirrored (−y), and else 1: σ of ContactMount.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
   /// −1 if z in the frame N is −z in the housing, and else 1.
@@ -126,8 +128,8 @@ class ContactPair {
   double ratio_, pitch_, rotation_sign_, reach_ = 0.0, rack_radius_ = 0.0;
   std::array<std::vector<FlankPatch>, 2> patches_;
   RelativeMount relative_;
-  Mat3 tilt_ = Mat3::Identity();
-  Vec3 lift_ = Vec3::Zero();            // position of the middle of face 1 in the frame N
+  LinearMap<World, Axis1> tilt_;
+  Point<World> lift_;                   // the middle of face 1
   std::array<double, 2> slope_unit_{};  // κ in the frame N, rad/mm, per mm of f_Hβ
   std::array<std::optional<double>, 2> root_end_;
 };

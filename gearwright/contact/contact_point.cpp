@@ -167,8 +167,8 @@ bool holds_with_weight(Transmission& transmission, const PairTouch& touch) {
 // Computes the principal curvatures of the gap and the contact ellipse. [T8.15], [T8.16]
 void curvatures(const ContactPair& pair, const GapJet& j, bool line, double marking,
                 ContactPoint& p) {
-  const Vec3 r_s = pair.direction_in_housing(pair.tilt() * space(j.w1_s, 0.0));
-  const Vec3 r_z = pair.direction_in_housing(pair.tilt() * space(j.w1_z, 1.0));
+  const Vec3 r_s = pair.in_housing(pair.tilt() * along_1(j.w1_s, 0.0));
+  const Vec3 r_z = pair.in_housing(pair.tilt() * along_1(j.w1_z, 1.0));
   const Vec3 axis(0, 0, 1);  // nominal direction of axis 1 in the housing
   const Vec3 e1 = (axis - p.normal * p.normal.dot(axis)).normalized();
   const Vec3 e2 = p.normal.cross(e1);
@@ -269,13 +269,13 @@ ContactPoint describe(Transmission& transmission, const PairTouch& touch, Angle 
   const auto rack_angle = field.one().profile.involute() ? pair.normal_pressure_angle()
                                                          : field.one().profile.rack_angle(at.s);
   if (rack_angle) p.rack_angle = Angle::radians(*rack_angle);
-  const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
-  const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
+  const Vec3 r_s = (pair.tilt() * along_1(j.w1_s, 0.0)).v;
+  const Vec3 r_z = (pair.tilt() * along_1(j.w1_z, 1.0)).v;
   // The normal that points out of gear 1.
   Vec3 normal = r_s.cross(r_z).normalized();
-  const Vec3 round = pair.tilt() * space(Complex(0, 1) * j.w1, 0.0);
+  const Vec3 round = (pair.tilt() * along_1(Complex(0, 1) * j.w1, 0.0)).v;
   if (normal.dot(round) * field.one().profile.side() < 0.0) normal = -normal;
-  p.normal = pair.direction_in_housing(normal);
+  p.normal = pair.in_housing(FreeVector<World>{normal});
   if (p.kind == TouchKind::line || (p.kind == TouchKind::interior && touch.touch.active.inside()))
     curvatures(pair, j, p.kind == TouchKind::line, marking, p);
   if (p.kind == TouchKind::ridge) p.ridge = detail::ridge_at(transmission, touch);

@@ -1,5 +1,5 @@
 // The rotations by which errors of mounting tilt axis 1, and the derivative of each rotation matrix
-// with respect to its angle.
+// with respect to its angle. The angles are those in the frame N, ±Δγ and ±Δδ.
 //
 //   Δγ   crossing: rotation about x, the centre line, so that axis 1 tilts towards +y
 //   Δδ   intersecting: rotation about y, so that axis 1 tilts towards gear 2, +x
@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "gearwright/base/vector.hpp"
+#include "gearwright/contact/gap_field.hpp"
 
 namespace gearwright::detail {
 
@@ -36,8 +37,25 @@ inline Mat3 intersecting_turn_slope(double d) {
   return m;
 }
 
-/// Rotates directions from the housing into the frame of gear 2 at rotation 0. Axis 2 has the
-/// direction (0, sin Σ, cos Σ) in the housing.
-inline Mat3 shaft_turn(double sigma) { return crossing_turn(-sigma); }
+/// The tilt of axis 1 by the angles g of crossing and d of intersecting.
+inline LinearMap<World, Axis1> tilt(double g, double d) {
+  return LinearMap<World, Axis1>(crossing_turn(g) * intersecting_turn(d));
+}
+
+/// `sign` times the derivative of tilt() with respect to g.
+inline LinearMap<World, Axis1> tilt_per_crossing(double g, double d, double sign) {
+  return LinearMap<World, Axis1>(sign * crossing_turn_slope(g) * intersecting_turn(d));
+}
+
+/// `sign` times the derivative of tilt() with respect to d.
+inline LinearMap<World, Axis1> tilt_per_intersecting(double g, double d, double sign) {
+  return LinearMap<World, Axis1>(sign * crossing_turn(g) * intersecting_turn_slope(d));
+}
+
+/// Rotates directions into the frame of gear 2 at rotation 0. Axis 2 has the direction (0, sin Σ,
+/// cos Σ) in the frame N.
+inline LinearMap<Axis2, World> shaft_turn(double sigma) {
+  return LinearMap<Axis2, World>(crossing_turn(-sigma));
+}
 
 }  // namespace gearwright::detail

@@ -52,11 +52,11 @@ GapField::GapField(const FlankPatch& one, const FlankPatch& two, const RelativeM
       ratio_(ratio),
       rotation_sign_(rotation_sign),
       rack_radius_(rack_radius) {
-  const Mat3& m = mount.rotation;
+  const Mat3& m = mount.rotation.matrix();
   from_x_ = {m(0, 0), m(1, 0)};
   from_y_ = {m(0, 1), m(1, 1)};
   from_z_ = {m(0, 2), m(1, 2)};
-  from_0_ = {mount.shift.x(), mount.shift.y()};
+  from_0_ = {mount.shift.r.x(), mount.shift.r.y()};
   set_rotation(0.0);
 }
 
@@ -75,9 +75,9 @@ Complex GapField::point_at_rest(double s, double z) const {
 }
 
 GapField::Place2 GapField::on_gear_2(const Complex& w1, double z) const {
-  const Mat3& r = mount_.rotation;
+  const Mat3& r = mount_.rotation.matrix();
   return {w1.real() * from_x_ + w1.imag() * from_y_ + z * from_z_ + from_0_,
-          w1.real() * r(2, 0) + w1.imag() * r(2, 1) + z * r(2, 2) + mount_.shift.z()};
+          w1.real() * r(2, 0) + w1.imag() * r(2, 1) + z * r(2, 2) + mount_.shift.r.z()};
 }
 
 double GapField::value(const Place2& place, double& s2) const {
@@ -121,7 +121,7 @@ GapJet GapField::at(double s, double z, double& s2) const {
   j.w1_sz = d[3];
   j.w1_zz = d[4];
   // The point and its derivatives in the frame of gear 2.
-  const Mat3& r = mount_.rotation;
+  const Mat3& r = mount_.rotation.matrix();
   const auto across = [&](const Complex& v) { return v.real() * from_x_ + v.imag() * from_y_; };
   const auto along = [&](const Complex& v) { return v.real() * r(2, 0) + v.imag() * r(2, 1); };
   const Place2 place = on_gear_2(j.w1, z);

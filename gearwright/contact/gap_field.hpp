@@ -25,9 +25,17 @@
 #include "gearwright/base/vector.hpp"
 #include "gearwright/contact/profile.hpp"
 #include "gearwright/gear/modifications.hpp"
+#include "gearwright/kinematics/pose.hpp"
 #include "gearwright/math/decompositions.hpp"
 
 namespace gearwright {
+
+struct World {};  ///< N
+struct Axis1 {};  ///< the frame of gear 1: N before errors tilt and shift axis 1
+struct Axis2 {};  ///< the frame of gear 2 at rotation 0
+
+/// A vector in the frame of gear 1 with the part w in the transverse plane.
+inline FreeVector<Axis1> along_1(const Complex& w, double z) { return {space(w, z)}; }
 
 /// A patch of a flank in world N: one smooth piece of its profile over a part of the face.
 struct FlankPatch {
@@ -51,8 +59,8 @@ struct FlankPatch {
 /// The transformation from the frame of gear 1 to the frame of gear 2, both at rotation 0:
 /// x_2 = rotation x_1 + shift.
 struct RelativeMount {
-  Mat3 rotation = Mat3::Identity();
-  Vec3 shift = Vec3::Zero();
+  LinearMap<Axis2, Axis1> rotation;
+  Point<Axis2> shift;
 };
 
 struct Jet2 {

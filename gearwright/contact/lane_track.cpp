@@ -46,8 +46,8 @@ struct LaneTrack::Path {
     for (const FlankPatch& p : twos) {
       u_lo = std::min(u_lo, p.u_lo);
       u_hi = std::max(u_hi, p.u_hi);
-      z2_lo = std::min(z2_lo, p.z_lo - pair.mount().shift.z());
-      z2_hi = std::max(z2_hi, p.z_hi - pair.mount().shift.z());
+      z2_lo = std::min(z2_lo, p.z_lo - pair.mount().shift.r.z());
+      z2_hi = std::max(z2_hi, p.z_hi - pair.mount().shift.r.z());
     }
     z_lo = std::max(z_lo, z2_lo);
     z_hi = std::min(z_hi, z2_hi);

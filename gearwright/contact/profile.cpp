@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/contract.hpp"
+#include "gearwright/base/overloaded.hpp"
+
 namespace gearwright {
 
 namespace {
@@ -26,8 +29,6 @@ void slopes(const Complex& d1, const Complex& d2, double& theta1, double& theta2
 
 Profile::Profile(const Arc& arc, double side, double twist)
     : curve_(arc.curve),
-      involute_(curve_if<Involute>(*curve_)),
-      circle_(curve_if<RackTrochoid>(*curve_)),
       side_(side),
       s_lo_(std::min(arc.begin, arc.end)),
       s_hi_(std::max(arc.begin, arc.end)) {
@@ -35,21 +36,24 @@ Profile::Profile(const Arc& arc, double side, double twist)
   const double u_end = std::log(arc.end_point.norm());
   u_lo_ = std::min(u_begin, u_end);
   u_hi_ = std::max(u_begin, u_end);
-  if (involute_) {
-    xi_sign_ = arc.begin + arc.end < 0.0 ? -1.0 : 1.0;
-    grows_ = xi_sign_ > 0.0;
-    arm_per_cos_ = involute_->base_radius() / std::hypot(1.0, involute_->base_radius() * twist);
-  } else if (circle_) {
+  const auto involute = [&](const Involute* curve) -> Piece {
+    const double sign = arc.begin + arc.end < 0.0 ? -1.0 : 1.0;
+    const double r_b = curve->base_radius();
+    grows_ = sign > 0.0;
+    return InvolutePiece{curve, sign, r_b / std::hypot(1.0, r_b * twist)};
+  };
+  const auto trochoid = [&](const RackTrochoid* curve) -> Piece {
     grows_ = (u_end > u_begin) == (arc.end > arc.begin);
-    arm_per_cos_ = circle_->motion().pitch_radius * circle_->motion().cos_beta;
-  } else {
-    t_lo_ = u_begin < u_end ? arc.begin : arc.end;
-    t_hi_ = u_begin < u_end ? arc.end : arc.begin;
+    return TrochoidPiece{curve, curve->motion().pitch_radius * curve->motion().cos_beta};
+  };
+  const auto other = [&](const Curve* curve) -> Piece {
+    grows_ = true;
     s_lo_ = u_lo_;
     s_hi_ = u_hi_;
-    grows_ = true;
-    arm_per_cos_ = twist;  // not constant; turn_per_removal() computes it from the twist
-  }
+    const bool rises = u_begin < u_end;
+    return RadialPiece{curve, rises ? arc.begin : arc.end, rises ? arc.end : arc.begin, twist};
+  };
+  piece_ = visit_curve<Involute, RackTrochoid>(*curve_, Overloaded{involute, trochoid, other});
 }
 
 Profile::Profile(const RackFlank& flank, double side)
@@ -59,29 +63,37 @@ Profile::Profile(const RackFlank& flank, double side)
       u_lo_(flank.u_lo),
       u_hi_(flank.u_hi),
       grows_(true),
-      half_(flank.half),
-      slope_(flank.slope) {}
+      piece_(flank) {}
 
 PolarJet Profile::at(double s) const {
-  if (involute_) return involute_->polar_jet(s).on_side(side_);
-  if (circle_) return circle_->polar_jet(s).on_side(side_);
-  const RadialJet r = curve_at_radius(s);
-  return {std::exp(s) * r.factor / std::abs(r.factor), r.phase, Complex{1.0, r.d1},
-          Complex{0.0, r.d2}};
+  GW_EXPECTS(curve_ != nullptr);
+  const auto by_radius = [&](const auto& piece) {
+    double unused = s;
+    const RadialJet r = between_ends(piece, s, unused);
+    return PolarJet{std::exp(s) * r.factor / std::abs(r.factor), r.phase, Complex{1.0, r.d1},
+                    Complex{0.0, r.d2}};
+  };
+  const auto involute = [&](const InvolutePiece& piece) {
+    return piece.curve->polar_jet(s).on_side(side_);
+  };
+  const auto trochoid = [&](const TrochoidPiece& piece) {
+    return piece.curve->polar_jet(s).on_side(side_);
+  };
+  return std::visit(Overloaded{involute, trochoid, by_radius}, piece_);
 }
 
-RadialJet Profile::involute_at_radius(double u) const {
-  const double ratio = std::exp(u) / involute_->base_radius();
-  const double xi = xi_sign_ * std::sqrt(std::max(kMinRollSquare, (ratio - 1.0) * (ratio + 1.0)));
+RadialJet Profile::between_ends(const InvolutePiece& piece, double u, double&) const {
+  const double ratio = std::exp(u) / piece.curve->base_radius();
+  const double xi = piece.sign * std::sqrt(std::max(kMinRollSquare, (ratio - 1.0) * (ratio + 1.0)));
   RadialJet r;
   r.factor = Complex{1.0, side_ * xi};
-  r.phase = side_ * (involute_->base_half_angle() - xi);
+  r.phase = side_ * (piece.curve->base_half_angle() - xi);
   r.d1 = -side_ * xi;
   r.d2 = -side_ * (1.0 + xi * xi) / xi;
   return r;
 }
 
-RadialJet Profile::circle_at_radius(double u, double& s) const {
+RadialJet Profile::between_ends(const TrochoidPiece& piece, double u, double& s) const {
   // Iterates from the last solution with steps of second order. The steps are limited to a
   // bracket, because otherwise a step may jump to the other end of the circle. The squares of
   // the radii are compared, so that no logarithm is needed near the solution.
@@ -97,7 +109,7 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
   PolarJet j;
   double rest = 0.0;
   for (int i = 0; i < kMax; ++i) {
-    j = circle_->polar_jet(s);
+    j = piece.curve->polar_jet(s);
     const double here = std::norm(j.factor);
     const double x = (square - here) / here;
     rest = std::abs(x) < kSmall ? x * (0.5 - x * (0.25 - x / 6.0)) : 0.5 * std::log1p(x);
@@ -118,10 +130,10 @@ RadialJet Profile::circle_at_radius(double u, double& s) const {
   return r;
 }
 
-RadialJet Profile::curve_at_radius(double u) const {
-  GW_EXPECTS(curve_ != nullptr);
+RadialJet Profile::between_ends(const RadialPiece& piece, double u, double&) const {
   const double rho = std::exp(u);
-  const CurvePoint p = curve_->at(curve_->parameter_at_radius(rho, t_lo_, t_hi_));
+  const CurvePoint p =
+      piece.curve->at(piece.curve->parameter_at_radius(rho, piece.t_lo, piece.t_hi));
   const double theta = std::atan2(p.point.y(), p.point.x());
   const double chi = p.tangent_angle - theta;
   const double c = std::cos(chi);
@@ -134,12 +146,15 @@ RadialJet Profile::curve_at_radius(double u) const {
   return r;
 }
 
+RadialJet Profile::between_ends(const RackFlank& piece, double u, double&) const {
+  return {1.0, side_ * (piece.half - piece.slope * u), -side_ * piece.slope, 0.0};
+}
+
 RadialJet Profile::at_radius(double u, double& s) const {
-  if (!curve_) return {1.0, side_ * (half_ - slope_ * u), -side_ * slope_, 0.0};
-  const double inside = std::clamp(u, u_lo_, u_hi_);
-  RadialJet r = involute_ ? involute_at_radius(inside)
-                : circle_ ? circle_at_radius(inside, s)
-                          : curve_at_radius(inside);
+  // The straight flank of a rack continues beyond its ends without a series.
+  const double inside = curve_ ? std::clamp(u, u_lo_, u_hi_) : u;
+  RadialJet r =
+      std::visit([&](const auto& piece) { return between_ends(piece, inside, s); }, piece_);
   if (const double beyond = u - inside; beyond != 0.0) {
     r.phase += (r.d1 + 0.5 * r.d2 * beyond) * beyond;
     r.d1 += r.d2 * beyond;
@@ -148,52 +163,63 @@ RadialJet Profile::at_radius(double u, double& s) const {
 }
 
 TurnPerRemoval Profile::turn_per_removal(double s) const {
-  if (involute_) return {1.0 / arm_per_cos_, 0.0, 0.0};
-  if (circle_) {
+  GW_EXPECTS(curve_ != nullptr);
+  const auto involute = [](const InvolutePiece& piece) {
+    return TurnPerRemoval{1.0 / piece.arm, 0.0, 0.0};
+  };
+  const auto trochoid = [s](const TrochoidPiece& piece) {
     // k = 1/(r cos β cos τ), because the rack moves along the datum line, and the component of its
     // normal along that line is cos τ cos β.
-    const PolarJet j = circle_->polar_jet(s);
-    const double k = 1.0 / (arm_per_cos_ * std::cos(s));
+    const PolarJet j = piece.curve->polar_jet(s);
+    const double k = 1.0 / (piece.arm_per_cos * std::cos(s));
     const double t = std::tan(s);
     const double k_s = k * t;
     const double k_ss = k * (1.0 + 2.0 * t * t);
     const double s_u = 1.0 / j.d1.real();
     const double s_uu = -j.d2.real() * s_u * s_u * s_u;
-    return {k, k_s * s_u, k_ss * s_u * s_u + k_s * s_uu};
-  }
-  const RadialJet r = curve_at_radius(s);
-  return {std::sqrt((1.0 + r.d1 * r.d1) * std::exp(-2.0 * s) + arm_per_cos_ * arm_per_cos_), 0.0,
-          0.0};
+    return TurnPerRemoval{k, k_s * s_u, k_ss * s_u * s_u + k_s * s_uu};
+  };
+  const auto radial = [&](const RadialPiece& piece) {
+    double unused = s;
+    const double d1 = between_ends(piece, s, unused).d1;
+    return TurnPerRemoval{
+        std::sqrt((1.0 + d1 * d1) * std::exp(-2.0 * s) + piece.twist * piece.twist), 0.0, 0.0};
+  };
+  const auto rack = [](const RackFlank&) { return TurnPerRemoval{}; };  // excluded above
+  return std::visit(Overloaded{involute, trochoid, radial, rack}, piece_);
 }
 
 double Profile::s_of(double u) const { return s_of(u, 0.5 * (s_lo_ + s_hi_)); }
 
 double Profile::s_of(double u, double start) const {
   const double inside = std::clamp(u, u_lo_, u_hi_);
-  if (!involute_ && !circle_) return inside;
-  if (involute_) {
-    const double ratio = std::exp(inside) / involute_->base_radius();
-    const double xi = xi_sign_ * std::sqrt(std::max(0.0, (ratio - 1.0) * (ratio + 1.0)));
+  const auto involute = [&](const InvolutePiece& piece) {
+    const double ratio = std::exp(inside) / piece.curve->base_radius();
+    const double xi = piece.sign * std::sqrt(std::max(0.0, (ratio - 1.0) * (ratio + 1.0)));
     return std::clamp(xi, s_lo_, s_hi_);
-  }
-  double lo = s_lo_;
-  double hi = s_hi_;
-  double s = std::clamp(start, lo, hi);
-  for (int i = 0; i < 200; ++i) {
-    const auto [u_here, slope] = circle_->log_radius(s);
-    const double rest = inside - u_here;
-    if (std::abs(rest) <= kRounding) break;
-    ((rest > 0.0) == grows_ ? lo : hi) = s;
-    double next = s + rest / slope;
-    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-    if (std::abs(next - s) <= kRounding * std::abs(s)) break;
-    s = next;
-  }
-  return s;
+  };
+  const auto trochoid = [&](const TrochoidPiece& piece) {
+    double lo = s_lo_;
+    double hi = s_hi_;
+    double s = std::clamp(start, lo, hi);
+    for (int i = 0; i < 200; ++i) {
+      const auto [u_here, slope] = piece.curve->log_radius(s);
+      const double rest = inside - u_here;
+      if (std::abs(rest) <= kRounding) break;
+      ((rest > 0.0) == grows_ ? lo : hi) = s;
+      double next = s + rest / slope;
+      if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+      if (std::abs(next - s) <= kRounding * std::abs(s)) break;
+      s = next;
+    }
+    return s;
+  };
+  const auto by_radius = [inside](const auto&) { return inside; };
+  return std::visit(Overloaded{involute, trochoid, by_radius}, piece_);
 }
 
 std::optional<double> Profile::rack_angle(double s) const {
-  if (circle_) return s;
+  if (std::holds_alternative<TrochoidPiece>(piece_)) return s;
   return std::nullopt;
 }
 

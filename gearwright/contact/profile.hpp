@@ -14,6 +14,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "gearwright/base/vector.hpp"
 #include "gearwright/curve/basic_curves.hpp"
@@ -59,34 +60,53 @@ class Profile {
 
   /// The point at the parameter s, with derivatives.
   ///
-  /// Domain    on the piece and near it, because the formulas continue beyond the ends
+  /// Domain    on the piece and near it, because the formulas continue beyond the ends; not the
+  ///           flank of a rack (contract)
   PolarJet at(double s) const;
   /// The outline at ln ρ = u, continued by a Taylor series of second order beyond the ends. The
   /// iteration for rack circles starts at `s`, the parameter from the last call, and updates it.
   RadialJet at_radius(double u, double& s) const;
   /// The rotation per mm of removed material at s, which must not lie far beyond the ends. [T8.7]
+  ///
+  /// Domain    not the flank of a rack (contract)
   TurnPerRemoval turn_per_removal(double s) const;
   double s_of(double u) const;  ///< s at u to rounding; the nearer end if u is beyond the piece
-  double s_of(double u, double start) const;              ///< the same; iterates from `start`
-  const Involute* involute() const { return involute_; }  ///< null for another curve
+  double s_of(double u, double start) const;  ///< the same; iterates from `start`
+  const Involute* involute() const {          ///< null for another curve
+    const auto* piece = std::get_if<InvolutePiece>(&piece_);
+    return piece ? piece->curve : nullptr;
+  }
   /// Normal angle of the generating rack; none if no circular arc of a rack cut the piece.
   std::optional<double> rack_angle(double s) const;
 
  private:
-  RadialJet involute_at_radius(double u) const;
-  RadialJet circle_at_radius(double u, double& s) const;
-  RadialJet curve_at_radius(double u) const;
+  struct InvolutePiece {
+    const Involute* curve;
+    double sign;  // of ξ
+    double arm;   // r_b cos β_b  mm
+  };
+  struct TrochoidPiece {
+    const RackTrochoid* curve;
+    double arm_per_cos;  // r cos β  mm
+  };
+  struct RadialPiece {
+    const Curve* curve;
+    double t_lo, t_hi;  // the curve's own parameter at u_lo and u_hi
+    double twist;       // rad/mm
+  };
+  using Piece = std::variant<InvolutePiece, TrochoidPiece, RadialPiece, RackFlank>;
 
-  CurvePtr curve_;                        // none for the flank of a rack
-  const Involute* involute_ = nullptr;    // the curve, if it is an involute
-  const RackTrochoid* circle_ = nullptr;  // the curve, if it was cut by a circular arc of a rack
+  // at_radius() between the ends of each kind of piece.
+  RadialJet between_ends(const InvolutePiece& piece, double u, double& s) const;
+  RadialJet between_ends(const TrochoidPiece& piece, double u, double& s) const;
+  RadialJet between_ends(const RadialPiece& piece, double u, double& s) const;
+  RadialJet between_ends(const RackFlank& piece, double u, double& s) const;
+
+  CurvePtr curve_;  // keeps the curve to which the piece points; none for the flank of a rack
   double side_;
   double s_lo_, s_hi_, u_lo_, u_hi_;
   bool grows_;
-  double xi_sign_ = 1.0;
-  double t_lo_ = 0.0, t_hi_ = 0.0;
-  double arm_per_cos_ = 0.0;  // rack circle: r cos β, involute: r_b cos β_b, mm; others: τ
-  double half_ = 0.0, slope_ = 0.0;  // for the flank of a rack
+  Piece piece_;
 };
 
 }  // namespace gearwright

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "gearwright/base/contract.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
 
 namespace gearwright {
@@ -116,6 +118,27 @@ TEST(Profile, turn_per_removal) {
       EXPECT_NEAR((at(u + h).k - at(u - h).k) / (2 * h), k.d1, 1e-6 * (k.k + std::abs(k.d1)));
       EXPECT_NEAR((at(u + h).d1 - at(u - h).d1) / (2 * h), k.d2, 1e-6 * (k.k + std::abs(k.d2)));
     }
+  }
+}
+
+// The flank of a rack is a straight line, also beyond its ends, and its parameter is the height.
+TEST(Profile, flank_of_a_rack_is_straight) {
+  const Profile::RackFlank flank{-0.1, 0.05, 0.08, 0.36};
+  for (const double side : {1.0, -1.0}) {
+    const Profile p(flank, side);
+    for (const double u : {-0.3, -0.1, 0.01, 0.05, 0.2}) {
+      double s = 0.0;
+      const RadialJet r = p.at_radius(u, s);
+      EXPECT_EQ(r.factor, Complex(1.0));
+      EXPECT_EQ(r.phase, side * (0.08 - 0.36 * u));
+      EXPECT_EQ(r.d1, side * -0.36);
+      EXPECT_EQ(r.d2, 0.0);
+      EXPECT_EQ(p.s_of(u), std::clamp(u, -0.1, 0.05));
+    }
+    EXPECT_EQ(p.involute(), nullptr);
+    EXPECT_FALSE(p.rack_angle(0.0));
+    EXPECT_THROW(p.at(0.0), ContractViolation);
+    EXPECT_THROW(p.turn_per_removal(0.0), ContractViolation);
   }
 }
 

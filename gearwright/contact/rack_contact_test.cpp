@@ -207,31 +207,6 @@ TEST(RackContact, TheRackDrivesAsTheMirrorImageIsDriven) {
                 -driven->rack.of(driven->positions[n - i].te), 1e-11);
 }
 
-TEST(RackContact, DerivativesAgreeWithDifferences) {
-  const RackPair pair = rack_pair(20);
-  ContactOptions options;
-  options.modifications[0] = on_both_flanks(crowned_flank());
-  options.request.influences = {{ErrorKind::crossing}, {ErrorKind::center_distance}};
-  const auto found = contact(pair, misaligned(), options);
-  ASSERT_TRUE(found);
-  options.request.influences.clear();
-  constexpr double kStep = 1e-5;
-  for (const int which : {0, 1}) {
-    const auto stepped = [&](double step) {
-      ContactErrors e = misaligned();
-      if (which == 0) e.crossing += Angle::radians(step);
-      if (which == 1) e.center_distance += step;
-      return std::move(contact(pair, e, options)).take();
-    };
-    const RackContact more = stepped(kStep), less = stepped(-kStep);
-    for (std::size_t i = 0; i < found->positions.size(); ++i) {
-      if (more.positions[i].pair != less.positions[i].pair) continue;
-      const double slope = (more.positions[i].te - less.positions[i].te).rad() / (2 * kStep);
-      EXPECT_NEAR(found->sensitivities[which][i].te, slope, 1e-6 * (1 + std::abs(slope)));
-    }
-  }
-}
-
 TEST(RackContact, ErrorsOfTheRacksTeethAreRejected) {
   ContactErrors errors;
   errors.helix_twist[1] = 1e-4;

@@ -13,22 +13,23 @@ struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2
   double dZ = 0.0, dZ_s = 0.0, dZ_z = 0.0;  // ∂Z/∂e
-  Vec3 dr = Vec3::Zero();                   // motion of the point in the frame N, per unit of e
+  FreeVector<World> dr;                     // motion of the point per unit of e
 };
 
-// Adds the effect of a motion d of the point in the frame of gear 2. d varies with s and z.
-void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, const Vec3& d_z) {
+// Adds the effect of a motion d of the point. d varies with s and z.
+void add_motion(Change& c, const GapJet& j, const FreeVector<Axis2>& d,
+                const FreeVector<Axis2>& d_s, const FreeVector<Axis2>& d_z) {
   const Complex over = 1.0 / j.w;
-  const auto across = [](const Vec3& v) { return Complex(v.x(), v.y()); };
+  const auto across = [](const FreeVector<Axis2>& a) { return Complex(a.v.x(), a.v.y()); };
   const Complex dL = across(d) * over;
   const Complex dL_s = (across(d_s) - j.w_s * dL) * over;
   const Complex dL_z = (across(d_z) - j.w_z * dL) * over;
   c.du = dL.real();
   c.du_s = dL_s.real();
   c.du_z = dL_z.real();
-  c.dZ = d.z();
-  c.dZ_s = d_s.z();
-  c.dZ_z = d_z.z();
+  c.dZ = d.v.z();
+  c.dZ_s = d_s.v.z();
+  c.dZ_z = d_z.v.z();
   const double bend_u = j.bend2_uu * c.du + j.bend2_uZ * c.dZ;
   const double bend_Z = j.bend2_uZ * c.du + j.bend2_ZZ * c.dZ;
   c.p = dL.imag() - j.slope2_u * c.du - j.slope2_Z * c.dZ;
@@ -39,11 +40,11 @@ void add_motion(Change& c, const GapJet& j, const Vec3& d, const Vec3& d_s, cons
 // Adds the effect of a rotation q(s, z) of the points of flank 1 about axis 1.
 void add_turn_of_1(Change& c, const ContactPair& pair, const GapJet& j, double q, double q_s,
                    double q_z) {
-  const Mat3& m = pair.mount().rotation;
+  const LinearMap<Axis2, Axis1>& m = pair.mount().rotation;
   const Complex i(0.0, 1.0);
-  const Vec3 d = space(i * q * j.w1, 0.0);
-  const Vec3 d_s = space(i * (q_s * j.w1 + q * j.w1_s), 0.0);
-  const Vec3 d_z = space(i * (q_z * j.w1 + q * j.w1_z), 0.0);
+  const FreeVector<Axis1> d = along_1(i * q * j.w1, 0.0);
+  const FreeVector<Axis1> d_s = along_1(i * (q_s * j.w1 + q * j.w1_s), 0.0);
+  const FreeVector<Axis1> d_z = along_1(i * (q_z * j.w1 + q * j.w1_z), 0.0);
   add_motion(c, j, m * d, m * d_s, m * d_z);
   c.dr = pair.tilt() * d;
 }
@@ -55,25 +56,24 @@ Change change_of_error(const ContactPair& pair, const GapJet& j, double z, Error
   const ContactErrors& e = pair.place().errors;
   const double g = mirror * e.crossing.rad();
   const double d = turned * e.intersecting.rad();
-  const Mat3 shaft = detail::shaft_turn(mirror * pair.place().axis_angle.rad());
-  const Vec3 r = space(j.w1, z + pair.middle(1));  // from the point about which axis 1 tilts
-  const Vec3 r_s = space(j.w1_s, 0.0);
-  const Vec3 r_z = space(j.w1_z, 1.0);
-  const auto tilted = [&](const Mat3& turn) {
+  const LinearMap<Axis2, World> shaft = detail::shaft_turn(mirror * pair.place().axis_angle.rad());
+  // The arm from the point about which axis 1 tilts.
+  const FreeVector<Axis1> r = along_1(j.w1, z + pair.middle(1));
+  const FreeVector<Axis1> r_s = along_1(j.w1_s, 0.0);
+  const FreeVector<Axis1> r_z = along_1(j.w1_z, 1.0);
+  const auto tilted = [&](const LinearMap<World, Axis1>& turn) {
     add_motion(c, j, shaft * (turn * r), shaft * (turn * r_s), shaft * (turn * r_z));
     c.dr = turn * r;
   };
-  const Vec3 still = Vec3::Zero();
+  const FreeVector<Axis2> still{};
   switch (error) {
-    case ErrorKind::center_distance: add_motion(c, j, shaft * Vec3(-1, 0, 0), still, still); break;
-    case ErrorKind::crossing:
-      tilted(mirror * detail::crossing_turn_slope(g) * detail::intersecting_turn(d));
+    case ErrorKind::center_distance:
+      add_motion(c, j, shaft * FreeVector<World>{Vec3(-1, 0, 0)}, still, still);
       break;
-    case ErrorKind::intersecting:
-      tilted(turned * detail::crossing_turn(g) * detail::intersecting_turn_slope(d));
-      break;
+    case ErrorKind::crossing: tilted(detail::tilt_per_crossing(g, d, mirror)); break;
+    case ErrorKind::intersecting: tilted(detail::tilt_per_intersecting(g, d, turned)); break;
     case ErrorKind::axial:
-      c.dr = Vec3(0, 0, turned);
+      c.dr = {Vec3(0, 0, turned)};
       add_motion(c, j, shaft * c.dr, still, still);
       break;
     case ErrorKind::helix_slope1: {
@@ -210,9 +210,9 @@ Sensitivity answer_to(const Change& c, const ContactPair& pair, const PairTouch&
     b[2 + k] = -q.d;
   }
   const Eigen::VectorXd x = solve_linear(a, b);
-  const Vec3 r_s = pair.tilt() * space(j.w1_s, 0.0);
-  const Vec3 r_z = pair.tilt() * space(j.w1_z, 1.0);
-  return {te_of(c, h, pair), pair.direction_in_housing(c.dr + r_s * x[0] + r_z * x[1])};
+  const FreeVector<World> r_s = pair.tilt() * along_1(j.w1_s, 0.0);
+  const FreeVector<World> r_z = pair.tilt() * along_1(j.w1_z, 1.0);
+  return {te_of(c, h, pair), pair.in_housing(c.dr + r_s * x[0] + r_z * x[1])};
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ std::optional<LaneSearch> LaneSearch::of(const Transmission& transmission) {
   LaneSearch search;
   search.turn1_ = pair.rotation_sign();
   search.turn2_ = pair.ratio();
-  const Mat3& m = pair.mount().rotation;
-  const Vec3& shift = pair.mount().shift;
+  const Mat3& m = pair.mount().rotation.matrix();
+  const Vec3& shift = pair.mount().shift.r;
   std::vector<std::optional<FlankAngle>> angles;
   for (const FlankPatch& two : pair.patches(2))
     angles.push_back(angle_of(two, 0.5 * (two.s_lo + two.s_hi)));

@@ -264,7 +264,7 @@ bool WaveCrests::make(const ContactPair& pair) {
   }
   GapField field = pair.field(flank[0], flank[1]);
   s2_ = 0.5 * (two_.s_lo + two_.s_hi);
-  z_shift_ = pair.mount().shift.z();
+  z_shift_ = pair.mount().shift.r.z();
   z_lo_ = std::max(one_.z_lo, two_.z_lo - z_shift_);
   z_hi_ = std::min(one_.z_hi, two_.z_hi - z_shift_);
   if (apart()) return true;

@@ -17,13 +17,13 @@ CurvePoint AxisCircle::at(double theta) const {
 }
 
 Vec2 Involute::point(double xi) const {
-  const double c = std::cos(base_half_angle_ - xi);
-  const double s = std::sin(base_half_angle_ - xi);
-  return {base_radius_ * (c - xi * s), base_radius_ * (s + xi * c)};
+  const auto [x, y] = point_of(involute_jet(base_radius_, base_half_angle_, xi));
+  return {x, y};
 }
 
 CurvePoint Involute::at(double xi) const {
   // dW/dξ = r_b ξ e^{i(ψ_b − ξ)}, so the tangent turns clockwise by one radian per radian of roll.
+  // Unlike a tangent angle computed from the jet, this angle has no rounding at the cusp ξ = 0.
   // For ξ < 0, the direction of growing ξ is opposite to e^{i(ψ_b − ξ)}.
   const double back = xi < 0.0 ? std::numbers::pi : 0.0;
   return {point(xi), base_half_angle_ - xi + back, -1.0 / (base_radius_ * std::abs(xi))};
@@ -34,6 +34,7 @@ double Involute::roll_at(double rho) const {
   return std::sqrt(std::max(0.0, square)) / base_radius_;
 }
 
+// In this form nothing cancels, which would happen in the argument of a point near ξ = 0.
 double Involute::polar_angle(double xi) const { return base_half_angle_ - involute_of_roll(xi); }
 
 double Involute::parameter_at_radius(double rho, double t_lo, double t_hi) const {

@@ -7,6 +7,7 @@
 //                                                          theory: docs/theory/01-frames.md
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <optional>
 
@@ -41,6 +42,39 @@ struct PolarJet {
   }
 };
 
+/// A complex number x + iy of any scalar type.
+template <class T>
+struct Plane {
+  T x, y;
+};
+
+template <class T>
+Plane<T> times(const Plane<T>& a, const Plane<T>& b) {
+  return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+
+/// A PolarJet of any scalar type, W = scale · unit · e^{i phase}. The scale is a separate factor,
+/// because point_of() multiplies by it last.
+template <class T>
+struct CurveJet {
+  T scale;
+  Plane<T> unit;
+  T phase;          ///< rad
+  Plane<T> d1, d2;  ///< ℓ′ and ℓ″, the derivatives with respect to t
+};
+
+template <class T>
+Plane<T> point_of(const CurveJet<T>& j) {
+  using std::cos;
+  using std::sin;
+  const T c = cos(j.phase), s = sin(j.phase);
+  return {j.scale * (j.unit.x * c - j.unit.y * s), j.scale * (j.unit.x * s + j.unit.y * c)};
+}
+
+inline PolarJet polar(const CurveJet<double>& j) {
+  return {{j.scale * j.unit.x, j.scale * j.unit.y}, j.phase, {j.d1.x, j.d1.y}, {j.d2.x, j.d2.y}};
+}
+
 /// Circle about the gear axis as a function of the polar angle,  W(θ) = r e^{iθ}. [T1.3]
 class AxisCircle final : public Curve {
  public:
@@ -53,6 +87,20 @@ class AxisCircle final : public Curve {
  private:
   double radius_;
 };
+
+/// The jet of an involute, W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}. [T2.4]
+///
+/// Accuracy  ledger rows `involute.point` and `involute.jet`
+template <class T>
+CurveJet<T> involute_jet(const T& base_radius, const T& base_half_angle, const T& xi) {
+  const T square = T(1) + xi * xi;
+  const Plane<T> inverse{T(1) / square, -xi / square};
+  return {base_radius,
+          {T(1), xi},
+          base_half_angle - xi,
+          {xi / square, -xi * xi / square},
+          times(inverse, inverse)};
+}
 
 /// The involute flank on the side y > 0 of a tooth that is symmetric about the x axis,
 /// W(ξ) = r_b (1 + iξ) e^{i(ψ_b − ξ)}. [T2.4]
@@ -86,10 +134,7 @@ class Involute final : public Curve {
 
 // This function is inline, because the inner loop of contact/ calls it.
 inline PolarJet Involute::polar_jet(double xi) const {
-  const double square = 1.0 + xi * xi;
-  const Complex inverse = Complex{1.0, -xi} / square;
-  return {base_radius_ * Complex{1.0, xi}, base_half_angle_ - xi, Complex{xi, -xi * xi} / square,
-          times(inverse, inverse)};
+  return polar(involute_jet(base_radius_, base_half_angle_, xi));
 }
 
 /// Circle about a point at the distance D from the gear axis and the polar angle γ,

@@ -27,6 +27,8 @@ class Curve {
  public:
   virtual ~Curve() = default;
   virtual Vec2 point(double t) const = 0;
+  /// The curve up to the second derivative, independent of the speed of the parameter. This is all
+  /// that the envelope of a curve requires.
   virtual CurvePoint at(double t) const = 0;
 
   /// arg W(t) [T1.1], rad, in (−π, π]. In a subclass that overrides this function, the result is

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/design/intervals.hpp"
 #include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/gear/reference.hpp"
@@ -32,7 +33,7 @@ double shift_of_base_circle(const TrialGear& g, double k) {
   // The tip thickness is evaluated at this shift. The shift is therefore moved by the rounding
   // error, so that the tip is certainly outside the base circle.
   const double ulp = 4.0 * std::numeric_limits<double>::epsilon() * (std::abs(g.r) + 2.0);
-  return g.teeth > 0 ? x + ulp : x - ulp;
+  return x + side_of(g.teeth) * ulp;
 }
 
 struct Shifts {

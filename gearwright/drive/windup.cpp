@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/drive/drive_phases.hpp"
 #include "gearwright/math/lowest.hpp"
 #include "gearwright/pair/contact_lines.hpp"
@@ -130,7 +131,7 @@ WindupMesh StandardTeeth::mesh(int z1, int z2) const {
   const auto part = [&](int z) {
     const double r = std::abs(z) / (2 * cosine);
     const double r_b = r * std::cos(alpha);
-    const double r_a = std::max(r + (z > 0 ? 1.0 : -1.0), r_b);
+    const double r_a = std::max(r + side_of(z), r_b);
     return std::abs(std::sqrt(r_a * r_a - r_b * r_b) - r * std::sin(alpha)) / pitch;
   };
   const double overlap = face_modules * std::abs(std::sin(helix_angle.rad())) / std::numbers::pi;

@@ -17,8 +17,9 @@ ContactScene contact_scene(const std::array<const Gear*, 2>& gears, const Contac
                            double marking, ContactResult driving) {
   const ContactMount& m = pair.place();
   const double sigma = m.axis_angle.rad();
-  const ContactAxis axis_1{pair.in_housing(0.0, 0.0),
-                           pair.direction_in_housing(pair.tilt() * Vec3(0, 0, pair.turned()))};
+  const ContactAxis axis_1{
+      pair.in_housing(0.0, 0.0),
+      pair.in_housing(pair.tilt() * FreeVector<Axis1>{Vec3(0, 0, pair.turned())})};
   const Vec3 direction_2(0, std::sin(sigma), std::cos(sigma));
   const ContactAxis axis_2{
       Vec3(m.center_distance + m.errors.center_distance, 0, 0) + m.middle[1] * direction_2,

@@ -32,11 +32,10 @@ Vec2 axis_of(const MeshScene& s, std::size_t i) {
 // Directions of the x axes of the gears in the picture, degrees counter-clockwise.
 std::array<double, 2> drawn_angles(const MeshScene& s) {
   if (!meshing(s)) return {0.0, 0.0};
-  const auto angle = [](const Eigen::Isometry3d& x) { return std::atan2(x(1, 0), x(0, 0)); };
   const std::array<double, 2> phi =
       s.involute ? rotation_to_pitch_point(*s.involute) : std::array{0.0, 0.0};
-  return {kDegPerRad * (angle(s.pair->pose_1().isometry()) + phi[0]),
-          kDegPerRad * (angle(s.pair->pose_2().isometry()) + phi[1])};
+  return {kDegPerRad * (s.pair->pose_1().turn() + phi[0]),
+          kDegPerRad * (s.pair->pose_2().turn() + phi[1])};
 }
 
 Bounds extent_of(const MeshScene& s) {

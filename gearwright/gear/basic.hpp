@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/reference.hpp"
@@ -34,7 +35,7 @@ struct BaseGear {
 /// +1 for an external gear, −1 for an internal gear.
 template <class T>
 T side_of(const BaseGear<T>& gear) {
-  return gear.teeth > 0 ? T(1) : T(-1);
+  return side_of<T>(gear.teeth);
 }
 
 template <class T>

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/leaf_formulas.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -79,8 +80,7 @@ ReferenceGeometry<T> reference_geometry(const ReferenceInput<T>& in) {
   g.reference_tooth_thickness_transverse = g.reference_tooth_thickness_normal / cos_beta;
   const T half_sum = g.reference_tooth_thickness_transverse / g.reference_diameter;
   const T inv_alpha_t = involute(g.transverse_pressure_angle);
-  g.base_tooth_thickness =
-      g.base_diameter * (in.teeth > 0 ? T(half_sum + inv_alpha_t) : T(half_sum - inv_alpha_t));
+  g.base_tooth_thickness = g.base_diameter * T(half_sum + side_of<T>(in.teeth) * inv_alpha_t);
   g.base_pitch_normal = pi * in.normal_module * cos(in.normal_pressure_angle);
   g.base_pitch_transverse = pi * g.base_diameter / T(z);
   return g;
@@ -97,7 +97,7 @@ T tooth_thickness_transverse(int teeth, const T& base_diameter, const T& base_to
   GW_EXPECTS(!(d_y < base_diameter));
   const T xi = leaf::curvature(d_y, base_diameter) / base_diameter;
   const T half = base_tooth_thickness / base_diameter;
-  return leaf::transverse_thickness(teeth > 0 ? T(1) : T(-1), half, xi, d_y);
+  return leaf::transverse_thickness(side_of<T>(teeth), half, xi, d_y);
 }
 
 /// cos β_y on the cylinder with the diameter d_y:  tan β_y = d_y tan β_b/d_b. [T2.12]

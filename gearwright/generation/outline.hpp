@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/curve/curve.hpp"
 
 namespace gearwright {
@@ -25,10 +26,6 @@ struct Arc {
   Vec2 point(double u) const;
   CurvePoint at(double u) const;
 };
-
-/// The sign σ of z, +1 for external and −1 for internal teeth. The product of σ and the radius
-/// increases from root to tip.
-constexpr double side_of(int teeth) { return teeth < 0 ? -1.0 : 1.0; }
 
 struct Outline {
   int teeth = 0;  ///< z, negative for an internal gear

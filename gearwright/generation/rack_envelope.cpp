@@ -12,13 +12,6 @@ RackTrochoid::RackTrochoid(const RackMotion& motion, const EdgeCircle& circle)
   circle_.center.x() += motion.shift;
 }
 
-RackTrochoid::Cut RackTrochoid::cut(double s, double c) const {
-  const double x = circle_.center.x() + circle_.q * s;
-  const double y = (circle_.center.y() + circle_.q * c) / motion_.cos_beta;
-  const double k = x * motion_.cos_beta * c / s;
-  return {x, k, (y - k) / motion_.pitch_radius};
-}
-
 Vec2 RackTrochoid::point(double tau) const {
   const auto [x, k, phi] = cut(std::sin(tau), std::cos(tau));
   const double u = motion_.pitch_radius + x;

@@ -245,8 +245,8 @@ Result<CompensateAnswer> answer_compensate(SolvedJob& job, Progress* progress, i
   const bool gear2_drives = gearwright::gear2_drives(job.spec);
   // At least one position of the uncorrected pair must have contact. Otherwise, there is no
   // transmission error to minimise.
-  if (std::isnan(
-          peak_to_peak(transmission_error(setup.pair(gear2_drives), job.spec.contact.positions))))
+  if (!sampled_peak_to_peak(
+          transmission_error(setup.pair(gear2_drives), job.spec.contact.positions)))
     return nothing_touches(setup);
   std::vector<NamedErrors> scenarios = scenarios_of(setup, input);
   const bool with_load = under_load(input.aim);

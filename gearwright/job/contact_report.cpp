@@ -122,11 +122,10 @@ void make_patterns(ContactReport& r, const SolvedJob& job, const ContactSetup& s
     }
     const Under& u = list[i - 1];
     const ContactPair pair = setup.pair(u.errors, r.gear2_drives);
-    r.under[i - 1] = {
-        u.name, contact_pattern(pair, kSmallPositions, kSmall)[0],
-        continuous_span(pair, positions)
-            .value_or(Angle::radians(peak_to_peak(transmission_error(pair, positions)))),
-        u.as_specified};
+    auto span = continuous_span(pair, positions);
+    if (!span) span = sampled_peak_to_peak(transmission_error(pair, positions));
+    r.under[i - 1] = {u.name, contact_pattern(pair, kSmallPositions, kSmall)[0], span,
+                      u.as_specified};
   };
   parallel_for(list.size() + 1, make);
 }

@@ -6,8 +6,11 @@
 //                                                          theory: docs/theory/01-frames.md
 //
 // In a product, the letters on both sides of a `*` must be equal. Therefore, X_2f * X_f1 * r_1
-// compiles, and X_f1 * X_2f does not compile.
+// compiles, and X_f1 * X_2f does not compile. Each product is one product of matrices. Other rooms
+// declare their own frames.
 #pragma once
+
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -25,6 +28,45 @@ struct Point {
   Vec3 r = Vec3::Zero();
 };
 
+/// The coordinates of a direction or of a displacement in a frame. It has no point of application,
+/// so the origin of the frame does not matter.
+template <class Frame>
+struct FreeVector {
+  Vec3 v = Vec3::Zero();
+};
+
+template <class F>
+FreeVector<F> operator+(const FreeVector<F>& a, const FreeVector<F>& b) {
+  return {a.v + b.v};
+}
+
+template <class F>
+FreeVector<F> operator*(const FreeVector<F>& a, double factor) {
+  return {a.v * factor};
+}
+
+/// A linear map of free vectors: a rotation, or its derivative with respect to an angle.
+template <class To, class From>
+class LinearMap {
+ public:
+  LinearMap() = default;  ///< the identity
+  explicit LinearMap(const Mat3& matrix) : matrix_(matrix) {}
+  const Mat3& matrix() const { return matrix_; }
+
+ private:
+  Mat3 matrix_ = Mat3::Identity();
+};
+
+template <class A, class B, class C>
+LinearMap<A, C> operator*(const LinearMap<A, B>& ab, const LinearMap<B, C>& bc) {
+  return LinearMap<A, C>(ab.matrix() * bc.matrix());
+}
+
+template <class A, class B>
+FreeVector<A> operator*(const LinearMap<A, B>& ab, const FreeVector<B>& v_b) {
+  return {ab.matrix() * v_b.v};
+}
+
 template <class To, class From>
 class Pose {
  public:
@@ -32,6 +74,9 @@ class Pose {
   explicit Pose(const Eigen::Isometry3d& isometry) : isometry_(isometry) {}
   const Eigen::Isometry3d& isometry() const { return isometry_; }
   Pose<From, To> inverse() const { return Pose<From, To>(isometry_.inverse()); }
+
+  /// The azimuth of the x axis of From about the z axis of To, rad.
+  double turn() const { return std::atan2(isometry_(1, 0), isometry_(0, 0)); }
 
  private:
   Eigen::Isometry3d isometry_ = Eigen::Isometry3d::Identity();

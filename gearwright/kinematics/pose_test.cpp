@@ -30,6 +30,36 @@ TEST(Pose, frames_must_cancel) {
   static_assert(std::is_same_v<decltype(some_pose() * Point<Gear1>{}), Point<Housing>>);
 }
 
+TEST(LinearMap, frames_must_cancel) {
+  using Map = LinearMap<Gear2, Gear1>;
+  static_assert(Composes<Map, LinearMap<Gear1, Housing>>);
+  static_assert(!Composes<LinearMap<Gear1, Housing>, Map>);
+  static_assert(std::is_same_v<decltype(Map() * FreeVector<Gear1>{}), FreeVector<Gear2>>);
+  static_assert(!Composes<Map, FreeVector<Gear2>>);
+  static_assert(!Composes<Map, Point<Gear1>>);  // a map without an origin does not move points
+  static_assert(!Composes<Map, Pose<Gear1, Housing>>);
+}
+
+TEST(LinearMap, maps_as_its_matrix) {
+  Mat3 m, n;
+  m << 1, 2, 3, 4, 5, 6, 7, 8, 10;
+  n << 0, -1, 2, 1, 0, 3, -2, 5, 1;
+  const LinearMap<Gear2, Housing> two(m);
+  const LinearMap<Housing, Gear1> one(n);
+  const FreeVector<Gear1> v{Vec3(1.0, -2.0, 4.0)};
+  EXPECT_EQ((two * one).matrix(), Mat3(m * n));
+  EXPECT_EQ((one * v).v, Vec3(n * v.v));
+  EXPECT_EQ((v * 2.0 + v).v, Vec3(3.0 * v.v));
+  EXPECT_EQ((LinearMap<Gear2, Gear1>() * v).v, v.v);
+}
+
+TEST(Pose, turn_about_z) {
+  Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+  x.translate(Vec3(3.0, -4.0, 5.0));
+  x.rotate(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  EXPECT_NEAR((Pose<Housing, Gear1>(x).turn()), 0.7, 1e-15);
+}
+
 TEST(Pose, identity_by_default) {
   const Point<Gear1> p{Vec3(1.0, 2.0, 3.0)};
   EXPECT_EQ((Pose<Housing, Gear1>() * p).r, p.r);

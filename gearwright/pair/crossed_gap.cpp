@@ -18,10 +18,15 @@ namespace gearwright::detail {
 
 namespace {
 
+// The frames of gears at rest. Each gear is in turn A, whose tip moves, and its mate B.
+struct Own {};
+struct Tip {};   // A
+struct Mate {};  // B
+
 struct Body {
   GapProfile profile;
-  Eigen::Isometry3d place;  ///< gear to housing, at rest
-  double twist;             ///< 2π/p_z
+  Pose<Housing, Own> place;
+  double twist;  ///< 2π/p_z
   double half_face;
   double form_radius;  ///< radius at which the fillet ends
   int teeth;
@@ -31,11 +36,16 @@ Body body_of(const MountedGears& pair, int which) {
   const Gear& gear = pair.gears[static_cast<std::size_t>(which - 1)];
   const auto form = gear.root_form_radius();
   return {GapProfile(gear.tooth->outline),
-          which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry(),
+          Pose<Housing, Own>(which == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry()),
           gear.twist(),
           gear.spec.face_width / 2,
           form.value_or(gear.tooth->tip_radius),
           gear.spec.teeth};
+}
+
+template <class Role>
+Pose<Housing, Role> place_as(const Body& body) {
+  return Pose<Housing, Role>(body.place.isometry());
 }
 
 /// A moving point of half a tooth: a corner, or a point of a rounded tip.
@@ -50,7 +60,7 @@ struct TipGap {
   double side = 1.0;
   double arm = 0.0;
   double turn_a = 0.0;
-  Vec3 point = Vec3::Zero();  // point in the frame of A at rest
+  Point<Tip> point;
   ArcName arc = ArcName::root_fillet;
 };
 
@@ -59,9 +69,8 @@ struct TipGap {
 class TipMotion {
  public:
   TipMotion(const Body& a, const Body& b, const TipPoint& tip)
-      : a_(a), b_(b), tip_(tip), to_b_(b.place.inverse() * a.place) {
-    const Vec3 towards = to_b_.inverse() * Vec3::Zero();  // a point of the axis of B, in the frame
-                                                          // of A
+      : a_(a), b_(b), tip_(tip), to_b_(place_as<Mate>(b).inverse() * place_as<Tip>(a)) {
+    const Vec3 towards = (to_b_.inverse() * Point<Mate>{}).r;  // a point of the axis of B
     start_ = std::atan2(towards.y(), towards.x());
   }
 
@@ -71,15 +80,16 @@ class TipMotion {
   /// Azimuth of the axis of B in the frame of A.
   double start() const { return start_; }
   /// The direction of the axis of B, in the frame of A.
-  Vec3 axis() const { return to_b_.linear().transpose() * Vec3(0, 0, 1); }
-  Vec3 in_b(double angle, double z) const {
-    return to_b_ * Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z);
+  Vec3 axis() const { return to_b_.isometry().linear().transpose() * Vec3(0, 0, 1); }
+  Point<Tip> in_a(double angle, double z) const {
+    return {Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z)};
   }
+  Point<Mate> in_b(double angle, double z) const { return to_b_ * in_a(angle, z); }
 
   TipGap at(double angle, double z) const {
     TipGap gap;
-    gap.point = Vec3(tip_.rho * std::cos(angle), tip_.rho * std::sin(angle), z);
-    const Vec3 q = to_b_ * gap.point;
+    gap.point = in_a(angle, z);
+    const Vec3 q = (to_b_ * gap.point).r;
     const double rho = std::hypot(q.x(), q.y());
     const ProfileArc* arc = b_.profile.arc_at(rho);
     if (arc == nullptr || std::abs(q.z()) > b_.half_face) return gap;
@@ -99,7 +109,7 @@ class TipMotion {
   const Body& a_;
   const Body& b_;
   TipPoint tip_;
-  Eigen::Isometry3d to_b_;
+  Pose<Mate, Tip> to_b_;
   double start_;
 };
 
@@ -149,7 +159,7 @@ GapOver inside(const TipMotion& motion, double limit) {
   // Radial distance of a point from the radius `limit` of B; negative on the root side of this
   // radius.
   const auto beyond = [=, &motion](double psi, double z) {
-    const Vec3 q = motion.in_b(mesh + psi, z);
+    const Vec3 q = motion.in_b(mesh + psi, z).r;
     const double rho = std::hypot(q.x(), q.y());
     return ring ? rho - limit : limit - rho;
   };
@@ -309,7 +319,7 @@ std::vector<OutlineTouch> crossed_gaps(const MountedGears& pair) {
           i == 0 ? gap.turn_a : -gap.turn_a * bodies[1].teeth / bodies[0].teeth + turn_b;
       t.rotation_1 = -std::remainder(turn_1, 2 * kPi / bodies[0].teeth);
       t.turn_2 = i == 0 ? turn_b : ratio * turn_b;
-      const Vec3 p = a.place * gap.point;
+      const Vec3 p = (place_as<Tip>(a) * gap.point).r;
       t.point = Vec2(p.x(), p.y());
       t.height = p.z();
       t.places[i] = tip.place;

@@ -130,7 +130,7 @@ GapProfile::GapProfile(const Outline& outline)
   // may be a cusp, at which rounding determines the sign of the angle. Such a corner is
   // included, because an additional corner does no harm.
   constexpr double kCusp = 2.5;  // rad
-  const double inward = ring_ ? 1.0 : -1.0;
+  const double inward = -side();
   for (std::size_t i = 0; i + 1 < outline.arcs.size(); ++i) {
     const Arc& arc = outline.arcs[i];
     const Arc& next = outline.arcs[i + 1];

@@ -59,6 +59,7 @@ class GapProfile {
 
   int teeth() const { return teeth_; }  ///< |z|
   bool ring() const { return ring_; }
+  double side() const { return ring_ ? -1.0 : 1.0; }  ///< σ
   double tip_radius() const { return tip_radius_; }
   double root_radius() const { return root_radius_; }
   const std::vector<ProfileArc>& arcs() const { return arcs_; }

@@ -63,9 +63,9 @@ struct Motion {
 
   Motion(const GapProfile& m, const GapProfile& b, Table& t, double distance, bool first)
       : mover(m), asked(b), table(t), a(distance), first_moves(first) {
-    side = m.ring() || b.ring() ? -1.0 : 1.0;
+    side = m.side() * b.side();
     const double ratio = static_cast<double>(m.teeth()) / b.teeth();
-    k = m.ring() ? -1.0 : 1.0;
+    k = m.side();
     epsilon = -side;
     kappa = side * ratio;
     const double sum = std::abs(b.teeth() + side * m.teeth());
@@ -203,9 +203,8 @@ class CornerFamily {
  public:
   CornerFamily(const Motion& motion, const ProfileCorner& corner, const ProfileArc& arc)
       : m_(motion), corner_(corner), arc_(arc) {
-    const bool in_ring = m_.asked.ring();
-    side_ = in_ring ? -1.0 : 1.0;
-    deepest_ = in_ring ? m_.a + corner.rho : std::abs(m_.a - corner.rho);
+    side_ = m_.asked.side();
+    deepest_ = m_.asked.ring() ? m_.a + corner.rho : std::abs(m_.a - corner.rho);
     entry_ = m_.entry(corner.name, arc.arc->name);
     const double at_root = excess(arc.rho_root);
     const double at_tip = excess(arc.rho_tip);

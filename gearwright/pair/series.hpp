@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "gearwright/base/contract.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/gear/reference.hpp"
 #include "gearwright/math/involute.hpp"
 
@@ -145,7 +146,7 @@ MinDistanceSeries<T> min_distance_series(const ReferencePair<T>& pair) {
   MinDistanceSeries<T> s;
   s.alpha = g1.normal_pressure_angle;
   s.module = g1.normal_module;
-  s.side = g2.teeth > 0 ? T(1) : T(-1);
+  s.side = side_of<T>(g2.teeth);
   s.helix = {g1.helix_angle, g2.helix_angle};
   const T t = tan(s.alpha);
   T shifts(0);

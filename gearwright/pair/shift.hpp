@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/math/involute.hpp"
 #include "gearwright/pair/leaf_formulas.hpp"
@@ -75,7 +76,7 @@ template <class T>
 T extended_center_distance(int z1, int z2, const T& normal_module, const T& cos_beta,
                            const T& sum_x) {
   const T a_d = reference_center_distance(z1, z2, normal_module, cos_beta);
-  return z1 + z2 > 0 ? T(a_d + normal_module * sum_x) : T(a_d - normal_module * sum_x);
+  return T(a_d + side_of<T>(z1 + z2) * (normal_module * sum_x));
 }
 
 /// The Σx with which there is no backlash at the centre distance a, on parallel axes.

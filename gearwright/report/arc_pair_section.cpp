@@ -58,9 +58,8 @@ Figure arc_mesh_figure(const ArcPair& pair, std::size_t which,
 
 std::array<double, 2> angles_at_contact(const ArcPair& pair, const ArcPairContact& contact) {
   const double z = contact.at.point.z();
-  const Eigen::Isometry3d pose = pair.pose_2().isometry();
   std::array<double, 2> angles{pair.gears[0].twist() * z,
-                               std::atan2(pose(1, 0), pose(0, 0)) + pair.gears[1].twist() * z};
+                               pair.pose_2().turn() + pair.gears[1].twist() * z};
   // The concave gear is turned until its flank touches the flank of the convex gear.
   angles[contact.convex_gear == 1 ? 1 : 0] += contact.at.rotation_offset.rad();
   return angles;

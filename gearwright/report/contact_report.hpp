@@ -16,8 +16,9 @@ namespace gearwright {
 struct PatternUnder {
   std::string name;  ///< "out-of-plane shaft deviation +0.03°"; plain text
   FlankRaster pattern;
-  Angle peak_to_peak;         ///< TE, continuous if contact is not lost; NaN if no teeth touch
-  bool as_specified = false;  ///< true for all errors together, as in the other pictures
+  std::optional<Angle> peak_to_peak;  ///< TE, continuous if contact is not lost; none if no teeth
+                                      ///< touch
+  bool as_specified = false;          ///< true for all errors together, as in the other pictures
 };
 
 struct ContactReport : ContactScene {

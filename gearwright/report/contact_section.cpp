@@ -155,11 +155,10 @@ std::string multiples_part(const ContactReport& report, const FigureForm& form) 
   if (report.under.empty()) return {};
   std::string pictures;
   for (const PatternUnder& u : report.under) {
-    const double peak = u.peak_to_peak.arcsec();
     Figure f = small_pattern("under" + std::to_string(&u - report.under.data()), u.name, u.pattern,
                              report.marking);
-    f.caption =
-        std::isnan(peak) ? "<br>no teeth touch" : "<br>peak to peak " + shown_arcsec(peak) + "″";
+    f.caption = u.peak_to_peak ? "<br>peak to peak " + shown_arcsec(u.peak_to_peak->arcsec()) + "″"
+                               : "<br>no teeth touch";
     pictures += figure_html(in_units(form.units, f), 240.0, u.as_specified ? " class=\"own\"" : "");
   }
   return "<h3>Which error moves the pattern</h3>\n<p>The pictures show the pattern on gear 1 under "

@@ -75,7 +75,7 @@ TEST(ContactSection, LostContactHasNoSpectrumAndSaysSo) {
 TEST(ContactSection, APatternUnderWhichNothingTouches) {
   ContactSample s = testing::helical_contact();
   for (double& gap : s.report.under[0].pattern.gap) gap = std::numeric_limits<double>::infinity();
-  s.report.under[0].peak_to_peak = Angle::radians(std::numeric_limits<double>::quiet_NaN());
+  s.report.under[0].peak_to_peak = std::nullopt;
   const std::string text = contact_section(s.report);
   expect_sound_section(text);
   EXPECT_NE(text.find("no teeth touch"), text.npos);

@@ -27,7 +27,7 @@ std::vector<double> heights_of(const ContactPair& pair, bool crossed) {
       least = std::min(least, p.z_lo);
       most = std::max(most, p.z_hi);
     }
-    const double shift = which == 2 ? pair.mount().shift.z() : 0.0;
+    const double shift = which == 2 ? pair.mount().shift.r.z() : 0.0;
     lo = std::max(lo, least - shift);
     hi = std::min(hi, most - shift);
   }

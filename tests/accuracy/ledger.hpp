@@ -43,6 +43,8 @@ std::vector<Row> gear_rows();
 std::vector<Row> mesh_rows();
 std::vector<Row> crossed_rows();
 std::vector<Row> chord_rows();
+std::vector<Row> curve_rows();
+std::vector<Row> trochoid_rows();
 std::vector<Row> few_teeth_rows();
 std::vector<Row> pinion_envelope_rows();
 std::vector<Row> contact_rows();

@@ -21,10 +21,11 @@ std::string markdown(const std::vector<Row>& rows) {
       "curvature radius near the base tangent\n"
       "point) and for shifts. *of a* is |error|/a, for such differences on crossed axes. *of "
       "D* and *of r_g* are relative to\n"
-      "the centre distance of a fillet and to the centrode of a gear. *%* is for teeth under "
-      "load, which have no closed form;\n"
-      "the row names the reference. Inputs are seeded and the same on every machine. The last "
-      "column is the worst input.\n\n"
+      "the centre distance of a fillet and to the centrode of a gear, *of r* to the base radius of "
+      "an involute or the pitch\n"
+      "radius of a trochoid. *%* is for teeth under load, which have no closed form; the row names "
+      "the reference. Inputs are\n"
+      "seeded and the same on every machine. The last column is the worst input.\n\n"
       "| quantity | unit | claimed | measured | where | worst input |\n|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
     out += fmt::format("| `{}` | {} | {:.0e} | {:.1e} | {} | {} |\n", r.name, r.unit, r.claimed,
@@ -41,6 +42,8 @@ std::vector<Row> all_rows() {
   for (Row& r : mesh_rows()) rows.push_back(std::move(r));
   for (Row& r : crossed_rows()) rows.push_back(std::move(r));
   for (Row& r : chord_rows()) rows.push_back(std::move(r));
+  for (Row& r : curve_rows()) rows.push_back(std::move(r));
+  for (Row& r : trochoid_rows()) rows.push_back(std::move(r));
   for (Row& r : few_teeth_rows()) rows.push_back(std::move(r));
   for (Row& r : pinion_envelope_rows()) rows.push_back(std::move(r));
   for (Row& r : contact_rows()) rows.push_back(std::move(r));

@@ -158,8 +158,8 @@ double greatest_step(std::span<const double> te) {
 // neighbours, as a jump does. The parts are computed without start values.
 TEST(ContactLaws, the_curve_has_no_jump) {
   constexpr std::size_t kSteps = 512, kDivided = 16, kParts = 16;
-  over_pairs(29, 15, {}, [&](const ModifiedPair& p, Random&) {
-    const ContactPair pair = p.set.pair();
+  over_sets(29, {15, 4, 3}, {}, [&](const auto& set, Random&) {
+    const ContactPair pair = set.pair();
     const auto curve = over_a_pitch(pair, kSteps, 2).positions;
     const auto step = [&](std::size_t i) {
       i %= kSteps;
@@ -209,8 +209,8 @@ TEST(LongContactLaws, the_curve_has_no_jump) {
 TEST(ContactLaws, pieces_meet) {
   int seams = 0;
   int ridges = 0;
-  over_pairs(30, 60, {}, [&](const ModifiedPair& p, Random& random) {
-    const ContactPair pair = p.set.pair();
+  over_sets(30, {60, 5, 30}, {}, [&](const auto& set, Random& random) {
+    const ContactPair pair = set.pair();
     const auto& patches = pair.patches(1);
     const FlankPatch& mate = pair.patches(2)[0];
     const auto jet = [&](const FlankPatch& f, double s, double z) {
@@ -251,23 +251,37 @@ TEST(ContactLaws, pieces_meet) {
   EXPECT_GT(ridges, 10);
 }
 
+CylindricalSpec doubled(CylindricalSpec s) {
+  s.normal_module *= 2, s.face_width *= 2, s.thickness_allowance *= 2;
+  if (s.tip_diameter) *s.tip_diameter *= 2;
+  return s;
+}
+
+ContactMount doubled(ContactMount mount) {
+  auto& e = mount.errors;
+  mount.center_distance *= 2, e.center_distance *= 2, e.axial *= 2;
+  e.helix_twist[0] /= 2, e.helix_twist[1] /= 2;
+  return mount;
+}
+
+ContactSet doubled(const ContactSet& set) {
+  const auto made = [](const Gear& g) {
+    return std::move(make_gear_with_default_cutter(doubled(g.spec))).take();
+  };
+  return {{made(set.gears[0]), made(set.gears[1])}, {}, doubled(set.mount)};
+}
+
+RackSet doubled(const RackSet& set) {
+  auto pinion = make_gear(doubled(set.rack.pinion.spec));
+  return {std::move(mount_rack(std::move(pinion).take(), {})).take(), {}, doubled(set.mount)};
+}
+
 // If all lengths are doubled, the rotations are exactly the same.
 TEST(ContactLaws, scaling_by_two_is_exact) {
   Wanted want;
   want.modifications = false;
-  over_sets(31, 20, 20, want, [](const ContactSet& set, Random&) {
-    CylindricalSpec one = set.gears[0].spec, two = set.gears[1].spec;
-    for (CylindricalSpec* s : {&one, &two}) {
-      s->normal_module *= 2, s->face_width *= 2, s->thickness_allowance *= 2;
-      if (s->tip_diameter) *s->tip_diameter *= 2;
-    }
-    const auto made = [](const CylindricalSpec& s) {
-      return std::move(make_gear_with_default_cutter(s)).take();
-    };
-    ContactSet twice{{made(one), made(two)}, {}, set.mount};
-    auto& e = twice.mount.errors;
-    twice.mount.center_distance *= 2, e.center_distance *= 2, e.axial *= 2;
-    e.helix_twist[0] /= 2, e.helix_twist[1] /= 2;
+  over_sets(31, {20, 20, 20}, want, [](const auto& set, Random&) {
+    const auto twice = doubled(set);
     const auto a = over_a_pitch(set.pair(), 8), b = over_a_pitch(twice.pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
       EXPECT_NEAR(a.positions[i].te.rad(), b.positions[i].te.rad(), 1e-15);
@@ -279,16 +293,29 @@ TEST(ContactLaws, scaling_by_two_is_exact) {
   });
 }
 
-ContactSet mirrored_hands(const ContactSet& set) {
-  ContactSet other = set;
-  for (Gear& g : other.gears) {
-    g.lead = -g.lead;
-    g.spec.helix_angle = -g.spec.helix_angle;
-  }
-  auto& e = other.mount.errors;
-  e.crossing = -e.crossing, e.intersecting = -e.intersecting, e.axial = -e.axial;
+void reverse_hand(Gear& gear) {
+  gear.lead = -gear.lead;
+  gear.spec.helix_angle = -gear.spec.helix_angle;
+}
+
+ContactMount mirrored_mount(ContactMount mount) {
+  auto& e = mount.errors;
+  e = mirrored(e);
   e.helix_twist = {-e.helix_twist[0], -e.helix_twist[1]};
-  other.mount.axis_angle = -set.mount.axis_angle;
+  mount.axis_angle = -mount.axis_angle;
+  return mount;
+}
+
+ContactSet mirrored_hands(const ContactSet& set) {
+  ContactSet other{set.gears, set.removal, mirrored_mount(set.mount)};
+  for (Gear& g : other.gears) reverse_hand(g);
+  return other;
+}
+
+RackSet mirrored_hands(const RackSet& set) {
+  RackSet other{set.rack, set.removal, mirrored_mount(set.mount)};
+  reverse_hand(other.rack.pinion);
+  other.rack.rack.helix_angle = -set.rack.rack.helix_angle;
   return other;
 }
 
@@ -296,7 +323,7 @@ ContactSet mirrored_hands(const ContactSet& set) {
 TEST(ContactLaws, mirroring_both_hands) {
   Wanted want;
   want.modifications = false;
-  over_sets(32, 30, 30, want, [](const ContactSet& set, Random&) {
+  over_sets(32, {30, 30, 20}, want, [](const auto& set, Random&) {
     const auto a = over_a_pitch(set.pair(), 8);
     const auto b = over_a_pitch(mirrored_hands(set).pair(), 8);
     for (std::size_t i = 0; i < a.positions.size(); ++i) {
@@ -314,8 +341,8 @@ TEST(ContactLaws, mirroring_both_hands) {
 TEST(ContactLaws, the_other_driver_is_half_a_turn) {
   Wanted want;
   want.modifications = false;
-  over_sets(33, 40, 40, want, [](const ContactSet& set, Random& random) {
-    ContactSet other = set;
+  over_sets(33, {40, 40, 20}, want, [](const auto& set, Random& random) {
+    auto other = set;
     other.mount.gear2_drives = !set.mount.gear2_drives;
     other.mount.errors.intersecting = -set.mount.errors.intersecting;
     other.mount.errors.axial = -set.mount.errors.axial;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -98,48 +100,96 @@ inline std::optional<ContactSet> random_crossed_set(Random& random, bool interna
   return set;
 }
 
-/// Checks the law over the gears of over_pairs() and of `crossed` pairs on crossed axes, half of them
-/// internal. No flank on crossed axes is modified.
-template <class Law>
-void over_sets(std::uint64_t seed, int pairs, int crossed, const Wanted& want, Law law) {
-  over_pairs(seed, pairs, want, [&](const ModifiedPair& p, Random& random) { law(p.set, random); });
-  Random random(seed);
-  int held = 0;
-  for (int i = 0; held < crossed && i < 20 * crossed; ++i) {
-    const auto set = random_crossed_set(random, held % 2 == 0);
-    if (!set) continue;
-    ++held;
-    law(*set, random);
-    if (::testing::Test::HasFailure()) {
-      ADD_FAILURE() << "crossed axes, seed " << seed << ", draw " << i << ", teeth "
-                    << set->gears[0].spec.teeth << " and " << set->gears[1].spec.teeth;
-      return;
-    }
+/// A pinion and its rack with errors of mounting. Both flanks of the pinion may be modified.
+struct RackSet {
+  RackPair rack;
+  std::shared_ptr<const RemovalField> removal{};
+  ContactMount mount;
+
+  ContactPair pair() const {
+    return ContactPair({&rack.pinion, {removal.get(), removal.get()}}, rack.rack, mount);
   }
-  EXPECT_EQ(held, crossed);
+};
+
+/// A rack whose flank touches the involute of the pinion along its whole path of contact, as the
+/// gears of over_pairs() do. If the flank of the pinion began within the path, the curve would jump
+/// there. Returns nothing if the draw does not give such a pair.
+inline std::optional<RackSet> random_rack_set(Random& random, bool modified) {
+  CylindricalSpec spec = random_pair(random, false).first;
+  spec.profile_shift = std::abs(spec.profile_shift);
+  const auto pinion = make_gear(spec);
+  if (!pinion || !pinion->root_form_radius()) return std::nullopt;
+  auto rack = mount_rack(*pinion, {});
+  if (!rack || !(rack->true_contact_ratio() > 1.05)) return std::nullopt;
+  if (rack->true_approach < rack->approach - 1e-9 || rack->true_recess < rack->recess - 1e-9)
+    return std::nullopt;
+  RackSet set{std::move(rack).take(), {}, {}};
+  set.mount.center_distance = set.rack.center_distance;
+  set.mount.gear2_drives = random.chance(0.4);
+  auto& e = set.mount.errors;
+  e.center_distance = 0.02 * spec.normal_module * random.unit();
+  e.crossing = Angle::radians(random.uniform(-1e-4, 1e-4));
+  e.intersecting = Angle::radians(random.uniform(-1e-4, 1e-4));
+  e.axial = random.uniform(-0.05, 0.05);
+  if (!modified || random.chance(0.3)) return set;
+  const FlankExtent extent = extent_of(set.rack.pinion);
+  const auto amount = [&] { return spec.normal_module * random.logarithmic(1e-5, 8e-3); };
+  FlankModifications f;
+  const double depth = extent.rho_tip_form - extent.rho_root_form;
+  f.tip_relief = {amount(), 2 * (extent.rho_tip_form - depth * random.uniform(0.1, 0.5)),
+                  random.chance(0.5) ? ReliefShape::linear : ReliefShape::parabolic};
+  if (random.chance(0.5)) f.lead_crowning = amount();
+  if (random.chance(0.5))
+    f.end_relief = {amount(), extent.face_width * random.uniform(0.05, 0.45), ReliefShape::linear};
+  auto field = make_removal_field(f, extent);
+  if (!field) return std::nullopt;
+  set.removal = std::make_shared<RemovalField>(std::move(field).take());
+  return set;
 }
 
-/// Checks the law over the contacts of over_sets() and of pinions with racks, a third as many.
+/// The number of pairs of each kind over which a law is checked.
+struct Counts {
+  int parallel, crossed, racks;
+};
+
+/// Checks the law over the gears of over_pairs(), pairs on crossed axes, half of them internal, and
+/// pinions with racks. No flank on crossed axes is modified. The law has two parameters, a
+/// ContactSet or a RackSet, and a Random.
+template <class Law>
+void over_sets(std::uint64_t seed, const Counts& counts, const Wanted& want, Law law) {
+  over_pairs(seed, counts.parallel, want,
+             [&](const ModifiedPair& p, Random& random) { law(p.set, random); });
+  const auto over = [&](int wanted, const auto& draw, const auto& describe_set) {
+    Random random(seed);
+    int held = 0;
+    for (int i = 0; held < wanted && i < 20 * wanted; ++i) {
+      const auto set = draw(random, held);
+      if (!set) continue;
+      ++held;
+      law(*set, random);
+      if (::testing::Test::HasFailure()) {
+        ADD_FAILURE() << "seed " << seed << ", draw " << i << ", " << describe_set(*set);
+        return;
+      }
+    }
+    EXPECT_EQ(held, wanted);
+  };
+  over(
+      counts.crossed, [](Random& r, int held) { return random_crossed_set(r, held % 2 == 0); },
+      [](const ContactSet& set) {
+        return "crossed axes, teeth " + std::to_string(set.gears[0].spec.teeth) + " and " +
+               std::to_string(set.gears[1].spec.teeth);
+      });
+  over(
+      counts.racks, [&](Random& r, int) { return random_rack_set(r, want.modifications); },
+      [](const RackSet& set) { return "a rack and" + describe(set.rack.pinion.spec); });
+}
+
+/// Checks the law over the contacts of over_sets().
 template <class Law>
 void over_contacts(std::uint64_t seed, int pairs, Law law) {
-  over_sets(seed, pairs, pairs, {}, [&](const ContactSet& set, Random&) { law(set.pair()); });
-  Random random(seed);
-  for (int i = 0; i < pairs / 3 && !::testing::Test::HasFailure(); ++i) {
-    CylindricalSpec spec = random_pair(random, false).first;
-    spec.profile_shift = std::abs(spec.profile_shift);
-    const auto pinion = make_gear(spec);
-    ASSERT_TRUE(pinion && pinion->root_form_radius());
-    const auto rack = mount_rack(*pinion, {});
-    ASSERT_TRUE(rack);
-    ContactMount mount;
-    mount.center_distance = rack->center_distance;
-    mount.gear2_drives = random.chance(0.4);
-    mount.errors.center_distance = 0.02 * spec.normal_module * random.unit();
-    mount.errors.crossing = Angle::radians(random.uniform(-1e-4, 1e-4));
-    mount.errors.intersecting = Angle::radians(random.uniform(-1e-4, 1e-4));
-    law(ContactPair({&rack->pinion, {}}, rack->rack, mount));
-    if (::testing::Test::HasFailure()) ADD_FAILURE() << "a rack and" << describe(spec);
-  }
+  over_sets(seed, {pairs, pairs, pairs / 3}, {},
+            [&](const auto& set, Random&) { law(set.pair()); });
 }
 
 }  // namespace gearwright::property

@@ -174,15 +174,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
     if (contact) {
       Eigen::Isometry3d errors = Eigen::Isometry3d::Identity();
       errors.translation() = contact->in_housing(0.0, 0.0);
-      for (const int i : {0, 1, 2}) {
-        // The function direction_in_housing() converts between the housing frame and the frame of
-        // the contact analysis. This conversion D is its own inverse. A tilt M of axis 1 in the
-        // frame of the contact analysis is therefore D M D in the housing frame. The columns of
-        // this product are computed one by one.
-        const Vec3 axis = contact->direction_in_housing(
-            contact->tilt() * contact->direction_in_housing(Vec3::Unit(i)));
-        errors.linear().col(i) = axis;
-      }
+      for (const int i : {0, 1, 2}) errors.linear().col(i) = contact->tilted(Vec3::Unit(i));
       x = errors * x;
     }
     return shape(x);
