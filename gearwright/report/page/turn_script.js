@@ -10,6 +10,10 @@
     var gears = list(scope.querySelectorAll('[data-turn]')).map(function (node) {
       return {node: node, at: node.getAttribute('transform'), turn: number(node, 'data-turn')};
     });
+    var bars = list(scope.querySelectorAll('[data-travel]')).map(function (node) {
+      var way = node.getAttribute('data-travel').split(' ').map(parseFloat);
+      return {node: node, at: node.getAttribute('transform'), dx: way[0], dy: way[1]};
+    });
     var touches = list(scope.querySelectorAll('[data-tooth]')).map(function (node) {
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
               to: number(node, 'data-to'), dx: number(node, 'data-dx'), dy: number(node, 'data-dy')};
@@ -22,11 +26,17 @@
     var button = control.querySelector('button'), slider = control.querySelector('input');
     var output = control.querySelector('output'), pitch = number(control, 'data-pitch');
     var seconds = number(control, 'data-seconds') || secondsPerPitch;
+    var unit = control.getAttribute('data-unit') || '°';
+    // A drive with a rack moves to and fro, half of its motion to either side.
+    var sways = control.hasAttribute('data-sways'), way = 1;
     var t = 0, last = null, running = 0, moved = false;
 
     function show() {
       gears.forEach(function (g) {
         g.node.setAttribute('transform', t === 0 ? g.at : g.at + ' rotate(' + g.turn * t + ')');
+      });
+      bars.forEach(function (b) {
+        b.node.setAttribute('transform', 'translate(' + b.dx * t + ' ' + b.dy * t + ') ' + b.at);
       });
       touches.forEach(function (c) {
         var s = t + c.tooth;
@@ -37,12 +47,17 @@
         var seen = Math.round(t * f.of) % f.of === f.at;
         f.node.setAttribute('visibility', seen ? 'visible' : 'hidden');
       });
-      var words = (t * pitch).toFixed(2) + '°';
+      var words = (t * pitch).toFixed(2) + unit;
       output.textContent = words;
       slider.setAttribute('aria-valuetext', words);
     }
     function frame(now) {
-      if (last !== null) t = (t + (now - last) / (1000 * seconds)) % 1;
+      if (last !== null) t += way * (now - last) / (1000 * seconds);
+      if (!sways) t %= 1;
+      else if (Math.abs(t) > 0.5) {
+        way = t > 0 ? -1 : 1;
+        t = -way / 2;
+      }
       last = now;
       slider.value = t;
       show();
