@@ -333,14 +333,16 @@ std::optional<double> Drive::frequency_ratio(std::size_t mesh) const {
 }
 
 Result<Drive> make_drive(const DriveInput& input) {
-  if (auto error = check_graph(normalised(input.graph))) return *error;
+  const DriveGraph given = normalised(input.graph);
+  if (auto error = check_graph(given)) return *error;
   Drive drive;
-  drive.graph = with_backlash(normalised(input.graph));
+  drive.graph = with_backlash(given);
   auto motion = drive_motion(drive.graph);
   if (!motion) return motion.error();
   drive.motion = std::move(motion).take();
   drive.geometry = drive_geometry(drive.graph);
-  if (input.remedies) add_remedy(drive.graph, drive.geometry);
+  if (input.remedies && !blame_backlash(given, drive.graph, drive.geometry))
+    add_remedy(drive.graph, drive.geometry);
   drive.efficiencies = mesh_efficiencies(drive.graph, drive.geometry);
   if (auto error = find_flows(drive)) return *error;
   for (const PlanetGroup& group : planet_groups(drive.graph)) {

@@ -113,25 +113,25 @@ class Completion {
 };
 
 // Makes a gear of a drive. If the gear is double-helical, the result is one half.
-std::optional<Gear> make_drive_gear(const DriveGear& gear, double shift,
-                                    std::optional<double> tip_diameter,
-                                    std::vector<Fault>& faults) {
+void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<double> tip_diameter,
+                     DriveGeometry& made) {
+  const DriveGear& gear = graph.gears[g];
   CylindricalSpec spec = *gear.spec;
   spec.teeth = gear.teeth;
-  spec.profile_shift = shift;
+  spec.profile_shift = *made.shift[g];
   if (tip_diameter) spec.tip_diameter = tip_diameter;
   if (!(spec.face_width > 0)) spec.face_width = 10 * spec.normal_module;
   if (gear.double_helical) spec.face_width = (spec.face_width - gear.double_helical->gap) / 2;
-  auto made = make_gear_with_default_cutter(spec);
-  if (!made) {
-    faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
-                                                        gear.name, made.error().quoted())});
-    return std::nullopt;
+  auto teeth = make_gear_with_default_cutter(spec);
+  made.gears[g].reset();
+  if (!teeth) {
+    made.faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
+                                                             gear.name, teeth.error().quoted())});
+    return;
   }
-  Gear finished = std::move(made).take();
-  finished.bore = gear.bore;
-  if (gear.double_helical) finished.gap = gear.double_helical->gap;
-  return finished;
+  made.gears[g] = std::move(teeth).take();
+  made.gears[g]->bore = gear.bore;
+  if (gear.double_helical) made.gears[g]->gap = gear.double_helical->gap;
 }
 
 void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
@@ -158,6 +158,17 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
   }
 }
 
+// The reason why a rack and its pinion cannot be mounted, with the name of the gear instead of
+// "gear1" or "gear2".
+std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error error) {
+  const bool of_rack = error.field.starts_with(gear_field(2));
+  const std::string& name = graph.gear(mesh, of_rack ? 1 : 0).name;
+  const std::size_t dot = error.field.find('.');
+  if (dot == std::string::npos) return fmt::format("{} {}", name, error.rule);
+  error.field.erase(0, dot + 1);
+  return fmt::format("{}: {}", name, error.quoted());
+}
+
 // Mounts the racks. A pinion without a shift has the shift 0.
 void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -171,15 +182,16 @@ void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
       made.racks[m] = std::move(pair).take();
       made.distance[m] = made.racks[m]->center_distance;
     } else {
-      made.faults.push_back({Fault::Kind::no_pair, fmt::format("The mesh {} cannot be mounted: {}.",
-                                                               mesh.name, pair.error().message())});
+      made.faults.push_back(
+          {Fault::Kind::no_pair, fmt::format("The mesh {} cannot be mounted: {}.", mesh.name,
+                                             reason_of_rack(graph, mesh, pair.error()))});
     }
   }
 }
 
 // Makes the teeth of a gear again with the given tip diameter, and mounts its meshes again.
 void turn_tip(const DriveGraph& graph, std::size_t g, double tip_diameter, DriveGeometry& made) {
-  made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], tip_diameter, made.faults);
+  make_drive_gear(graph, g, tip_diameter, made);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
     if (graph.meshes[m].gears[0] == g || graph.meshes[m].gears[1] == g) mount_mesh(graph, m, made);
 }
@@ -299,8 +311,7 @@ DriveGeometry drive_geometry(const DriveGraph& graph) {
   for (const DriveMesh& mesh : graph.meshes)
     if (auto& shift = made.shift[mesh.gears[0]]; graph.gear(mesh, 1).rack && !shift) shift = 0.0;
   for (std::size_t g = 0; g < graph.gears.size(); ++g)
-    if (graph.gears[g].spec && made.shift[g])
-      made.gears[g] = make_drive_gear(graph.gears[g], *made.shift[g], std::nullopt, made.faults);
+    if (graph.gears[g].spec && made.shift[g]) make_drive_gear(graph, g, std::nullopt, made);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) mount_mesh(graph, m, made);
   cut_back_tips(graph, made);
   turn_out_rings(graph, made);
@@ -369,6 +380,11 @@ std::optional<Neighbours> neighbours(const DriveGraph& graph, const PlanetGroup&
 std::optional<StatedBacklash> DriveGeometry::stated_backlash(std::size_t mesh) const {
   if (racks[mesh]) return racks[mesh]->stated_backlash();
   return pairs[mesh] ? std::optional(pairs[mesh]->stated_backlash()) : std::nullopt;
+}
+
+bool DriveGeometry::touches(std::size_t mesh) const {
+  if (racks[mesh]) return racks[mesh]->true_contact_ratio() > 0.0;
+  return pairs[mesh] && pairs[mesh]->contact_ratio_true() > 0.0;
 }
 
 std::optional<double> transverse_base_backlash(const DriveGeometry& geometry, std::size_t mesh) {

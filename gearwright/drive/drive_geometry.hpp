@@ -40,6 +40,7 @@ struct DriveGeometry {
     return pairs[mesh] ? pairs[mesh]->parallel() : nullptr;
   }
   std::optional<StatedBacklash> stated_backlash(std::size_t mesh) const;  ///< none without teeth
+  bool touches(std::size_t mesh) const;  ///< true if the mesh is mounted and its flanks touch
 };
 
 /// Computes absent shifts from distances and absent distances from shifts, as complete_shifts()
@@ -64,7 +65,7 @@ DriveGeometry drive_geometry(const DriveGraph& graph);
 /// Formula   dt/dj_n = cos α_wn/cos α_n for t = −(E_sn,a + E_sn,b); [T9.13]
 /// Domain    a checked graph (contract). In a closed loop of meshes, the backlash of the last
 ///           mesh follows from the others
-/// Accuracy  |j_n − backlash| < 1e-9 mm
+/// Accuracy  |j_n − backlash| < 1e-9 mm, if all teeth can be made as thin as this requires
 DriveGraph with_backlash(DriveGraph graph);
 
 /// Position of a planet in the frame of its carrier.

@@ -56,6 +56,13 @@ struct DriveGear {
   double side() const { return side_of(teeth); }  ///< σ  +1 external, −1 ring
   /// The coefficient of the gear in [T13.1]: z, or −1 for a rack.
   int factor() const { return rack ? -1 : teeth; }
+  /// E_sn  mm.   Domain  a rack, or a gear with `spec`
+  double thickness_allowance() const {
+    return rack ? rack->thickness_allowance : spec->thickness_allowance;
+  }
+  double& thickness_allowance() {
+    return rack ? rack->thickness_allowance : spec->thickness_allowance;
+  }
 };
 
 struct DriveMesh {

@@ -19,10 +19,6 @@ double direction(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 // Difference of a phase from a whole number of periods, −π … π.
 double off_phase(double phase) { return std::remainder(phase, kTurn); }
 
-// The direction y of a rack, along its travel. A pinion that turns counter-clockwise moves the rack
-// in the opposite direction.
-Vec2 travel(const PlacedGear& rack) { return {-std::sin(rack.angle), std::cos(rack.angle)}; }
-
 class Layout {
  public:
   Layout(const Drive& drive, DrivePlaces places) : drive_(drive), graph_(drive.graph) {
@@ -53,7 +49,7 @@ class Layout {
     rack.angle = direction(up);
     const double pitches = phi / kTurn + (bar.teeth % 2 == 0 ? 0.5 : 0.0) +
                            std::tan(bar.helix_angle.rad()) * rack.height / bar.transverse_pitch;
-    rack.axis += std::remainder(pitches, 1.0) * bar.transverse_pitch * travel(rack);
+    rack.axis += std::remainder(pitches, 1.0) * bar.transverse_pitch * along_rack(rack);
   }
 
   Vec2 pinion_axis(std::size_t rack) const {
@@ -284,6 +280,16 @@ double DriveLayout::angle_at(const Drive& drive, std::size_t placed, double heig
   return gear.angle + drive.geometry.gears[gear.gear]->twist() * (height - gear.height);
 }
 
+Vec2 along_rack(const PlacedGear& rack) { return {-std::sin(rack.angle), std::cos(rack.angle)}; }
+
+Vec2 DriveLayout::axis_at(const Drive& drive, std::size_t placed, double height) const {
+  const PlacedGear& gear = gears[placed];
+  const RackPair* rack = rack_pair_of(drive, gear.gear);
+  if (!rack) return gear.axis;
+  return gear.axis +
+         std::tan(rack->rack.helix_angle.rad()) * (height - gear.height) * along_rack(gear);
+}
+
 Result<DriveLayout> drive_layout(const Drive& drive) {
   const auto& gears = drive.geometry.gears;
   const auto& faults = drive.geometry.faults;
@@ -312,7 +318,7 @@ DriveLayout turned(const Drive& drive, DriveLayout layout, double input_turns) {
   for (PlacedGear& placed : layout.gears) {
     const std::size_t body = drive.graph.gears[placed.gear].body;
     if (const auto pitch = drive.rack_pitch(body)) {
-      placed.axis += angle(body) / kTurn * *pitch * -travel(placed);
+      placed.axis += angle(body) / kTurn * *pitch * -along_rack(placed);
       continue;
     }
     placed.angle += angle(body);

@@ -41,6 +41,8 @@ struct DriveLayout {
 
   /// φ of a placed gear at a height.
   double angle_at(const Drive& drive, std::size_t placed, double height) const;
+  /// The axis of a placed gear, or the middle of the datum line of a rack at a height.  mm
+  Vec2 axis_at(const Drive& drive, std::size_t placed, double height) const;
 };
 
 /// Computes the layout of a drive in the initial position.
@@ -48,6 +50,10 @@ struct DriveLayout {
 /// Errors    as drive_places(); `drive.gear` if a gear has no geometry; `drive.mesh` or
 ///           `drive.body` if teeth do not mesh; `drive.mesh` if gears cannot be mounted
 Result<DriveLayout> drive_layout(const Drive& drive);
+
+/// The unit vector along a placed rack. A pinion that turns counter-clockwise moves the rack in the
+/// opposite direction.
+Vec2 along_rack(const PlacedGear& rack);
 
 /// The same layout after a number of turns of the first input.
 ///

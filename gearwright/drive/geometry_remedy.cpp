@@ -27,14 +27,12 @@ bool no_problem(const std::vector<Warning>& warnings) {
                       [](const Warning& w) { return severity_of(w) == Severity::problem; });
 }
 
-bool can_mesh(const std::optional<Pair>& pair) { return pair && pair->contact_ratio_true() > 0.0; }
-
 bool is_possible(const DriveGraph& graph) {
   const DriveGeometry made = drive_geometry(graph);
   if (!made.faults.empty()) return false;
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
     if (meshes_teeth(graph, graph.meshes[m]) &&
-        !(can_mesh(made.pairs[m]) && no_problem(made.pairs[m]->warnings())))
+        !(made.touches(m) && no_problem(made.pairs[m]->warnings())))
       return false;
   return true;
 }
@@ -167,9 +165,7 @@ std::string changes_for(const DriveGraph& graph, std::size_t m) {
 
 void add_remedy(const DriveGraph& graph, DriveGeometry& made) {
   std::size_t m = 0;
-  while (m < graph.meshes.size() &&
-         (!meshes_teeth(graph, graph.meshes[m]) || can_mesh(made.pairs[m])))
-    ++m;
+  while (m < graph.meshes.size() && (!meshes_teeth(graph, graph.meshes[m]) || made.touches(m))) ++m;
   if (m == graph.meshes.size()) return;
   const std::string changes = changes_for(graph, m);
   if (changes.empty()) return;
@@ -179,6 +175,67 @@ void add_remedy(const DriveGraph& graph, DriveGeometry& made) {
          fmt::format("The teeth of the mesh {} do not touch at a centre distance of {:.4f} mm.",
                      graph.meshes[m].name, *made.distance[m])});
   made.faults.front().message += " " + changes;
+}
+
+namespace {
+
+DriveGeometry with_backlash_of(DriveGraph given, std::size_t m, double backlash) {
+  given.meshes[m].backlash = backlash;
+  return drive_geometry(with_backlash(given));
+}
+
+// "At most 3.371 mm is possible." The bisection begins at the backlash that the mesh has with
+// unchanged teeth. Empty if the other meshes make this backlash impossible too.
+std::string possible_backlash(const DriveGraph& given, std::size_t m, double natural) {
+  const auto possible = [&](double backlash) {
+    return with_backlash_of(given, m, backlash).touches(m);
+  };
+  if (!possible(natural)) return {};
+  double good = natural, bad = *given.meshes[m].backlash;
+  const bool greatest = bad > natural;
+  for (int i = 0; i < 20; ++i) (possible((good + bad) / 2) ? good : bad) = (good + bad) / 2;
+  return fmt::format(" At {} {:.3f} mm is possible.", greatest ? "most" : "least",
+                     greatest ? rounded_down(good, 3) : rounded_up(good, 3));
+}
+
+}  // namespace
+
+bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeometry& made) {
+  struct Blame {
+    std::size_t mesh;
+    std::string limit;
+  };
+  std::vector<Blame> blamed;
+  std::optional<DriveGeometry> uncut;  // with the given thickness allowances
+  for (std::size_t m = 0; m < given.meshes.size(); ++m) {
+    if (!given.meshes[m].backlash || made.touches(m)) continue;
+    if (!uncut) uncut = drive_geometry(given);
+    const auto natural = uncut->stated_backlash(m);
+    if (natural && uncut->touches(m))
+      blamed.push_back({m, possible_backlash(given, m, natural->normal)});
+  }
+  // If another backlash of a single mesh makes it possible, that mesh is the reason. Otherwise, all
+  // of them are.
+  const auto has_limit = [](const Blame& blame) { return !blame.limit.empty(); };
+  if (std::any_of(blamed.begin(), blamed.end(), has_limit))
+    std::erase_if(blamed, [&](const Blame& blame) { return !has_limit(blame); });
+  // The thinning causes the faults that the teeth do not have without it.
+  if (!blamed.empty())
+    std::erase_if(made.faults, [&](const GeometryFault& fault) {
+      return std::none_of(uncut->faults.begin(), uncut->faults.end(),
+                          [&](const GeometryFault& own) { return own.message == fault.message; });
+    });
+  for (const auto& [m, limit] : blamed) {
+    const DriveMesh& mesh = thinned.meshes[m];
+    const DriveGear &a = thinned.gear(mesh, 0), &b = thinned.gear(mesh, 1);
+    made.faults.push_back(
+        {GeometryFault::Kind::no_pair,
+         fmt::format("The mesh {} cannot have a backlash of {:g} mm, because it requires thickness "
+                     "allowances of {} mm for {} and {} mm for {}.{}",
+                     mesh.name, *mesh.backlash, format_number(a.thickness_allowance()), a.name,
+                     format_number(b.thickness_allowance()), b.name, limit)});
+  }
+  return !blamed.empty();
 }
 
 }  // namespace gearwright

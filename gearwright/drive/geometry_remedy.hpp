@@ -1,5 +1,5 @@
-// Finds changes that make the teeth of a drive possible: another centre distance, or another number
-// of teeth of the central gear.
+// Finds changes that make the teeth of a drive possible: another centre distance, another number of
+// teeth of the central gear, or another backlash.
 //
 // Every change is tried. It is accepted if the geometry of the whole drive, computed with the
 // change, has no problem in any gear or mesh.      theory: docs/theory/13-drives.md, [T13.15]
@@ -42,5 +42,14 @@ std::optional<PossibleTeeth> possible_teeth(const DriveGraph& graph, std::size_t
 /// becomes possible. If all teeth touch, or if no such change is found, the message is not
 /// changed.
 void add_remedy(const DriveGraph& graph, DriveGeometry& made);
+
+/// Replaces the faults that the teeth have only because a backlash is impossible. The new fault of
+/// such a mesh names its backlash, the thickness allowances that the backlash requires, and the
+/// greatest or least backlash that is possible if the other meshes keep theirs. `given` is the
+/// graph without the allowances of with_backlash(), and `thinned` is the graph with them. False if
+/// no backlash is the reason for a fault.
+///
+/// Accuracy  the limit is possible, and a backlash 0.002 mm beyond it is impossible
+bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeometry& made);
 
 }  // namespace gearwright

@@ -1,10 +1,14 @@
 // Laws: (1) both ends of a stated range make a drive without faults, and the next value does not;
-// (2) the faults of a drive state the range.
+// (2) the faults of a drive state the range; (3) a backlash is possible up to the stated limit, and
+// not 0.01 mm beyond it.
 #include "gearwright/drive/geometry_remedy.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "gearwright/base/testing/taken.hpp"
+#include "gearwright/drive/drive.hpp"
 #include "gearwright/drive/short_forms.hpp"
 
 namespace gearwright {
@@ -78,6 +82,76 @@ TEST(GeometryRemedy, TheFaultOfADistanceStatesTheRange) {
   EXPECT_NE(fault.find("A centre distance from 44."), std::string::npos) << fault;
   EXPECT_EQ(first_fault(set_of(20, 25, 70, 46.0)), "");
   EXPECT_EQ(first_fault(set_of(20, 25, 70)), "");
+}
+
+Drive with_backlash_in(DriveGraph graph, const std::vector<double>& backlash) {
+  for (std::size_t m = 0; m < backlash.size(); ++m) graph.meshes[m].backlash = backlash[m];
+  return testing::taken(make_drive({.graph = graph, .remedies = true}));
+}
+
+// Reads the limit of each fault, which must have these words and name its mesh. The mesh runs with
+// this backlash, and not with a backlash `beyond` the limit.
+void expect_limits(const DriveGraph& graph, const std::vector<double>& backlash,
+                   const std::vector<std::size_t>& at_fault, const std::string& words,
+                   double beyond) {
+  const Drive drive = with_backlash_in(graph, backlash);
+  const auto& faults = drive.geometry.faults;
+  ASSERT_EQ(faults.size(), at_fault.size());
+  for (std::size_t i = 0; i < at_fault.size(); ++i) {
+    const std::size_t m = at_fault[i];
+    const std::string& text = faults[i].message;
+    EXPECT_FALSE(drive.geometry.touches(m));
+    EXPECT_TRUE(
+        text.starts_with("The mesh " + graph.meshes[m].name + " cannot have a backlash of "))
+        << text;
+    EXPECT_EQ(text.find("gear1."), std::string::npos) << text;
+    EXPECT_EQ(text.find("gear2."), std::string::npos) << text;
+    const std::size_t at = text.find(words);
+    ASSERT_NE(at, std::string::npos) << text;
+    const double limit = std::strtod(text.c_str() + at + words.size(), nullptr);
+    std::vector<double> changed = backlash;
+    changed[m] = limit;
+    const Drive good = with_backlash_in(graph, changed);
+    ASSERT_TRUE(good.geometry.touches(m)) << text;
+    EXPECT_NEAR(good.geometry.stated_backlash(m)->normal, limit, 1e-9);
+    changed[m] = limit + beyond;
+    EXPECT_FALSE(with_backlash_in(graph, changed).geometry.touches(m)) << text;
+  }
+}
+
+DriveGraph rack_graph(double dedendum = 1.25) {
+  CylindricalSpec spec;
+  spec.normal_module = 2.0;
+  StraightRack rack;
+  rack.dedendum = dedendum;
+  rack.root_fillet_radius = 0.25;
+  spec.rack = rack;
+  DriveGraph graph;
+  graph.bodies = {{"s", {}, 1, {}}, {"bar", {}, 1, {}}};
+  graph.gears = {{"p", 0, 20, {}, spec, {}}, {"r", 1, 0, RackBar{}, {}, {}}};
+  graph.meshes = {{"p_r", {0, 1}, {}, {}}};
+  graph.inputs = {0};
+  graph.output = 1;
+  return graph;
+}
+
+TEST(GeometryRemedy, ABacklashThatIsTooGreatNamesItsMesh) {
+  const std::string most = " At most ";
+  DriveGraph pair = rack_graph();
+  pair.gears[1] = {"w", 1, 58, {}, pair.gears[0].spec, {}};
+  for (const double backlash : {4.0, 9.0}) expect_limits(rack_graph(), {backlash}, {0}, most, 0.01);
+  for (const double backlash : {7.0, 30.0}) expect_limits(pair, {backlash}, {0}, most, 0.01);
+  expect_limits(set_of(20, 25, 70), {9.0, 9.0}, {0, 1}, most, 0.01);
+  // Only the mesh with the sun is at fault.
+  expect_limits(set_of(20, 25, 70), {9.0, 0.1}, {0}, most, 0.01);
+  EXPECT_TRUE(with_backlash_in(set_of(20, 25, 70), {0.1, 0.2}).geometry.faults.empty());
+}
+
+// At a centre distance that is too great, the teeth would have to be so thick that the spaces close.
+TEST(GeometryRemedy, ABacklashThatIsTooSmallNamesItsMesh) {
+  DriveGraph deep = rack_graph(1.6);
+  deep.meshes.front().center_distance = 23.2;
+  expect_limits(deep, {0.0}, {0}, " At least ", -0.01);
 }
 
 }  // namespace

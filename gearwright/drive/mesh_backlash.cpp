@@ -18,10 +18,6 @@ struct MeshThinning {
   double thinning;  // t  mm
 };
 
-double& allowance(DriveGear& gear) {
-  return gear.rack ? gear.rack->thickness_allowance : gear.spec->thickness_allowance;
-}
-
 // The t with which the mesh has its required backlash. None if no backlash is required or if the
 // gears are not mounted. For circular arcs, dt/dj_n differs slightly from 1.
 std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeometry& made,
@@ -37,7 +33,8 @@ std::optional<MeshThinning> needed_thinning(DriveGraph& graph, const DriveGeomet
     per_backlash = pair->mesh.rack.angles.cos_alpha /
                    std::cos(pair->gears[0].spec.normal_pressure_angle.rad());
   double thinning = (*wanted - *now) * per_backlash;
-  for (const std::size_t g : graph.meshes[m].gears) thinning -= allowance(graph.gears[g]);
+  for (const std::size_t g : graph.meshes[m].gears)
+    thinning -= graph.gears[g].thickness_allowance();
   return MeshThinning{m, thinning};
 }
 
@@ -73,16 +70,19 @@ DriveGraph with_backlash(DriveGraph graph) {
   const auto has_backlash = [](const DriveMesh& mesh) { return mesh.backlash.has_value(); };
   if (std::none_of(graph.meshes.begin(), graph.meshes.end(), has_backlash)) return graph;
   double change = kInfinity;
+  std::size_t mounted = 0;
   for (int pass = 0; pass < kPasses && change > kClose; ++pass) {
     const DriveGeometry made = drive_geometry(graph);
     std::vector<MeshThinning> needed;
     for (std::size_t m = 0; m < graph.meshes.size(); ++m)
       if (const auto mesh = needed_thinning(graph, made, m)) needed.push_back(*mesh);
+    if (needed.size() < mounted) return graph;  // some teeth cannot be made as thin as required
+    mounted = needed.size();
     const auto thinning = divided(graph, std::move(needed));
     change = 0.0;
     for (std::size_t g = 0; g < thinning.size(); ++g) {
       if (!thinning[g]) continue;
-      double& own = allowance(graph.gears[g]);
+      double& own = graph.gears[g].thickness_allowance();
       change = std::max(change, std::abs(-*thinning[g] - own));
       own = -*thinning[g];
     }

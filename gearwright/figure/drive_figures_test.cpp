@@ -146,5 +146,48 @@ TEST(DriveFigures, CurvesUnderLoadLieWithinTheAxes) {
   EXPECT_FALSE(displacement_figure(drive, 0));
 }
 
+// Above its pinion or below it, a rack is drawn where the pitch circle of the pinion ends, and its
+// words are beyond its back.
+TEST(DriveFigures, ASchemeOfARackHasItsBarAndItsWords) {
+  for (const double module : {0.0, 2.0}) {
+    for (const double direction : {0.0, 3.0}) {
+      CylindricalSpec spec;
+      spec.normal_module = module;
+      DriveGraph graph;
+      graph.bodies = {{"shaft", {}, 1, {}}, {"bar", {}, 1, {}}};
+      graph.gears = {{"p", 0, 20, {}, {}, {}}, {"r", 1, 0, RackBar{.teeth = 30}, {}, {}}};
+      if (module > 0.0) graph.gears.front().spec = spec;
+      graph.meshes = {{"p_r", {0, 1}, 0.98, {}}};
+      graph.meshes.front().direction = Angle::radians(direction);
+      graph.inputs = {0};
+      graph.output = 1;
+      graph.speeds_rpm = {60};
+      graph.torque_Nm = 10;
+      const auto drive = make_drive({graph, {}});
+      ASSERT_TRUE(drive) << drive.error().message();
+      const auto places = drive_places(*drive);
+      ASSERT_TRUE(places) << places.error().message();
+      const Figure figure = scheme_figure(*drive, *places);
+      expect_inside(figure);
+      double pinion = 0.0, rack = 0.0;
+      int words = 0, speeds = 0;
+      for (const FigureMark& mark : figure.marks) {
+        const double y = mark.points.front().y();
+        if (mark.style == "bar-stick b1") rack = y;
+        if (mark.style == "bar-stick b0" && y * (direction < 1.0 ? 1 : -1) > 0.0) pinion = y;
+        if (mark.text() == "bar out") {
+          ++words;
+          EXPECT_GT(std::abs(y), std::abs(rack));
+        }
+        speeds += mark.text() == (module > 0.0 ? "0.1257 m/s" : "20 pitches per turn");
+      }
+      EXPECT_NEAR(std::abs(rack) - std::abs(pinion), 0.1, 1e-9);
+      EXPECT_GT(rack * pinion, 0.0);
+      EXPECT_EQ(words, 1);
+      EXPECT_EQ(speeds, 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "gearwright/figure/drive_figures.hpp"
+#include "gearwright/figure/drive_words.hpp"
 #include "gearwright/figure/markup.hpp"
 
 namespace gearwright {
@@ -23,6 +25,8 @@ constexpr double kLevel = 0.2;    // distance between coaxial shafts
 constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
 constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
 constexpr double kLine = 18.0;    // px between lines of words
+constexpr double kBack = 0.45;    // from the teeth of a rack to its back
+constexpr double kDrawn = 616.0;  // px, width of the plot in the report
 constexpr double kFurther = 2.5;  // from the end of a shaft to the end of the next shaft inside it
 
 // A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
@@ -50,6 +54,9 @@ class Scheme {
     unfold();
     if (!is_plane_)
       f_.caption += " Axes in other directions are turned into the plane of the picture.";
+    if (std::any_of(graph_.gears.begin(), graph_.gears.end(),
+                    [](const DriveGear& gear) { return gear.rack.has_value(); }))
+      f_.caption += " Racks are drawn in section and move perpendicular to the picture.";
     measure();
     draw_gears();
     draw_carriers();
@@ -140,6 +147,10 @@ class Scheme {
       const DriveGear& gear = graph_.gears[g];
       const SlotRange slots = places_.slots[g];
       const double from = slot_x(slots.first) - kHalf, to = slot_x(slots.last) + kHalf;
+      if (gear.rack) {
+        draw_rack(g, from, to);
+        continue;
+      }
       const double x = (from + to) / 2, y = axis_y(gear.body);
       const std::string style = stick(gear.body);
       const auto bar = [&](double at) {
@@ -183,6 +194,35 @@ class Scheme {
       right_ = std::max(right_, to + 0.3);
       left_ = std::min(left_, from - 0.3);
     }
+  }
+
+  // A rack in section across its travel: its teeth at the datum line, and its body behind them. The
+  // words of its body are beyond its back.
+  void draw_rack(std::size_t g, double from, double to) {
+    const DriveGear& gear = graph_.gears[g];
+    const auto mesh = std::find_if(graph_.meshes.begin(), graph_.meshes.end(),
+                                   [&](const DriveMesh& m) { return m.gears[1] == g; });
+    const double y = axis_y(gear.body), x = (from + to) / 2;
+    const double out = std::copysign(1.0, y - axis_y(graph_.gear(*mesh, 0).body));
+    const double teeth = y + out * kApart, back = teeth + out * kBack;
+    f_.line({{from, teeth}, {to, teeth}}, "bar-stick " + body_style(gear.body));
+    f_.line({{from, teeth}, {from, back}, {to, back}, {to, teeth}}, stick(gear.body));
+    std::string name = escaped(gear.name);
+    if (gear.rack->teeth) name += fmt::format(" {}", *gear.rack->teeth);
+    f_.point({to, (teeth + back) / 2}, 0.0, "", name, {kBeside, 0.0});
+    f_.marks.back().label_style = "halo";
+    left_ = std::min(left_, from - 0.3);
+    right_ = std::max(right_, to + 0.3);
+    std::vector<std::string> lines =
+        is_end(gear.body) ? end_words(drive_, gear.body) : std::vector<std::string>{};
+    const auto count = static_cast<double>(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const double line = static_cast<double>(i);
+      const double down = out > 0.0 ? -9.0 - kLine * (count - 1.0 - line) : kLine * (line + 1.0);
+      f_.text({x, back}, lines[i], Anchor::middle, i == 0 ? "panel halo" : "tick halo",
+              {0.0, down});
+    }
+    beyond_.push_back({back, out * (kLine * count + 9.0)});
   }
 
   bool in_a_set(std::size_t g) const {
@@ -312,51 +352,17 @@ class Scheme {
   // shaft is hollow, all words are above, because the inner shaft is drawn below.
   void end_of(std::size_t body, const Vec2& at, bool left, bool hollow) {
     if (graph_.is_fixed(body)) ground(at, false);
-    const char* part = graph_.is_input(body) ? "in" : graph_.output == body ? "out" : "held";
     const Anchor anchor = left ? Anchor::start : Anchor::end;
-    std::vector<std::string> lines;
-    const bool rack = graph_.moves(body);
-    if (const auto v = drive_.linear_speed(body); v && !graph_.is_fixed(body))
-      lines.push_back(fmt::format("{:.4g} m/s", *v));
-    else if (const auto n = drive_.speed_rpm(body); n && !rack && !graph_.is_fixed(body))
-      lines.push_back(fmt::format("{:.5g} /min", *n));
-    else if (const auto ratio = drive_.speed_ratio(body); ratio && !graph_.is_fixed(body))
-      lines.push_back(rack ? fmt::format("{:.4g} pitches per turn", *ratio)
-                           : fmt::format("n {:.4g} n_in", *ratio));
-    if (rack) {
-      if (const auto force = drive_.force(body)) lines.push_back(fmt::format("{:.5g} N", *force));
-    } else if (drive_.flow && !drive_.flow->self_locking()) {
-      const double t = drive_.flow->torque[body];
-      const auto& given = graph_.torque_Nm;
-      lines.push_back(given ? torque_text(t * *given) : fmt::format("T {:.4g} T_in", t));
-    }
-    const double lift = hollow ? -kLine * static_cast<double>(lines.size()) : 0.0;
-    f_.text(at, fmt::format("{} {}", escaped(graph_.bodies[body].name), part), anchor, "panel halo",
-            {0.0, lift - 7.0});
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      f_.text(at, symbol_text(lines[i]), anchor, "tick halo",
-              {0.0, (hollow ? lift + 8.0 : 20.0) + kLine * static_cast<double>(i)});
+    const std::vector<std::string> lines = end_words(drive_, body);
+    const double lift = hollow ? -kLine * static_cast<double>(lines.size() - 1) : 0.0;
+    f_.text(at, lines.front(), anchor, "panel halo", {0.0, lift - 7.0});
+    for (std::size_t i = 1; i < lines.size(); ++i)
+      f_.text(at, lines[i], anchor, "tick halo",
+              {0.0, (hollow ? lift + 8.0 : 20.0) + kLine * static_cast<double>(i - 1)});
     if (hollow)
       top_ = std::max(top_, at.y() + 1.3);
     else
       bottom_ = std::min(bottom_, at.y() - 1.2);
-  }
-
-  static std::string torque_text(double Nm) {
-    return std::abs(Nm) < 99999.5 ? fmt::format("{:.5g} N m", Nm)
-                                  : fmt::format("{:.5g} kN m", Nm / 1e3);
-  }
-
-  static std::string symbol_text(const std::string& text) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text.compare(i, 3, "_in") == 0) {
-        out += "<tspan class=\"s\" dy=\"3\">in</tspan>";
-        i += 2;
-      } else
-        out += text[i];
-    }
-    return out;
   }
 
   // Draws the symbol of a fixed body above a ring or across the end of a shaft.
@@ -374,6 +380,11 @@ class Scheme {
 
   void frame() {
     f_.x = {"", "", std::min(left_, left_most_) - 0.1, std::max(right_, right_most_) + 0.1};
+    for (const auto& [y, px] : beyond_) {
+      const double end = y + px * (f_.x.hi - f_.x.lo) / kDrawn;
+      top_ = std::max(top_, end);
+      bottom_ = std::min(bottom_, end);
+    }
     f_.y = {"", "", bottom_ - 0.1, top_ + 0.1};
     f_.tall = (f_.y.hi - f_.y.lo) / (f_.x.hi - f_.x.lo);
   }
@@ -387,6 +398,8 @@ class Scheme {
   bool is_plane_ = true;                  // true if all axes in the housing lie in one plane
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body
+  std::vector<std::pair<double, double>>
+      beyond_;  // height, and px of words above (> 0) or below it
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
   double left_most_ = 0.0, right_most_ = 0.0;
 };

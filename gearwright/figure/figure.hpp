@@ -58,7 +58,8 @@ struct FigureMark {
     dot,
     text,
     circle,  ///< about a point, `radius` in the units of the axes
-    shape,   ///< a gear's section (gear_shape.hpp); `radius` is the length of a path unit, mm
+    shape,   ///< a gear's section (gear_shape.hpp); `radius` is the length of a path unit, mm.
+             ///< If there is a second point, the shape moves to it during one pitch of gear 1
     cross    ///< marks an axis of rotation
   };
   Kind kind = Kind::line;

@@ -287,6 +287,11 @@ class Writer {
       case Kind::shape: {
         std::string turning = fmt::format("data-gear=\"{}\"", m.gear);
         if (m.per_pitch != 0.0) turning += fmt::format(" data-turn=\"{:.12g}\"", m.per_pitch);
+        if (m.points.size() > 1) {
+          const Vec2 moved = px(m.points[1]) - px(m.points[0]);
+          turning +=
+              fmt::format(" data-travel=\"{} {}\"", fixed(moved.x(), 6), fixed(moved.y(), 6));
+        }
         svg_.use(m.words, px(m.points[0]), per_unit() * m.radius, m.turned, m.style, turning);
         break;
       }

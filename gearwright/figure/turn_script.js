@@ -3,11 +3,12 @@
 //   t   rotation of gear 1 from the drawn position, in pitches. After one pitch, the next tooth takes
 //       the place of the first, and the figure repeats. For a drive, t is a part of its period.
 //
-//   figureTurn(scope)   Returns a function of t that turns the shapes, moves the contact points and
-//                       shows the frames inside an element.
-//   figureDrive(button, slider, seconds, changed)   The button starts and stops a motion of one pitch
-//                       in `seconds`. `changed` is called with t, in the range of the slider, and
-//                       with the number of completed pitches. Returns {stop, reset}.
+//   figureTurn(scope)   Returns a function of t that turns and moves the shapes, moves the contact
+//                       points and shows the frames inside an element.
+//   figureDrive(button, slider, seconds, changed, sways)   The button starts and stops a motion of
+//                       one pitch in `seconds`. `changed` is called with t, in the range of the
+//                       slider, and with the number of completed pitches. If `sways`, the motion
+//                       goes to and fro, by half a pitch to either side. Returns {stop, reset}.
 (function () {
   'use strict';
   function list(nodes) { return Array.prototype.slice.call(nodes); }
@@ -16,6 +17,10 @@
   window.figureTurn = function (scope) {
     var gears = list(scope.querySelectorAll('[data-turn]')).map(function (node) {
       return {node: node, at: node.getAttribute('transform'), turn: number(node, 'data-turn')};
+    });
+    var bars = list(scope.querySelectorAll('[data-travel]')).map(function (node) {
+      var way = node.getAttribute('data-travel').split(' ').map(parseFloat);
+      return {node: node, at: node.getAttribute('transform'), dx: way[0], dy: way[1]};
     });
     var touches = list(scope.querySelectorAll('[data-tooth]')).map(function (node) {
       return {node: node, tooth: number(node, 'data-tooth'), from: number(node, 'data-from'),
@@ -30,6 +35,9 @@
       gears.forEach(function (g) {
         g.node.setAttribute('transform', t === 0 ? g.at : g.at + ' rotate(' + g.turn * t + ')');
       });
+      bars.forEach(function (b) {
+        b.node.setAttribute('transform', 'translate(' + b.dx * t + ' ' + b.dy * t + ') ' + b.at);
+      });
       touches.forEach(function (c) {
         var s = t + c.tooth;
         c.node.setAttribute('visibility', moved && s >= c.from && s <= c.to ? 'visible' : 'hidden');
@@ -42,14 +50,18 @@
     };
   };
 
-  window.figureDrive = function (button, slider, seconds, changed) {
-    var least = parseFloat(slider.min), t = 0, whole = 0, last = null, running = 0;
+  window.figureDrive = function (button, slider, seconds, changed, sways) {
+    var least = parseFloat(slider.min), way = 1, t = 0, whole = 0, last = null, running = 0;
     function frame(now) {
-      if (last !== null) t += (now - last) / (1000 * seconds);
+      if (last !== null) t += way * (now - last) / (1000 * seconds);
       last = now;
-      var more = Math.floor(t - least);
+      var more = sways ? 0 : Math.floor(t - least);
       t -= more;
       whole += more;
+      if (sways && Math.abs(t) > 0.5) {
+        way = t > 0 ? -1 : 1;
+        t = -way / 2;
+      }
       slider.value = t;
       running = requestAnimationFrame(frame);
       changed(t, whole);
@@ -82,14 +94,16 @@
     var scope = control.closest('.figures');
     if (!scope) return;
     var turn = window.figureTurn(scope), slider = control.querySelector('input');
+    var unit = control.getAttribute('data-unit') || '°';
     function show(t, moved) {
-      var words = (t * number(control, 'data-pitch')).toFixed(2) + '°';
+      var words = (t * number(control, 'data-pitch')).toFixed(2) + unit;
       control.querySelector('output').textContent = words;
       slider.setAttribute('aria-valuetext', words);
       turn(t, moved);
     }
     var drive = window.figureDrive(control.querySelector('button'), slider,
-        number(control, 'data-seconds') || 3, function (t) { show(t, true); });
+        number(control, 'data-seconds') || 3, function (t) { show(t, true); },
+        control.hasAttribute('data-sways'));
     window.addEventListener('beforeprint', function () {
       drive.reset();
       show(0, false);

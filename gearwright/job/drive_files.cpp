@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gearwright/base/printable.hpp"
@@ -100,15 +99,9 @@ Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
     DriveReportInput report;
     report.title = job.spec.title;
     report.drive = &job.drive;
-    // Racks cannot be drawn, so a drive with a rack has no figures.
-    const auto& gears = job.drive.graph.gears;
-    const bool drawn =
-        std::none_of(gears.begin(), gears.end(), [](const DriveGear& g) { return g.rack; });
-    report.places = drawn && job.places ? &*job.places : nullptr;
-    report.layout = drawn && job.layout ? &*job.layout : nullptr;
-    report.why_no_layout = drawn ? job.why_no_layout
-                                 : "Drives with a rack are not drawn in section. The STEP, GLB and "
-                                   "3MF files contain the drive with its rack.";
+    report.places = job.places ? &*job.places : nullptr;
+    report.layout = job.layout ? &*job.layout : nullptr;
+    report.why_no_layout = job.why_no_layout;
     report.verdict = job.verdict;
     report.files = report_files(files);
     report.spec_text = job.spec.text;

@@ -12,6 +12,7 @@
 #include "gearwright/figure/drive_figures.hpp"
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
+#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
@@ -19,7 +20,9 @@ namespace gearwright {
 namespace {
 
 constexpr double kSectionWidth = 640.0, kSectionEdge = 12.0;  // px, width and margin of a section
-constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;      // width, px, and height over width
+constexpr double kLeastWidth = 320.0;  // px, of a section that is taller than it is wide
+constexpr double kBarRadii = 8.0;      // tip radii of the pinion, the most of a rack that is shown
+constexpr double kPhaseWidth = 240.0, kPhaseTall = 0.82;  // width, px, and height over width
 constexpr double kPhaseModules = 6.5;    // modules, size of the area in a picture of a phase
 constexpr double kTeethPerSecond = 1.2;  // in the fastest mesh while the picture turns
 constexpr int kSliderSteps = 240;        // number of positions of the slider
@@ -33,9 +36,15 @@ class Pictures {
   Pictures(const Drive& drive, const DriveLayout& layout, UnitSystem units)
       : drive_(drive), graph_(drive.graph), layout_(layout), units_(units) {
     const auto alike = turns_until_alike(drive);
-    turns_ = alike ? alike->value() : 1.0;
+    const auto swayed = turns_of_racks();
+    sways_ = swayed.has_value();
+    turns_ = sways_ ? *swayed : alike ? alike->value() : 1.0;
     Bounds all;
     for (const PlacedGear& p : layout.gears) {
+      if (const RackPair* rack = rack_pair_of(drive, p.gear)) {
+        cover_bar(*rack, p, all);
+        continue;
+      }
       const Vec2 r = Vec2::Constant(drawn_radius(*drive.geometry.gears[p.gear]));
       all.cover(p.axis - r);
       all.cover(p.axis + r);
@@ -48,7 +57,8 @@ class Pictures {
       }
     }
     const double px = all.size().maxCoeff() / (kSectionWidth - 2 * kSectionEdge);  // mm per px
-    const Vec2 half(kSectionWidth / 2 * px, all.size().y() / 2 + kSectionEdge * px);
+    width_ = std::clamp(all.size().x() / px + 2 * kSectionEdge, kLeastWidth, kSectionWidth);
+    const Vec2 half(width_ / 2 * px, all.size().y() / 2 + kSectionEdge * px);
     const Vec2 middle = (all.lo + all.hi) / 2;
     window_ = {middle - half, middle + half};
   }
@@ -61,6 +71,52 @@ class Pictures {
 
  private:
   double ratio(std::size_t body) const { return drive_.speed_ratio(body).value_or(0.0); }
+  std::size_t body_of(const PlacedGear& placed) const { return graph_.gears[placed.gear].body; }
+  // The motion of a rack while t runs from 0 to 1, mm along along_rack().
+  double travel_of(const PlacedGear& rack) const {
+    return -ratio(body_of(rack)) * turns_ * drive_.rack_pitch(body_of(rack)).value_or(0.0);
+  }
+
+  // The turns of the input during the motion of a drive with racks. The motion is one turn of the
+  // input, or less if a rack would move by more than half its length. If the input is a rack, only
+  // the lengths of the racks limit the motion. None without a rack.
+  std::optional<double> turns_of_racks() const {
+    std::optional<double> turns;
+    for (const PlacedGear& p : layout_.gears) {
+      const RackPair* rack = rack_pair_of(drive_, p.gear);
+      if (!rack) continue;
+      if (!turns) turns = graph_.moves(graph_.inputs.front()) ? kInfinity : 1.0;
+      if (const double pitches = std::abs(ratio(body_of(p))); pitches > 0.0)
+        turns = std::min(*turns, rack->rack.teeth / (2 * pitches));
+    }
+    return turns;
+  }
+
+  // Covers a rack during its whole motion, which goes to both sides of its drawn position. The ends
+  // of a long rack are outside the picture.
+  void cover_bar(const RackPair& rack, const PlacedGear& p, Bounds& all) const {
+    const Vec2 along = along_rack(p), up(along.y(), -along.x());
+    const Vec2 foot = layout_.places.axes[body_of(p)];
+    const double most = kBarRadii * rack.pinion.tip_diameter / 2;
+    const double half =
+        rack.rack.teeth * rack.rack.transverse_pitch / 2 + std::abs(travel_of(p)) / 2;
+    const double middle = (p.axis - foot).dot(along);
+    for (const double x : {-rack.rack.height, rack.rack.addendum})
+      for (const double end : {middle - half, middle + half})
+        all.cover(foot + x * up + std::clamp(end, -most, most) * along);
+  }
+
+  void add_rack(Figure& f, const RackPair& rack, std::size_t placed, double height) const {
+    const PlacedGear& p = layout_.gears[placed];
+    const Vec2 at = layout_.axis_at(drive_, placed, height);
+    FigureMark bar{FigureMark::Kind::shape,
+                   "part " + body_style(body_of(p)),
+                   {at, at + travel_of(p) * along_rack(p)},
+                   shape_name(p.gear)};
+    bar.radius = outline_unit_mm(rack.pinion);
+    bar.turned = kDegPerRad * p.angle;
+    f.marks.push_back(std::move(bar));
+  }
 
   // Draws a gear whose axis is at the point `at`. `relative` is the speed of the gear within
   // its group, divided by the speed of the input.
@@ -103,7 +159,11 @@ class Pictures {
         layout_.sections.size() > 1 ? fmt::format(", at z = {} mm", fixed(section.height, 1)) : "");
     std::set<std::size_t> carriers;
     for (const std::size_t i : drawn_order(section)) {
-      const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
+      const std::size_t body = body_of(layout_.gears[i]);
+      if (const RackPair* rack = rack_pair_of(drive_, layout_.gears[i].gear)) {
+        add_rack(f, *rack, i, section.height);
+        continue;
+      }
       if (const auto carrier = graph_.bodies[body].carrier) {
         carriers.insert(*carrier);
         continue;
@@ -112,9 +172,9 @@ class Pictures {
     }
     for (const std::size_t carrier : carriers) add_carrier(f, section, carrier);
     for (std::size_t b = 0; b < graph_.bodies.size(); ++b)
-      if (!graph_.bodies[b].carrier) f.cross(layout_.places.axes[b]);
+      if (!graph_.bodies[b].carrier && !graph_.moves(b)) f.cross(layout_.places.axes[b]);
     add_keys(f, section, carriers);
-    return figure_html(in_units(units_, std::move(f)), kSectionWidth, "", k == 0 ? control() : "");
+    return figure_html(in_units(units_, std::move(f)), width_, "", k == 0 ? control() : "");
   }
 
   // Adds the planets in a group that turns with the carrier, and a line from the axis of the
@@ -125,7 +185,7 @@ class Pictures {
     f.groups.push_back({center, turn_of(ratio(carrier), turns_)});
     std::vector<Vec2> pins;
     for (const std::size_t i : section.gears) {
-      const std::size_t body = graph_.gears[layout_.gears[i].gear].body;
+      const std::size_t body = body_of(layout_.gears[i]);
       if (graph_.bodies[body].carrier != carrier) continue;
       add_gear(f, i, section.height, layout_.gears[i].axis, 0.0, ratio(body) - ratio(carrier),
                group);
@@ -145,9 +205,11 @@ class Pictures {
       const DriveGear& gear = graph_.gears[layout_.gears[i].gear];
       if (!said.insert(layout_.gears[i].gear).second) continue;
       const int count = graph_.bodies[gear.body].count;
+      const RackPair* rack = rack_pair_of(drive_, layout_.gears[i].gear);
+      const int teeth = rack ? rack->rack.teeth : std::abs(gear.teeth);
       f.keys.push_back(
-          key(gear.body, fmt::format("{}{} {}", count > 1 ? fmt::format("{} × ", count) : "",
-                                     gear.name, std::abs(gear.teeth))));
+          key(gear.body, fmt::format("{}{} {}{}", count > 1 ? fmt::format("{} × ", count) : "",
+                                     gear.name, teeth, rack ? ", rack" : "")));
     }
     for (const std::size_t c : carriers) f.keys.push_back(key(c, graph_.bodies[c].name));
   }
@@ -156,6 +218,8 @@ class Pictures {
     std::string speed;
     if (graph_.is_fixed(body))
       speed = ", held";
+    else if (const auto v = drive_.linear_speed(body))
+      speed = fmt::format(", {:.4g} m/s", *v);
     else if (const auto n = drive_.speed_rpm(body))
       speed = fmt::format(", {}/min", fixed(*n, 1));
     return {body_style(body), words + speed};
@@ -166,12 +230,19 @@ class Pictures {
     for (std::size_t m = 0; m < graph_.meshes.size(); ++m)
       teeth = std::max(teeth, drive_.frequency_ratio(m).value_or(0.0));
     const double seconds = std::max(3.0, teeth * turns_ / kTeethPerSecond);
+    // The position of the input is an angle, or a length if the input is a rack.
+    const std::size_t input = graph_.inputs.front();
+    const TextUnit unit(units_, "mm");
+    const auto pitch = drive_.rack_pitch(input);
+    const std::string shown = pitch ? " " + unit.text() : "°";
+    const double least = sways_ ? -0.5 : 0.0;
     return fmt::format(
-        "<div class=\"turn\" data-pitch=\"{:.12g}\" data-seconds=\"{:.6g}\" hidden><button "
-        "type=\"button\">Turn</button> <label>{} <input type=\"range\" min=\"0\" max=\"1\" "
-        "step=\"{:.9g}\" value=\"0\"></label> <output>0.00°</output></div>\n",
-        360.0 * turns_, seconds, escaped(graph_.bodies[graph_.inputs.front()].name),
-        1.0 / kSliderSteps);
+        "<div class=\"turn\" data-pitch=\"{:.12g}\" data-unit=\"{}\" data-seconds=\"{:.6g}\"{} "
+        "hidden><button type=\"button\">Turn</button> <label>{} <input type=\"range\" "
+        "min=\"{}\" max=\"{}\" step=\"{:.9g}\" value=\"0\"></label> "
+        "<output>0.00{}</output></div>\n",
+        turns_ * (pitch ? unit(*pitch) : 360.0), shown, seconds, sways_ ? " data-sways=\"\"" : "",
+        escaped(graph_.bodies[input].name), least, least + 1.0, 1.0 / kSliderSteps, shown);
   }
 
   // One picture for every mesh between a planet and a central gear. In every picture, the planet is
@@ -260,7 +331,9 @@ class Pictures {
   const DriveGraph& graph_;
   const DriveLayout& layout_;
   UnitSystem units_;
-  double turns_ = 1.0;
+  double turns_ = 1.0;  // turns of the input while t runs from 0 to 1
+  bool sways_ = false;  // true if t runs from −1/2 to 1/2 and back
+  double width_ = 0.0;  // px, of a section
   Bounds window_;
 };
 
@@ -271,7 +344,11 @@ std::string shape_name(std::size_t gear) { return fmt::format("gear{}", gear + 1
 std::string drive_definitions(const Drive& drive) {
   std::string shapes;
   for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
-    if (const auto& gear = drive.geometry.gears[g]) shapes += gear_definition(*gear, shape_name(g));
+    if (const auto& gear = drive.geometry.gears[g]) {
+      shapes += gear_definition(*gear, shape_name(g));
+    } else if (const RackPair* rack = rack_pair_of(drive, g)) {
+      if (auto bar = rack_definition(*rack, shape_name(g))) shapes += std::move(bar).take();
+    }
   if (shapes.empty()) return {};
   return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
          "</defs></svg>\n";

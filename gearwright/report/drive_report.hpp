@@ -34,9 +34,11 @@ std::string drive_report_html(const DriveReportInput& input);
 // meshes of the planets side by side.
 //
 // One control turns all pictures. While t runs from 0 to 1, the drive makes the smallest motion
-// after which it looks the same as before.
+// after which it looks the same as before. A drive with a rack moves to and fro instead, while t
+// runs from −1/2 to 1/2 and back.
 
-/// The name of the SVG definition that contains the shape of a gear (gear_shape.hpp).
+/// The name of the SVG definition that contains the shape of a gear (gear_shape.hpp) or of a rack
+/// (rack_mesh.hpp).
 std::string shape_name(std::size_t gear);
 
 std::string drive_definitions(const Drive& drive);

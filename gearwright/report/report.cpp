@@ -13,6 +13,7 @@
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
+#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -74,6 +75,8 @@ std::string definitions(const ReportInput& input) {
   std::string shapes;
   for (std::size_t i = 0; i < input.gears.size(); ++i)
     shapes += gear_definition(*input.gears[i], kShapes[i]);
+  if (input.rack)
+    if (auto rack = rack_definition(*input.rack, kShapes[1])) shapes += std::move(rack).take();
   if (shapes.empty()) return {};
   return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
          "</defs></svg>\n";

@@ -217,11 +217,16 @@ Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2
 
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          const FigureForm& form, std::string_view head) {
-  const auto figure = rack_figure(pair, shapes);
-  const std::string picture =
-      figure ? form.html(*figure, kRackWidth)
-             : fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
-                           escaped(figure.error().message()));
+  auto figure = rack_figure(pair, shapes);
+  std::string picture;
+  if (figure) {
+    Figure drawn = std::move(figure).take();
+    drawn.definitions.clear();  // the page contains them
+    picture = form.html(std::move(drawn), kRackWidth);
+  } else {
+    picture = fmt::format("<p><strong>The rack has no outline</strong>: {}</p>\n",
+                          escaped(figure.error().message()));
+  }
   return fmt::format("<section class=\"pair\">\n{}{}{}{}</section>\n", head, picture,
                      table_html("Rack and pinion, symbols of ISO 21771", {"Pinion", "Rack"},
                                 form.units, rack_pair_quantities(), pair),

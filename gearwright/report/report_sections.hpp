@@ -104,9 +104,8 @@ std::vector<Figure> scatter_figures(const ScatterView& view);
 std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
 /// A rack and its pinion: a picture of the mesh, and the quantities of both. The page must contain
-/// the definition of the pinion, and the section contains the definition of the rack. If the rack
-/// has no outline, a paragraph with the reason replaces the picture. `head` is as in
-/// pair_section().
+/// the definitions of both shapes. If the rack has no outline, a paragraph with the reason replaces
+/// the picture. `head` is as in pair_section().
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,
                          const FigureForm& form,
                          std::string_view head = "<h2>Rack and pinion</h2>\n");

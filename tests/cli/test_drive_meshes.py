@@ -168,7 +168,8 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
         self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
         ids = re.findall(r' id="([^"]*)"', page)
         self.assertEqual(len(ids), len(set(ids)))
-        self.assertIn("mesh1-gear2", ids)  # the rack, which is drawn in the section of its mesh
+        self.assertLessEqual({"scheme", "section-1", "gear2"}, set(ids))  # gear2 is the shape of the rack
+        self.assertIn("r 30, rack, 0.1276 m/s", page)
         self.assertLessEqual(set(re.findall(r'href="#([^"]*)"', page)), set(ids))
 
     def test_a_rack_is_not_rated(self):
@@ -241,6 +242,21 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             self.assertEqual(run.json["error"]["key"], "planetary.backlash_mm")
         run = Run("drive", "[[stage]]\nteeth = [17, 51]\nnormal_module_mm = 2\nbacklash_mm = {gear1_gear2 = 0.1}\n", "--json")
         self.assertIn("a pair of gears has one mesh", run.json["error"]["message"])
+
+    def test_a_backlash_that_no_teeth_can_have_names_its_mesh(self):
+        """The finding has the value of `backlash_mm`, the allowances that it requires, and the greatest possible backlash."""
+        lift = self.LIFT.replace('r"], efficiency', 'r"], backlash_mm = 4, efficiency')
+        for text, names, requires in ((lift, ["p_r"], "thickness allowances of -2 mm for p and -2 mm for r"),
+                                      (SET + "backlash_mm = 9\n", ["sun_planet", "planet_ring"], "thickness allowances of -4.5 mm for")):
+            findings = Run("drive", text, "--json").json["verdict"]["findings"]
+            self.assertEqual([f["code"] for f in findings if f["level"] == "red"], ["not_coaxial"] * len(names))
+            for finding, name in zip(findings, names):
+                self.assertRegex(finding["message"], f"^The mesh {name} cannot have a backlash of .*{requires}")
+            limit = re.search(r"At most (\S+) mm is possible", findings[0]["message"]).group(1)
+            most = Run("drive", re.sub(r"backlash_mm = \d", f"backlash_mm = {limit}", text), "--json").json
+            self.assertNotIn("cannot", most["verdict"]["headline"])
+        headline = Run("drive", self.LIFT.replace("= 18", "= 18, thickness_allowance_mm = -2"), "--json").json["verdict"]["headline"]
+        self.assertIn("The mesh p_r cannot be mounted: r: thickness_allowance_mm = -2: must lie between -1.6857", headline)
 
     def test_a_series_gives_the_means_of_its_allowances(self):
         """cd25 has −69 µm up to 50 mm and −90 µm up to 125 mm in the mean."""

@@ -1,0 +1,16 @@
+// The words at the inputs, the output and the fixed bodies of a drive in its scheme. Internal to the
+// room figure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/drive/drive.hpp"
+
+namespace gearwright {
+
+/// The name of a body and its part in the drive ("in", "out" or "held"), followed by its speed and
+/// its torque. For a rack, they are its speed in m/s and its force. SVG markup, one text per line.
+std::vector<std::string> end_words(const Drive& drive, std::size_t body);
+
+}  // namespace gearwright
