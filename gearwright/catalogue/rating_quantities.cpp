@@ -299,7 +299,7 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width for the same safeties, up to 40 modules; null if there is no such "
-           "face width",
+           "face width, or with `face_load_factor = \"computed\"`, which applies to one face width",
            &RatingAnswer::face_holding)
       .digits(2);
 }
