@@ -303,6 +303,22 @@ LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
                         perfect ? &*perfect : nullptr);
 }
 
+std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
+                                              const PairCompliance& compliance, double deviation) {
+  constexpr int kMostPositions = 16;  // per pitch
+  const ContactPair pair = task.pair();
+  LoadRequest limit = task.request;
+  limit.positions = std::min(kMostPositions, limit.positions);
+  limit.root_stress = false;
+  std::vector<LoadedContact> contacts;
+  for (const double sign : {-1.0, 1.0}) {
+    limit.deflection_slope = task.request.deflection_slope + sign * deviation;
+    contacts.push_back(
+        loaded_contact(pair, task.setup.gear(1), task.setup.gear(2), compliance, limit));
+  }
+  return contacts;
+}
+
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,
                                 std::vector<Warning>& warnings) {
   const auto& positions = found.torques.front().positions;

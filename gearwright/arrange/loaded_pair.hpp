@@ -85,6 +85,11 @@ Result<LoadTask> load_task(const Arranged& arranged, const ContactErrors& errors
                            const LoadInput& input, std::vector<Warning>& warnings,
                            const std::optional<HalfPlace>& half = {});
 
+/// The contact of a task without root stress, with the helix slope deviations −`deviation` and
+/// +`deviation`, mm over the common face, normal to the flank. At most 16 positions are computed.
+std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
+                                              const PairCompliance& compliance, double deviation);
+
 /// Returns the reason why a result cannot be used. If it can be used, returns none and adds
 /// warnings about the validity of the result to `warnings`.
 std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/error.hpp"
+#include "gearwright/inspection/thickness_series.hpp"
 
 namespace gearwright {
 
@@ -54,7 +55,18 @@ std::optional<KeyFault> complete_tip_fillet(GearInput& gear, const KeyGiven&) {
   return std::nullopt;
 }
 
-std::optional<KeyFault> check_bore(Bore& bore, const KeyGiven&) {
+std::optional<KeyFault> check_bore(Bore& bore, const KeyGiven& given) {
+  if (given("keyway")) {
+    const auto keyway = hub_keyway(bore.diameter);
+    if (!keyway)
+      return KeyFault{"keyway",
+                      fmt::format("has no keyway for a bore of {} mm, because the table of DIN "
+                                  "6885-1 is for {} to {} mm; give keyway_width_mm and "
+                                  "keyway_depth_mm",
+                                  format_number(bore.diameter), kKeyedBores[0], kKeyedBores[1])};
+    bore.keyway_width = keyway->width;
+    bore.keyway_depth = keyway->depth;
+  }
   if (bore.keyway_width < bore.diameter) return std::nullopt;
   return KeyFault{"keyway_width_mm",
                   fmt::format("must be less than the diameter of the bore, {} mm",
@@ -290,11 +302,15 @@ const KeyTable& bore_keys() {
       "Bore and keyway of the CAD files; for an internal gear the bore is the outside of the rim",
       {Key::positive("diameter_mm", "", &Bore::diameter, kRequired, "diameter of the bore")
            .with_also({"bore", "bore_diameter", "hole", "shaft_diameter"}),
+       Key::word("keyway", {"DIN 6885-1"}, KeyPlace::unused(), "no keyway",
+                 "standard that gives width and depth of the keyway for the diameter of the bore, "
+                 "6 mm to 380 mm")
+           .with_excludes({"keyway_width_mm", "keyway_depth_mm"}),
        Key::positive(
-           "keyway_width_mm", "", &Bore::keyway_width, "no keyway",
+           "keyway_width_mm", "", &Bore::keyway_width, "no keyway, or the width by `keyway`",
            "width of a keyway at +y of the gear frame; less than the diameter of the bore")
            .with_needs({"keyway_depth_mm"})
-           .with_also({"keyway", "key_width"}),
+           .with_also({"key_width"}),
        Key::positive("keyway_depth_mm", "", &Bore::keyway_depth, "",
                      "depth of the keyway into the hub, measured from the bore")
            .with_needs({"keyway_width_mm"})},

@@ -112,6 +112,10 @@ class KeyPlace {
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
+  /// This place, except that the word which a key allows in place of its number calls set(T&).
+  template <class T, class F>
+  KeyPlace or_word(F set) const;
+
   explicit operator bool() const { return put_ || part_; }
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
@@ -338,6 +342,17 @@ KeyPlace KeyPlace::or_ends(std::optional<std::array<double, 2>> T::*ends) const 
   place.put_ = [ends, put = put_](KeyTarget input, const KeyValue& given) {
     if (!std::holds_alternative<std::vector<double>>(given)) return put(input, given);
     store(input.as<T>().*ends, given);
+    return std::string();
+  };
+  return place;
+}
+
+template <class T, class F>
+KeyPlace KeyPlace::or_word(F set) const {
+  KeyPlace place = *this;
+  place.put_ = [set, put = put_](KeyTarget input, const KeyValue& given) {
+    if (!std::holds_alternative<int>(given)) return put(input, given);
+    set(input.as<T>());
     return std::string();
   };
   return place;

@@ -42,6 +42,21 @@ Key mesh_load_factor() {
   return key;
 }
 
+// The key of K_Hβ, which the job computes from the load along the teeth if its value is "computed".
+Key face_load_factor() {
+  Key key = factor(
+      "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
+      "from `[rating.mounting]` or the shafts of the gears; a search without these values uses 1.4",
+      "face load factor of the flank, which replaces the value by formula; `\"computed\"` takes "
+      "K_Hβ from the load along the teeth, with their modifications and shafts (takes a few "
+      "seconds)");
+  key.place = key.place.or_word<RatingTable>(
+      [](RatingTable& rating) { rating.input.face_load_computed = true; });
+  key.words = {"computed"};
+  key.form = "a number, or `\"computed\"`";
+  return key;
+}
+
 // A key for two numbers, one for each gear. A single number applies to both gears.
 Key of_both(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
             std::string_view fallback, std::string_view meaning) {
@@ -96,7 +111,12 @@ std::optional<KeyFault> complete_load(RatingTable& rating) {
 
 std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& given) {
   const bool plastics = rating.input.edition == RatingEdition::vdi_2736;
-  if (rating.input.mounting && rating.input.face_load_factor) {
+  if (rating.input.face_load_computed && plastics) {
+    return KeyFault{"face_load_factor",
+                    "cannot be \"computed\" for VDI 2736, because the stiffness of plastic teeth "
+                    "depends on their temperature; give a number"};
+  }
+  if (rating.input.mounting && (rating.input.face_load_factor || rating.input.face_load_computed)) {
     return KeyFault{"face_load_factor",
                     "cannot be combined with [rating.mounting], which determines this value; leave "
                     "out one of the two"};
@@ -204,14 +224,12 @@ const KeyTable& rating_keys() {
            "0.85",
            "Z_NT and Y_NT at 10¹⁰ cycles; a value greater than 0.85 requires optimum "
            "manufacture and lubrication"),
-       factor("face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
-              "from `[rating.mounting]` or the shafts of the gears; a search without these values "
-              "uses 1.4",
-              "face load factor of the flank, which replaces the computed value"),
+       face_load_factor(),
        Key::not_negative(
            "misalignment_um", "f_ma", {&RatingTable::input, &RatingInput::misalignment},
            "√(f_Hβ1² + f_Hβ2²)",
-           "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]`"),
+           "mesh misalignment caused by manufacture, used with `[gear1.shaft]` or `[gear2.shaft]` "
+           "and with `face_load_factor = \"computed\"`"),
        factor("face_load_factor_root", "K_Fβ", &RatingInput::face_load_factor_root, "K_Hβ^N_F",
               "face load factor of the root, which replaces the computed value"),
        factor("dynamic_factor", "K_v", &RatingInput::dynamic_factor, "computed by formula",

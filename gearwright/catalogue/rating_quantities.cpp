@@ -300,7 +300,8 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
   q.number("face_width_holding_mm", "required face width", "b",
            "least face width, up to 40 modules, for which the safeties are at least "
            "`safety_flank_min` and `safety_root_min`, or at least 1 if these keys are absent; null "
-           "if there is no such face width",
+           "if there is no such face width, or with `face_load_factor = \"computed\"`, which applies "
+           "to one face width",
            &RatingAnswer::face_holding)
       .digits(2);
 }

@@ -31,7 +31,7 @@ struct RatingAnswer {
   std::optional<double> torque_holding;  ///< N m, greatest torque at which the pair has the
                                          ///< required safeties
   std::optional<double> face_holding;    ///< mm, least common face width with which the pair has
-                                         ///< these safeties
+                                         ///< these safeties; none if K_Hβ is computed
   std::optional<ToothContact> contact;   ///< none unless the spec requests it
   Safeties wanted{};                     ///< required safeties in the spec, or 1
 };

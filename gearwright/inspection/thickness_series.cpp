@@ -189,6 +189,25 @@ Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_di
   return std::array{lower + 0.0, upper + 0.0};  // −0 becomes 0
 }
 
+std::optional<HubKeyway> hub_keyway(double bore) {
+  // The greatest bore of each row, the width of its key and the depth in the hub, mm.
+  struct Row {
+    double most;
+    HubKeyway keyway;
+  };
+  constexpr std::array<Row, 24> kRows{
+      {{8, {2, 1.0}},     {10, {3, 1.4}},    {12, {4, 1.8}},    {17, {5, 2.3}},
+       {22, {6, 2.8}},    {30, {8, 3.3}},    {38, {10, 3.3}},   {44, {12, 3.3}},
+       {50, {14, 3.8}},   {58, {16, 4.3}},   {65, {18, 4.4}},   {75, {20, 4.9}},
+       {85, {22, 5.4}},   {95, {25, 5.4}},   {110, {28, 6.4}},  {130, {32, 7.4}},
+       {150, {36, 8.4}},  {170, {40, 9.4}},  {200, {45, 10.4}}, {230, {50, 11.4}},
+       {260, {56, 12.4}}, {290, {63, 12.4}}, {330, {70, 14.4}}, {380, {80, 15.4}}}};
+  static_assert(kRows.back().most == kKeyedBores[1]);
+  if (!(bore >= kKeyedBores[0] && bore <= kKeyedBores[1])) return std::nullopt;
+  return std::find_if(kRows.begin(), kRows.end(), [&](const Row& row) { return bore <= row.most; })
+      ->keyway;
+}
+
 double keyway_depth_deviation(double width) {
   constexpr double kNarrow = 6.0, kMedium = 32.0;  // widths of keys 6 x 6 and 32 x 18, mm
   return width <= kNarrow ? 0.1 : width <= kMedium ? 0.2 : 0.3;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "gearwright/base/result.hpp"
@@ -42,6 +43,21 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
 ///           H1 to H12 or JS1 to JS12; `tip_diameter` above 3150 mm
 Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
                                              double side);
+
+/// The keyway of a hub for a parallel key.
+struct HubKeyway {
+  double width;  ///< b    mm
+  double depth;  ///< t_2  mm, from the bore
+};
+
+/// The least and the greatest bore of the table of hub_keyway(), mm.
+inline constexpr std::array<double, 2> kKeyedBores{6.0, 380.0};
+
+/// The keyway of a bore of the diameter `bore`, mm, for the key that the table assigns to this
+/// diameter. None outside kKeyedBores.
+///
+/// Source    DIN 6885-1; values as printed in the catalogue Siemens MD 2009, "Parallel keys"
+std::optional<HubKeyway> hub_keyway(double bore);
 
 /// Upper deviation of the depth of a keyway in a hub, mm. `width` is the width of the keyway, mm.
 /// The lower deviation is 0.

@@ -204,5 +204,32 @@ TEST(Tolerances, HolesAndKeyways) {
   EXPECT_EQ(keyway_depth_deviation(36), 0.3);
 }
 
+// Printed keyways of hubs from other tables of DIN 6885-1 than the one in the code: a list of
+// single bores, and the catalogue Siemens MD 31.1 of 2016 with the ends of its rows.
+TEST(Tolerances, keyways_of_DIN_6885) {
+  struct Printed {
+    double bore, width, depth;
+  };
+  for (const Printed& p : std::vector<Printed>{
+           {6, 2, 1},      {8, 2, 1},       {9, 3, 1.4},       {10, 3, 1.4},   {11, 4, 1.8},
+           {12, 4, 1.8},   {13, 5, 2.3},    {17, 5, 2.3},      {18, 6, 2.8},   {38.5, 12, 3.3},
+           {44, 12, 3.3},  {50, 14, 3.8},   {58, 16, 4.3},     {65, 18, 4.4},  {75, 20, 4.9},
+           {85, 22, 5.4},  {95, 25, 5.4},   {110, 28, 6.4},    {130, 32, 7.4}, {150, 36, 8.4},
+           {170, 40, 9.4}, {200, 45, 10.4}, {200.1, 50, 11.4}, {230, 50, 11.4}}) {
+    const auto keyway = hub_keyway(p.bore);
+    ASSERT_TRUE(keyway) << p.bore;
+    EXPECT_EQ(keyway->width, p.width) << p.bore;
+    EXPECT_EQ(keyway->depth, p.depth) << p.bore;
+  }
+  for (const double bore : {-1.0, 0.0, 5.999, 380.001, 500.0})
+    EXPECT_FALSE(hub_keyway(bore)) << bore;
+  HubKeyway before{0, 0};
+  for (double bore = 6; bore <= 380; bore += 0.5) {
+    const HubKeyway keyway = *hub_keyway(bore);
+    EXPECT_TRUE(keyway.width >= before.width && keyway.depth >= before.depth) << bore;
+    before = keyway;
+  }
+}
+
 }  // namespace
 }  // namespace gearwright

@@ -19,9 +19,6 @@ namespace gearwright {
 
 namespace {
 
-constexpr int kLimitPositions = 16;  // greatest number of positions per pitch for the scores at the
-                                     // limits of the helix slope deviation
-
 std::optional<Error> not_made_for(const SolvedJob& job) {
   if (auto error = one_helix_error(job)) return error;
   Error error{"", "", "", FailureKind::not_under_load};
@@ -72,11 +69,8 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
                                   const PairCompliance& compliance,
                                   const std::optional<double>& helix_deviation,
                                   std::vector<Warning>& warnings) {
-  const ContactPair pair = task.pair();
-  const auto under = [&](const LoadRequest& request) {
-    return loaded_contact(pair, task.setup.gear(1), task.setup.gear(2), compliance, request);
-  };
-  const LoadedContact contact = under(task.request);
+  const LoadedContact contact =
+      loaded_contact(task.pair(), task.setup.gear(1), task.setup.gear(2), compliance, task.request);
   if (auto error = judge_load(task, contact, warnings)) return error;
   const auto scores = scores_of(contact);
   for (std::size_t i = 0; i < scores.size(); ++i)
@@ -88,13 +82,9 @@ std::optional<Error> find_effects(Proposal& p, const LoadTask& task,
   for (const LoadedPosition& at : most->positions)
     p.transmission_error.push_back({at.rotation1.deg(), at.te.arcsec()});
   if (!helix_deviation) return std::nullopt;
-  LoadRequest limit = task.request;
-  limit.positions = std::min(kLimitPositions, limit.positions);
   std::vector<LoadedScore> both;
-  for (const double sign : {-1.0, 1.0}) {
-    limit.deflection_slope = task.request.deflection_slope + sign * *helix_deviation;
-    both.push_back(worst_of(scores_of(under(limit))));
-  }
+  for (const LoadedContact& limit : contacts_at_limits(task, compliance, *helix_deviation))
+    both.push_back(worst_of(scores_of(limit)));
   p.at_limits = worst_of(both);
   return std::nullopt;
 }

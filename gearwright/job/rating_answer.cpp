@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/base/units.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
 namespace gearwright {
@@ -25,15 +27,14 @@ void warn_of_limits(SolvedJob& job, const Rating& rating) {
   }
   for (const int which : {1, 2}) {
     const auto& [right, left] = job.spec.gear(which).modifications;
-    if (job.spec.rating.input.face_load_factor ||
+    if (job.spec.rating.input.face_load_factor || job.spec.rating.input.face_load_computed ||
         !(lead_is_modified(right) || lead_is_modified(left)))
       continue;
     job.warnings.push_back(
         {WarningCode::rating_crowning,
-         "K_Hβ is computed without the crowning, helix slope and end relief of this gear. Give "
-         "`rating.face_load_factor`. The command gearwright propose computes a suitable value, "
-         "which contains the effect of the helix slope deviations. The value from gearwright load "
-         "does not contain this effect.",
+         "K_Hβ is computed without the crowning, helix slope and end relief of this gear. With "
+         "`rating.face_load_factor` = \"computed\" and the shafts of the gears, K_Hβ is computed "
+         "from the load along the teeth, which depends on these modifications.",
          which});
   }
   for (const Warning& limit : rating.limits) job.warnings.push_back(limit);
@@ -69,6 +70,99 @@ void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
                    flank, root, answer.wanted.flank, answer.wanted.root, answer.input.torque,
                    answer.input.application_factor),
        0});
+}
+
+// K_Hβ of a pair from the load along its teeth, for any torque. It is the greater value at both
+// limits of the mesh misalignment f_ma.
+//
+// Formula   [T11.53]
+class FaceLoads {
+ public:
+  static Result<FaceLoads> of(SolvedJob& job, const RatedPair& pair, Progress* progress);
+  /// K_Hβ at the torque, the speed and the load factors of `input`. Its `face_load_factor` has no
+  /// effect.
+  Result<double> at(const RatedPair& pair, RatingInput input);
+
+ private:
+  explicit FaceLoads(LoadTask task) : task_(std::move(task)) {}
+
+  LoadTask task_;
+  std::optional<PairCompliance> compliance_;
+};
+
+Result<FaceLoads> FaceLoads::of(SolvedJob& job, const RatedPair& pair, Progress* progress) {
+  if (pair.halves == 2)
+    return Error{"rating.face_load_factor", "\"computed\"",
+                 "is supported for single-helical gears only; give a number"};
+  LoadInput input = job.spec.load;
+  const RatingInput& rating = job.spec.rating.input;
+  input.torques = {rating.torque * rating.application_factor * rating.mesh_load_factor};
+  input.rotations.clear();
+  std::vector<Warning> notes;  // about the gear bodies; the verbs for loaded contact give the same
+  auto task = load_task(job, errors_of(job), input, notes);
+  if (!task) return task.error();
+  if (!job.spec.rating.tooth_contact && job.spec.load.torques.empty())
+    job.warnings.insert(job.warnings.end(), notes.begin(), notes.end());
+  FaceLoads made(std::move(task).take());
+  made.task_.request.root_stress = false;
+  made.task_.request.progress = progress;
+  auto compliance = made.task_.compliance();
+  if (!compliance) return compliance.error();
+  made.compliance_ = std::move(compliance).take();
+  made.task_.request.progress = nullptr;
+  return made;
+}
+
+Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
+  input.face_load_factor = 1.0;  // K_v does not depend on K_Hβ
+  const auto rated = rate(pair, input);
+  if (!rated) return rated.error();
+  const double f_ma = input.misalignment ? *input.misalignment
+                                         : std::hypot((*rated->tolerance)[0].f_Hbeta,
+                                                      (*rated->tolerance)[1].f_Hbeta);
+  const double torque = input.torque * rated->K_A.value * rated->K_gamma.value * rated->K_v.value;
+  task_.request.torques = {from_newton_metres(torque)};
+  double greatest = 1.0;
+  for (const LoadedContact& limit :
+       contacts_at_limits(task_, *compliance_, f_ma * std::cos(pair.beta_b) * kMmPerUm)) {
+    std::vector<Warning> unused;  // warnings of `load`, which apply at the limits only
+    if (auto error = judge_load(task_, limit, unused)) return *error;
+    const auto scores = loaded_scores(limit);
+    if (scores.empty())
+      return Error{"rating.face_load_factor", "\"computed\"",
+                   fmt::format("at {} N m and f_ma = {} µm, teeth do not touch or forces do not "
+                               "converge at some positions; give a number, or stiffer shafts",
+                               format_number(torque), format_number(f_ma))};
+    greatest = std::max(greatest, *scores.front().face_load_factor);
+  }
+  return greatest;
+}
+
+// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. It solves
+// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque.
+//
+// Accuracy  1e-5, relative; the returned torque has the required safeties
+std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
+                                             const Safeties& wanted, FaceLoads& faces) {
+  constexpr double kSameTorque = 2e-6;  // greatest relative distance to the torque of safety
+  constexpr int kMostSteps = 12;
+  double log_torque = std::log(input.torque);
+  std::optional<std::array<double, 2>> before;  // ln T and its distance in the step before
+  for (int step = 0; step < kMostSteps; ++step) {
+    input.torque = std::exp(log_torque);
+    const auto K_Hbeta = faces.at(pair, input);
+    if (!K_Hbeta) return std::nullopt;
+    input.face_load_factor = *K_Hbeta;
+    const auto torque = torque_of_safety(pair, input, wanted);
+    if (!torque) return std::nullopt;
+    const double distance = std::log(*torque) - log_torque;
+    if (distance >= 0.0 && distance <= kSameTorque) return input.torque;
+    const double missing = distance - kSameTorque / 2;
+    const double slope = before ? (distance - (*before)[1]) / (log_torque - (*before)[0]) : -1.0;
+    before = {log_torque, distance};
+    log_torque -= missing / (slope < 0.0 ? slope : -1.0);
+  }
+  return std::nullopt;
 }
 
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
@@ -114,18 +208,37 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
   }
   if (auto& shafts = answer.input.shafts)
     shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
+  std::optional<FaceLoads> faces;
+  if (answer.input.face_load_computed) {
+    auto of_teeth = FaceLoads::of(job, answer.pair, progress);
+    if (!of_teeth) return of_teeth.error();
+    faces = std::move(of_teeth).take();
+    const auto K_Hbeta = faces->at(answer.pair, answer.input);
+    if (!K_Hbeta) return K_Hbeta.error();
+    answer.input.face_load_factor = *K_Hbeta;
+  }
   auto made = rate(answer.pair, answer.input);
   if (!made) return made.error();
   answer.rating = std::move(made).take();
   answer.wanted = {table.safety_flank_min.value_or(1.0), table.safety_root_min.value_or(1.0)};
   if (!table.spectrum.empty()) {
-    auto whole = rate_spectrum(answer.pair, answer.input, table.spectrum);
+    std::vector<LoadBin> steps = table.spectrum;
+    for (LoadBin& step : steps) {
+      if (!faces) break;
+      const auto K_Hbeta = faces->at(answer.pair, input_of(step, answer.input));
+      if (!K_Hbeta) return K_Hbeta.error();
+      step.face_load_factor = *K_Hbeta;
+    }
+    auto whole = rate_spectrum(answer.pair, answer.input, steps);
     if (!whole) return whole.error();
     answer.spectrum = *whole;
   }
-  answer.torque_holding = torque_of_safety(answer.pair, answer.input, answer.wanted);
-  answer.face_holding = face_width_of_safety(answer.pair, answer.input, answer.wanted,
-                                             kMostFaceModules * answer.pair.normal_module);
+  answer.torque_holding =
+      faces ? torque_with_face_loads(answer.pair, answer.input, answer.wanted, *faces)
+            : torque_of_safety(answer.pair, answer.input, answer.wanted);
+  if (!faces)
+    answer.face_holding = face_width_of_safety(answer.pair, answer.input, answer.wanted,
+                                               kMostFaceModules * answer.pair.normal_module);
   if (answer.face_holding && job.halves[0])
     answer.face_holding = 2 * *answer.face_holding + job.halves[0]->given.gap;
   warn_of_limits(job, answer.rating);

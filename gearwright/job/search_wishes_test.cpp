@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "gearwright/base/testing/draw.hpp"
+#include "gearwright/base/testing/source_file.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/job/search_answer.hpp"
@@ -165,15 +167,10 @@ class Compared {
   Json pair_;
 };
 
-void check(int wish, Tally& tally) {
-  constexpr std::size_t kListed = 20;
-  const Wish w(wish);
-  const auto spec = read_spec_tree(w.tree, {});
-  ASSERT_TRUE(spec) << wish << ": " << spec.error().message() << "\n" << w.tree;
-  const Search search(*spec->search);
-  SearchOptions options;
-  options.top = kListed;
-  const auto run = run_search(*spec, search, options);
+void check(const std::string& wish, const JobSpec& spec, const SearchOptions& options,
+           Tally& tally) {
+  const Search search(*spec.search);
+  const auto run = run_search(spec, search, options);
   if (!run) {
     // Few bands have no numbers of teeth at all.
     EXPECT_EQ(run.error().field, "search.ratio") << wish << ": " << run.error().message();
@@ -184,16 +181,43 @@ void check(int wish, Tally& tally) {
   const SearchProblem& problem = search.problem();
   const bool drawn = static_cast<bool>(problem.draw);
   for (const DesignRow& row : run->answer.designs) {
-    const std::string what = std::to_string(wish) + ", " + std::to_string(row.trial.z1) + ":" +
-                             std::to_string(row.trial.z2);
+    const std::string what =
+        wish + ", " + std::to_string(row.trial.z1) + ":" + std::to_string(row.trial.z2);
     ++(drawn ? tally.drawn : tally.nominal);
-    Compared(what, design_row_json(search, row, false), pair_spec(*spec, search, row),
+    Compared(what, design_row_json(search, row, false), pair_spec(spec, search, row),
              problem.rating.has_value(), drawn);
     if (::testing::Test::HasFailure()) {
-      ADD_FAILURE() << what << ": " << w.tree;
+      ADD_FAILURE() << what << ": " << spec.tree->tables;
       return;
     }
   }
+}
+
+void check(int wish, Tally& tally) {
+  const Wish w(wish);
+  const auto spec = read_spec_tree(w.tree, {});
+  ASSERT_TRUE(spec) << wish << ": " << spec.error().message() << "\n" << w.tree;
+  SearchOptions options;
+  options.top = 20;
+  check(std::to_string(wish), *spec, options, tally);
+}
+
+// The searches that are shipped, each with all the designs that the program lists by default.
+TEST(SearchWishes, ListedDesignsOfTheExamplesAreThoseOfARun) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::source_file("examples"))) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with("search.toml")) continue;
+    SCOPED_TRACE(name);
+    ++files;
+    const auto spec = read_spec_file(entry.path());
+    ASSERT_TRUE(spec) << spec.error().message();
+    Tally tally;
+    check(name, *spec, {}, tally);
+    EXPECT_GT(tally.drawn, 0);
+    EXPECT_EQ(tally.nominal, 0);
+  }
+  EXPECT_GE(files, 2);
 }
 
 TEST(SearchWishes, ListedDesignsAreThoseOfARun) {

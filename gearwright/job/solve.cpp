@@ -54,7 +54,8 @@ std::vector<Warning> note_unused_fits(const JobSpec& spec) {
     note(spec.drawing.bore_roughness, "bore_roughness", "bore", "diameter_mm");
   }
   if (!keyway)
-    note(spec.drawing.keyway_fit, "keyway_fit", "keyway", "keyway_width_mm and keyway_depth_mm");
+    note(spec.drawing.keyway_fit, "keyway_fit", "keyway",
+         "keyway, or keyway_width_mm and keyway_depth_mm");
   return notes;
 }
 

@@ -6,6 +6,16 @@
 
 namespace gearwright {
 
+namespace {
+
+bool needs_helix_slopes(const RatingInput& in) {
+  if (in.face_load_computed) return !in.misalignment;
+  if (in.face_load_factor) return false;
+  return in.mounting ? !in.mounting->manufacture : in.shafts && !in.misalignment;
+}
+
+}  // namespace
+
 std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
   if (in.edition == RatingEdition::vdi_2736) return missing_plastic_inputs(in);
   std::vector<Error> missing;
@@ -14,8 +24,7 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
         absent_input("rating.quality",
                      "; K_v and K_Hα depend on the accuracy grade of ISO 1328 (0 to 12). Give the "
                      "grade, for example `quality` = 6, or give both factors"));
-  } else if (!in.quality && !in.face_load_factor &&
-             (in.mounting ? !in.mounting->manufacture : in.shafts && !in.misalignment)) {
+  } else if (!in.quality && needs_helix_slopes(in)) {
     missing.push_back(
         absent_input("rating.quality",
                      "; the face load factor depends on the helix slopes. Give the accuracy grade "
@@ -30,7 +39,7 @@ std::vector<Error> missing_inputs(const RatingInput& in, int halves) {
                                    "; the dynamic factor depends on the speed. Give the speed, for "
                                    "example `speed` = 1500, or give the dynamic factor"));
   }
-  if (!in.face_load_factor && !in.mounting && !in.shafts) {
+  if (!in.face_load_factor && (in.face_load_computed || (!in.mounting && !in.shafts))) {
     missing.push_back(absent_input(
         "rating.face_load_factor",
         halves == 1

@@ -119,7 +119,10 @@ void Rater::distribution() {
   const double mean = r.F_t.value * in.application_factor * in.mesh_load_factor * r.K_v.value /
                       pair.carrying_width();
   if (in.face_load_factor) {
-    r.face.K_Hbeta = given(*in.face_load_factor);
+    r.face.K_Hbeta = in.face_load_computed
+                         ? Factor{*in.face_load_factor, "ISO 6336-1, clause 7, method B",
+                                  "load along the teeth, at the worse limit of f_ma"}
+                         : given(*in.face_load_factor);
   } else {
     const double c = r.stiffness.c_gamma_beta.value;
     const std::array<double, 2> f_Hbeta{tolerance[0].f_Hbeta, tolerance[1].f_Hbeta};

@@ -39,8 +39,11 @@ struct RatingInput {
   std::optional<std::array<double, 2>> flank_roughness, root_roughness;  ///< Rz  µm
   std::optional<double> tip_relief;                                      ///< C_a  µm
   // Factors given by the user.
-  std::optional<double> dynamic_factor;               ///< K_v
-  std::optional<double> face_load_factor;             ///< K_Hβ
+  std::optional<double> dynamic_factor;    ///< K_v
+  std::optional<double> face_load_factor;  ///< K_Hβ
+  /// True if K_Hβ is computed from the load along the teeth. `face_load_factor` then applies only
+  /// to the torque and the face width of this input.
+  bool face_load_computed = false;
   std::optional<double> face_load_factor_root;        ///< K_Fβ
   std::optional<double> transverse_load_factor;       ///< K_Hα
   std::optional<double> transverse_load_factor_root;  ///< K_Fα

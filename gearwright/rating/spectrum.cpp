@@ -62,17 +62,22 @@ double safety(const std::vector<Step>& steps, const LifeChoice& choice) {
 
 }  // namespace
 
+RatingInput input_of(const LoadBin& step, RatingInput input) {
+  input.application_factor = 1.0;
+  input.torque = step.torque;
+  input.speed = step.speed;
+  input.life_h.reset();
+  if (step.face_load_factor) input.face_load_factor = step.face_load_factor;
+  return input;
+}
+
 Result<SpectrumRating> rate_spectrum(const RatedPair& pair, const RatingInput& input,
                                      const std::vector<LoadBin>& spectrum) {
   GW_EXPECTS(!spectrum.empty());
   std::array<std::vector<Step>, 2> flank, root;
   for (const LoadBin& bin : spectrum) {
     GW_EXPECTS(bin.torque > 0.0 && bin.speed > 0.0 && bin.hours > 0.0);
-    RatingInput in = input;
-    in.application_factor = 1.0;
-    in.torque = bin.torque;
-    in.speed = bin.speed;
-    in.life_h.reset();
+    const RatingInput in = input_of(bin, input);
     const auto rated = rate(pair, in);
     if (!rated) return rated.error();
     for (std::size_t i = 0; i < 2; ++i) {

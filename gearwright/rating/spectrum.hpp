@@ -9,6 +9,7 @@
 // the static strength causes failure.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearwright/rating/rating.hpp"
@@ -19,6 +20,8 @@ struct LoadBin {
   double torque = 0.0;  ///< N m, on gear 1
   double speed = 0.0;   ///< 1/min, of gear 1
   double hours = 0.0;   ///< h
+  /// K_Hβ under this torque, in place of RatingInput::face_load_factor.
+  std::optional<double> face_load_factor{};
 };
 
 struct SpectrumRating {
@@ -27,6 +30,9 @@ struct SpectrumRating {
                     ///< exceeds the static strength
   std::array<double, 2> S_H, S_F;
 };
+
+/// The input of a rating under one step of the load, with K_A = 1 and without a life.
+RatingInput input_of(const LoadBin& step, RatingInput input);
 
 /// Formula   [T11.42]; ISO 6336-6, Miner's rule
 /// Errors    as rate()

@@ -31,6 +31,14 @@ std::vector<Error> missing_for_rating(const JobSpec& spec) {
   }
   const int halves = spec.has(1) && spec.gear(1).double_helical ? 2 : 1;
   add(missing, missing_for_rating(spec.rating, materials, tables, halves));
+  const auto given = [&](const char* key) { return spec.given.contains(key); };
+  if (spec.rating.input.face_load_computed && !given("gear1.shaft") && !given("gear2.shaft") &&
+      !given("load.deflection_slope_um") && !given("load.deflection_bow_um"))
+    missing.push_back(absent_input(
+        "gear1.shaft",
+        "; face_load_factor = \"computed\" needs the deflection of the shafts. Give a shaft with "
+        "its bearings in [gear1.shaft] or [gear2.shaft], or give deflection_slope_um in [load], "
+        "which is 0 for rigid shafts"));
   std::erase_if(missing, [&](const Error& e) {
     // If other data of a gear are missing, its material was not read, even if the spec gives it.
     // Such a material is not reported as missing.
@@ -87,6 +95,7 @@ std::vector<Error> missing_for_rating(const RatingTable& rating,
                                    "torque_Nm on gear 1, for example torque_Nm = 50"));
   }
   RatingInput input = rating.input;
+  if (input.face_load_computed) input.face_load_factor = 1.0;  // replaced by the computed value
   bool known = true;
   for (const std::size_t i : {0, 1}) {
     const auto material = material_of(materials[i], tables[i], input.edition);

@@ -45,6 +45,23 @@ TEST(ReadForms, one_number_or_numbers_by_name) {
             "planetary.bore_mm.sun = -1: must be greater than 0");
 }
 
+TEST(ReadForms, a_keyway_by_its_standard) {
+  const std::string gear =
+      "[gear1]\nteeth = 60\nnormal_module_mm = 2\n[gear1.bore]\nkeyway = \"DIN 6885-1\"\n";
+  const auto bore = [&](const char* diameter) {
+    return *read_form(gear + "diameter_mm = " + diameter).gears[0]->bore;
+  };
+  EXPECT_EQ(bore("25").keyway_width, 8.0);
+  EXPECT_EQ(bore("25").keyway_depth, 3.3);
+  EXPECT_EQ(bore("22").keyway_width, 6.0);
+  EXPECT_EQ(refused_form(gear + "diameter_mm = 5.5"),
+            "gear1.bore.keyway = \"DIN 6885-1\": has no keyway for a bore of 5.5 mm, because the "
+            "table of DIN 6885-1 is for 6 to 380 mm; give keyway_width_mm and keyway_depth_mm");
+  EXPECT_NE(refused_form(gear + "diameter_mm = 25\nkeyway_width_mm = 8\nkeyway_depth_mm = 3.3")
+                .find("gear1.bore.keyway"),
+            std::string::npos);
+}
+
 TEST(ReadForms, one_number_or_two_limits) {
   const JobSpec spec = read_form(kStage + "backlash_mm = [0.1, 0.2]\n");
   EXPECT_EQ(spec.drive->graph.meshes[0].backlash, (0.1 + 0.2) / 2);

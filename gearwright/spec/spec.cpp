@@ -185,6 +185,20 @@ void share_shafts(const Json& tree, JobSpec& spec) {
   if (shafts.any()) spec.rating.input.shafts = shafts;
 }
 
+// Rejects K_Hβ = "computed" for all specs that do not rate the pair [gear1] and [gear2].
+void refuse_computed_face_load(const Json& tree, const JobSpec& spec) {
+  if (!spec.rating.input.face_load_computed) return;
+  const auto refuse = [](const char* why) {
+    throw SpecError{{"rating.face_load_factor", "\"computed\"", why}};
+  };
+  if (tree.contains("search"))
+    refuse(
+        "would take seconds for each design, so a search does not support it; give a number or "
+        "[rating.mounting], and \"computed\" in the spec of the design that --take writes");
+  if (is_drive(tree))
+    refuse("is not supported for a drive, whose bodies have no shafts; give a number");
+}
+
 // Rejects the keys of [load] that describe planets if the spec has no drive.
 void refuse_planets(const Json& tree) {
   const auto load = tree.find("load");
@@ -320,6 +334,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   share_with_rating(tree, spec);
   check_speeds(spec);
   share_shafts(tree, spec);
+  refuse_computed_face_load(tree, spec);
   if (search && !drives) lacks.of([&] { read_search_rating(tree, spec); });
   if (spec.search) lacks.of([&] { read_search_drawing(*search, *spec.search); });
   t.finish();

@@ -207,7 +207,14 @@ std::optional<KeyValue> TableReader::value(const Key& key) {
   if (key.list && key.kind == KeyKind::text) return value(texts(key));
   if (key.list) return value(numbers(name));
   switch (key.kind) {
-    case KeyKind::number: return value(number_in_any_way(key));
+    case KeyKind::number: {
+      const Json* const given = key.words.empty() ? nullptr : find(name);
+      if (!given || given->is_number()) return value(number_in_any_way(key));
+      const std::string word = given->is_string() ? given->get<std::string>() : std::string();
+      const auto at = std::find(key.words.begin(), key.words.end(), word);
+      if (at == key.words.end()) fail(name, "must be " + plain_words(form_of(key)));
+      return static_cast<int>(at - key.words.begin());
+    }
     case KeyKind::whole: return value(whole(name));
     case KeyKind::boolean: return value(boolean(name));
     case KeyKind::text: return value(text(name));

@@ -127,8 +127,11 @@ double rounded_down(double x) {
 
 std::string rating_remedy(const JudgedRating& rating) {
   const RatedPair& pair = *rating.pair;
-  const auto face = face_width_of_safety(pair, *rating.input, rating.wanted,
-                                         kMostFaceModules * pair.normal_module);
+  // A computed K_Hβ applies only to this face width and torque.
+  const bool fixed = rating.input->face_load_computed;
+  const auto face = fixed ? std::nullopt
+                          : face_width_of_safety(pair, *rating.input, rating.wanted,
+                                                 kMostFaceModules * pair.normal_module);
   const auto steel = steel_of_safety(pair, *rating.input, rating.wanted);
   std::string text;
   if (face && *face > pair.face_width) {
@@ -139,6 +142,7 @@ std::string rating_remedy(const JudgedRating& rating) {
   }
   if (steel) text += (text.empty() ? "" : ", or ") + *steel;
   if (!text.empty()) return text + " would be sufficient.";
+  if (fixed) return "No other steel in the list would be sufficient on its own.";
   text = fmt::format(
       "No face width of up to {:g} modules and no other steel in the list would be sufficient "
       "on its own.",

@@ -33,7 +33,7 @@ const kAlways: Record<string, string[]> = {
   pair: ["center_distance_mm", "shaft_angle_deg", "backlash_mm"],
   errors: ["center_distance_mm", "crossing_deg", "intersecting_deg", "axial_mm"],
   modifications: ["tip_relief_um", "tip_relief_start_mm", "lead_crowning_um", "profile_crowning_um"],
-  bore: ["diameter_mm", "keyway_width_mm", "keyway_depth_mm"],
+  bore: ["diameter_mm", "keyway", "keyway_width_mm", "keyway_depth_mm"],
   rack_bar: ["teeth", "face_width_mm", "height_mm", "thickness_allowance_mm"],
   search: ["ratio", "pinion_teeth", "modules_mm", "center_distance_mm", "helix_angle_deg", "objective"],
   contact: ["positions", "marking_mm"],
