@@ -212,15 +212,10 @@ int export_verb(const Options& o) {
   std::vector<int> drawn;
   for (int which = 1; which <= count; ++which) {
     if (gear && *gear != which) continue;
-    if (!(job->rack && which == 2)) drawn.push_back(which);
+    drawn.push_back(which);
     auto body = make_body(*job, which, !gear);
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
-  }
-  if (format && drawn.empty()) {
-    return door.fail({"gear2.form", "rack",
-                      "has no workshop drawing; use --dxf or --svg for the section of the rack, or "
-                      "--drawing with --gear 1 for the pinion"});
   }
   std::vector<Result<JobFile>> files;
   const FileOptions options = file_options(o);

@@ -218,9 +218,8 @@ void bind_exports(Class& type) {
       "drawing",
       [](const Self& self, const py::object& path, const std::string& format,
          const std::string& sheet, double tolerance) {
-        std::vector<int> gears = self.gears();
-        if (self.model->job.rack) gears = {1};  // a rack has no gear data
-        return drawing(gears, *self.model, path_or_none(path, "path"), format, sheet, tolerance);
+        return drawing(self.gears(), *self.model, path_or_none(path, "path"), format, sheet,
+                       tolerance);
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,

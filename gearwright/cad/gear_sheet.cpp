@@ -1,17 +1,15 @@
 #include "gearwright/cad/gear_sheet.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
-#include "gearwright/base/number_text.hpp"
 #include "gearwright/cad/biarc.hpp"
 #include "gearwright/cad/drawing.hpp"
 #include "gearwright/cad/sheet_callouts.hpp"
+#include "gearwright/cad/sheet_page.hpp"
 #include "gearwright/cad/sheet_parts.hpp"
 #include "gearwright/cad/sheet_symbols.hpp"
 
@@ -23,9 +21,9 @@ constexpr auto kOutline = SheetLayer::outline;
 // Lengths in mm on paper.
 //   kAxis           projection of centre lines beyond the part
 //   kFirst, kNext   from the view to the first dimension line, and between dimension lines
-//   kGap, kInner    between the views, and from the views to the frame
+//   kGap            between the views
 //   kShelf          projection of the leader beyond the gear
-constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kInner = 6, kShelf = 5;
+constexpr double kAxis = 3, kFirst = 10, kNext = 8, kGap = 8, kShelf = 5;
 // Distance from the base line of the caption to the transverse view above it, mm.
 constexpr double kCaption = 12;
 // For a gear without a bore: distance of the datum symbol from the left face, and length of the
@@ -33,39 +31,16 @@ constexpr double kCaption = 12;
 // transverse view.
 constexpr double kAxisDatum = 4.5, kAxisEnd = 6;
 
-struct Scale {
-  double paper, gear;
-  double factor() const { return paper / gear; }
-};
-constexpr std::array<Scale, 18> kScales{{{50, 1},
-                                         {20, 1},
-                                         {10, 1},
-                                         {5, 1},
-                                         {2, 1},
-                                         {1, 1},
-                                         {1, 2},
-                                         {1, 5},
-                                         {1, 10},
-                                         {1, 20},
-                                         {1, 50},
-                                         {1, 100},
-                                         {1, 200},
-                                         {1, 500},
-                                         {1, 1000},
-                                         {1, 2000},
-                                         {1, 5000},
-                                         {1, 10000}}};
-
 std::string with_fit(const std::string& size, const std::string& fit) {
   return fit.empty() ? size : size + " " + fit;
 }
 
 // Draws both views at the same scale. The centre of the transverse view is the origin, and the
 // axial view is to the right of the transverse view.
-class Views {
+class GearViews : public SheetViews {
  public:
-  Views(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
-        double scale)
+  GearViews(const GearSheetInput& input, const BiarcContour& outline, const BodyContour& contour,
+            double scale)
       : input_(input), outline_(outline), bore_(contour.bore), k_(scale) {
     const double inner = contour.teeth.inner_radius, outer = contour.teeth.outer_radius;
     const bool ring = input.body.ring();
@@ -84,14 +59,13 @@ class Views {
     right_ = std::max(right_, callouts_->right());
   }
 
-  /// The box that the views occupy around the origin.
-  SheetBox box() const {
+  SheetBox box() const override {
     const double up =
         std::max({k_ * body_ + kAxis, keyed() ? shelf() + kUsual + 2 : 0.0, callouts_->top()});
     return {{-left_, -k_ * body_ - kFirst - 4}, {axial_ + width_ + right_, up}};
   }
 
-  void draw(Sheet& sheet, const Vec2& origin) {
+  void draw(Sheet& sheet, const Vec2& origin) override {
     sheet_ = &sheet;
     origin_ = origin;
     transverse();
@@ -108,15 +82,10 @@ class Views {
   }
   bool keyed() const { return !ring() && bore_ && bore_->keyway; }
   const Bore& bore() const { return *input_.body.bore; }
-  std::string length(double mm) const {
-    return input_.units == UnitSystem::mm ? short_decimals(mm, 4)
-                                          : fixed_decimals(value_in(input_.units, Unit::mm, mm), 4);
-  }
+  std::string length(double mm) const { return length_text(input_.units, mm); }
   // A computed diameter is rounded to µm. The table contains the exact diameter.
   std::string diameter(double radius) const {
-    const double d = 2 * radius;
-    const bool mm = input_.units == UnitSystem::mm;
-    return "Ø" + length(mm ? std::round(kUmPerMm * d) / kUmPerMm : d);
+    return "Ø" + computed_length_text(input_.units, 2 * radius);
   }
   std::string keyway_words() const {
     return "Keyway " + with_fit(length(bore().keyway_width), input_.words.keyway_fit) + " wide";
@@ -300,26 +269,6 @@ class Views {
   Vec2 origin_ = Vec2::Zero();
 };
 
-struct TablePlace {
-  SheetBox views;
-  Vec2 data;
-  int columns;
-};
-
-// An A4 sheet is in portrait format, with the views at the top and the data in two columns below.
-// An A3 sheet is in landscape format, with the data to the right of the views.
-TablePlace place_of(SheetSize size, const SheetBox& frame, const SheetBox& block,
-                    const std::vector<DataGroup>& data) {
-  if (size == SheetSize::a4) {
-    const double top = block.hi.y() + kInner / 2 + data_size(data, 2).y();
-    return {{{frame.lo.x(), top}, frame.hi}, {frame.lo.x(), top}, 2};
-  }
-  const double room = frame.hi.y() - block.hi.y() - kInner / 2;
-  const int columns = data_size(data, 1).y() <= room ? 1 : 2;
-  const double left = frame.hi.x() - data_size(data, columns).x();
-  return {{{frame.lo.x(), block.hi.y()}, {left, frame.hi.y()}}, {left, frame.hi.y()}, columns};
-}
-
 }  // namespace
 
 Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double tolerance_mm) {
@@ -329,33 +278,13 @@ Result<GearSheet> gear_sheet(const GearSheetInput& input, SheetSize size, double
   const auto outline = biarc_contour(body.outline, contour->teeth, tolerance_mm);
   if (!outline) return outline.error();
 
-  const bool a4 = size == SheetSize::a4;
-  const char* const datum = body.ring() ? "axis of the rim"
+  const std::string datum = body.ring() ? "axis of the rim"
                             : body.bore ? "axis of the bore"
                                         : "axis of the gear";
-  Sheet sheet{a4 ? Vec2(210, 297) : Vec2(420, 297), {}, {}, {}};
-  const SheetBox frame = draw_frame(sheet);
-  Sheet draft = sheet;
-  const SheetBox block = draw_title_block(
-      draft, frame,
-      {input.words, "", a4 ? "A4" : "A3", input.number, input.mass, datum, input.units});
-  const TablePlace place = place_of(size, frame, block, input.data);
-  const Vec2 room = place.views.hi - place.views.lo - Vec2(2 * kInner, 2 * kInner);
-  for (const Scale& scale : kScales) {
-    Views views(input, *outline, *contour, scale.factor());
-    const SheetBox box = views.box();
-    const Vec2 needed = box.hi - box.lo;
-    const bool last = &scale == &kScales.back();
-    if (!last && (needed.x() > room.x() || needed.y() > room.y())) continue;
-    const std::string words = fmt::format("{:g}:{:g}", scale.paper, scale.gear);
-    views.draw(sheet, place.views.lo + Vec2(kInner, kInner) + (room - needed) / 2 - box.lo);
-    draw_data(sheet, place.data, input.data, place.columns);
-    draw_title_block(
-        sheet, frame,
-        {input.words, words, a4 ? "A4" : "A3", input.number, input.mass, datum, input.units});
-    return GearSheet{std::move(sheet), words, outline->deviation_mm};
-  }
-  contract_failed("postcondition", "a scale", __FILE__, __LINE__);
+  return on_page({input.words, input.data, input.number, input.mass, datum, input.units, size},
+                 outline->deviation_mm, [&](double scale) {
+                   return std::make_unique<GearViews>(input, *outline, *contour, scale);
+                 });
 }
 
 }  // namespace gearwright

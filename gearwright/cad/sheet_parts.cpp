@@ -69,11 +69,11 @@ Lines laid_out(const Vec2& size, std::string_view words, double largest) {
   return all;
 }
 
+}  // namespace
+
 bool has_room(const Dimension& d) {
   return d.end - d.begin >= std::max(kInside, text_width(d.words, kUsual) + 2);
 }
-
-}  // namespace
 
 Reach reach_of(const Dimension& d) {
   const double datum = d.datum ? kDatumHeight : kPast;

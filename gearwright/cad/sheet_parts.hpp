@@ -48,8 +48,10 @@ struct Dimension {
   bool datum = false;  ///< true if the axis of this diameter is the datum; only with Direction::up
 };
 
-/// The lowest and the highest point of a dimension along its direction, including text and datum,
-/// mm.
+/// True if there is room for the text between the edges.
+bool has_room(const Dimension& dimension);
+
+/// The lowest and the highest point of a vertical dimension, including text and datum, mm.
 struct Reach {
   double lo, hi;
 };

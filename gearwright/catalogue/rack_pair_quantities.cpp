@@ -5,6 +5,7 @@
 
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/pair_parts.hpp"
+#include "gearwright/inspection/rack_pin.hpp"
 
 namespace gearwright {
 
@@ -129,6 +130,11 @@ void add_rack_pair(Quantities<RackPair>& q) {
            "(d_Nf − d_Ff)/2; null if d_Nf or d_Ff is null", &RackPair::form_clearance);
 }
 
+std::optional<double> of_pin(const RackGeometry& rack, double RackPin::*member) {
+  const auto pin = usual_pin(rack);
+  return pin ? std::optional((*pin).*member) : std::nullopt;
+}
+
 }  // namespace
 
 const Quantities<RackGeometry>& rack_quantities() {
@@ -160,6 +166,14 @@ const Quantities<RackGeometry>& rack_quantities() {
     q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum);
     q.term("reference_tooth_thickness_normal_mm",
            "at the datum line, including the thickness allowance", &R::thickness);
+    q.number("pin_diameter_mm", "diameter of the pin", "D_M",
+             "of all sizes of DIN 3977 that can be measured, the nearest to the size that touches "
+             "the flanks at the datum line; null if no size can be measured",
+             [](const R& r) { return of_pin(r, &RackPin::diameter); });
+    q.number("over_pin_mm", "dimension over one pin", "M",
+             "from the back of the rack over a pin in a tooth space [T10.38]; null without "
+             "`pin_diameter_mm`",
+             [](const R& r) { return of_pin(r, &RackPin::dimension); });
   });
 }
 

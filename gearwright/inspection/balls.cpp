@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gearwright/base/units.hpp"
+#include "gearwright/inspection/pin_sizes.hpp"
 #include "gearwright/math/root.hpp"
 
 namespace gearwright {
@@ -15,13 +16,6 @@ namespace gearwright {
 namespace {
 
 using std::numbers::pi;
-
-// The common diameters of measuring pins and balls for gears, DIN 3977, mm.
-constexpr std::array kMetric{
-    0.3,  0.35, 0.4,  0.45, 0.5,  0.55, 0.6,  0.65, 0.7,  0.75, 0.8,  0.85, 0.9,  0.95, 1.0,  1.1,
-    1.2,  1.3,  1.4,  1.5,  1.6,  1.7,  1.8,  1.9,  2.0,  2.25, 2.5,  2.75, 3.0,  3.25, 3.5,  3.75,
-    4.0,  4.25, 4.5,  5.0,  5.25, 5.5,  6.0,  6.5,  7.0,  7.5,  8.0,  9.0,  10.0, 10.5, 11.0, 12.0,
-    14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 35.0, 40.0, 45.0, 50.0};
 
 constexpr double kSizeStep = 1e-4;  // mm, accuracy of the limits of the size of a ball in messages
 
@@ -249,14 +243,12 @@ double nearest_inch(double mm) {
 
 // The standard size nearest to `mm` that can be measured; if there is none, the nearest size.
 double nearest_metric(const Gear& gear, double mm) {
-  auto sizes = kMetric;
-  std::stable_sort(sizes.begin(), sizes.end(),
-                   [&](double a, double b) { return std::abs(a - mm) < std::abs(b - mm); });
-  const auto found = std::find_if(sizes.begin(), sizes.end(), [&](double size) {
+  const auto usable = [&](double size) {
     const auto seat = ball_in_space(gear, size);
     return seat && seat->usable();
-  });
-  return found == sizes.end() ? sizes.front() : *found;
+  };
+  const auto found = nearest_pin_size(mm, usable);
+  return found ? *found : *nearest_pin_size(mm, [](double) { return true; });
 }
 
 }  // namespace

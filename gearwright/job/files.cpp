@@ -334,7 +334,7 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
           {WarningCode::no_outline, spelled(body.error(), job.spec.given).message(), which});
       continue;
     }
-    if (!body->rack) drawn.push_back(which);
+    drawn.push_back(which);
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
       if (auto error = make(kind, {*body}, gear_field(which))) return *std::move(error);

@@ -1,6 +1,6 @@
 """Tests workshop drawings with independent readers.
 
-PDF   pdftotext finds the words and the Greek letters, and one page for each gear
+PDF   pdftotext finds the words and the Greek letters, and one page for each gear or rack
 SVG   the file is well-formed and in mm, and the paths of the gear are on the sheet
 DXF   ezdxf finds nothing to correct; layers, line types and words exist; the outline of the gear has the
       scale in the title block
@@ -53,6 +53,19 @@ keyway_depth_mm = 2.8
 teeth = 43
 face_width_mm = 25
 """
+RACK = """
+[drawing]
+flank_roughness = "MRR Ra 0.8"
+[gear1]
+teeth = 20
+normal_module_mm = 2
+helix_angle_deg = 20
+face_width_mm = 20
+[gear2]
+form = "rack"
+teeth = 26
+height_mm = 12
+"""
 
 
 def check(held, what):
@@ -88,6 +101,20 @@ def check_pdf(folder):
     a3 = subprocess.run(["pdfinfo", str(export(folder, "a3.pdf", "--sheet", "A3", "--gear", "1"))], check=True,
                         stdout=subprocess.PIPE).stdout.decode()
     check("Pages:           1" in a3 and "(A3)" in a3, a3)
+
+
+def check_rack(folder):
+    spec = folder / "rack.toml"
+    spec.write_text(RACK)
+    path = folder / "rack.pdf"
+    subprocess.run([BIN, "export", str(spec), "--drawing", str(path)], check=True, stdout=subprocess.PIPE)
+    pinion, rack, _ = words_of_pdf(path).split("\f")
+    for words in ("Mating rack", "gear 1", "1/2"):
+        check(words in pinion, f"the page of the pinion must contain {words}\n{pinion}")
+    length = 26 * 2 * math.pi / math.cos(math.radians(20))
+    for words in ("Rack data", "Hand of helix", "left", "Dimension over one pin", "back of the rack", "12", "14",
+                  f"{length:.3f}", "rack", "2/2", "Ra 0.8"):
+        check(words in rack, f"the page of the rack must contain {words}\n{rack}")
 
 
 def check_svg(folder):
@@ -129,6 +156,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="gearwright_drawings_") as name:
         folder = Path(name)
         check_pdf(folder)
+        check_rack(folder)
         check_svg(folder)
         check_dxf(folder)
         for ending in ("pdf", "svg", "dxf"):

@@ -108,7 +108,6 @@ class ARack(unittest.TestCase):
                 ("outline --gear 2", "teeth = 9\nheight_mm = 2\n", "gear2.height_mm", "at least 2.501"),
                 ("outline --gear 2", "teeth = 9\nheight_mm = 9\nthickness_allowance_mm = 2\n",
                  "gear2.thickness_allowance_mm", "closes at the root"),
-                ("export --gear 2 --drawing rack.pdf", "teeth = 9\nheight_mm = 9\n", "gear2.form", "--dxf"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
                 ("pair", "[pair]\nshaft_angle_deg = 0\n", "pair.shaft_angle_deg", "backlash_mm"),
                 ("pair", "thickness_allowance_mm = -0.1\n[pair]\nbacklash_mm = 0.1\n", "pair.backlash_mm",
@@ -190,7 +189,7 @@ class ARack(unittest.TestCase):
                 out = Path(folder) / "out"
                 r = Run("run", spec, "--out", out)
                 self.assertEqual(r.status, 0, r.err)
-                self.assertIn("only the pinion is drawn, because a rack has no drawing", r.out)
+                self.assertRegex(r.out, r"drawing\.pdf +PDF drawing +A4, scale [0-9:]+, [0-9:]+,")
                 written = {p.name for p in out.iterdir()}
                 kinds = ("step", "stl", "3mf", "dxf", "svg")
                 self.assertLessEqual({f"gear{i}.{k}" for i in (1, 2) for k in kinds}, written)
@@ -205,6 +204,21 @@ class ARack(unittest.TestCase):
                 # All triangles of the solid are inside the bar.
                 triangles = (out / "gear2.stl").read_bytes()
                 self.assertEqual(len(triangles), 84 + 50 * int.from_bytes(triangles[80:84], "little"))
+
+    def test_the_rack_has_a_drawing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "rack.svg"
+            r = Run("export", RACK + "teeth = 26\nheight_mm = 12\n", "--gear", "2", "--drawing", path)
+            self.assertEqual(r.status, 0, r.err)
+            texts = re.findall(r"<text[^>]*>([^<]*)</text>", path.read_text())
+            # Length 26 p_t, back to datum line, back to tips, and the dimension over a pin of 3.25 mm.
+            over = 12 + (3.25 / math.cos(math.radians(20)) - math.pi) / (2 * math.tan(math.radians(20))) + 3.25 / 2
+            for words in ("163.363", "12", "14", "Section in the middle of the face width"):
+                self.assertIn(words, texts)
+            rack = json.loads(Run("pair", RACK + "teeth = 26\nheight_mm = 12\n", "--json").out)["gears"][1]
+            self.assertEqual(rack["pin_diameter_mm"], 3.25)
+            self.assertAlmostEqual(rack["over_pin_mm"], over, 12)
+            self.assertIn(f"{over:.4f}".rstrip("0"), texts)
 
     def test_the_report_shows_the_contact_under_errors(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -50,14 +50,10 @@ export class TakeHome {
     this.state.textContent = "";
     const gears = bench.good?.gears ?? 0;
     const pair = bench.good?.hasPair ?? false;
-    const rack = hasRack(bench.good?.spec);
     const rows = kOffers.map((offer) => {
       const alone = offer.kind === "report" || offer.kind === "json";
       if (isDrive()) return kOfDrives.includes(offer.kind) ? this.row(offer, [0], alone) : null;
-      const drawn = rack && offer.kind === "drawing" ? [1] : offer.gears; // a rack has no gear data to draw
-      const places = offer.gears.filter(
-        (gear) => drawn.includes(gear) && (gear === 0 ? alone || pair : gear <= gears),
-      );
+      const places = offer.gears.filter((gear) => (gear === 0 ? alone || pair : gear <= gears));
       return places.length ? this.row(offer, places, alone) : null;
     });
     const spec = h(

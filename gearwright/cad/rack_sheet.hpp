@@ -1,0 +1,35 @@
+// The workshop drawing of a rack: the table of its data, the exact section, the view of an end and
+// the plan, in first-angle projection.
+//
+// The datum is the back of the rack. In the end view and in the plan, teeth are not drawn: the
+// roots are a thin line, the datum line is a chain line, and three thin lines in the plan show the
+// direction of helical teeth (ISO 2203). A rack with more teeth than `kTeethInFull` has interrupted
+// views, between break lines (ISO 128), with the teeth at both ends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/pair/rack_pair.hpp"
+
+namespace gearwright {
+
+inline constexpr int kTeethInFull = 12;
+inline constexpr int kTeethAtEnd = 3;  ///< drawn teeth at each end of an interrupted view
+
+struct RackSheetInput {
+  RackGeometry rack;
+  std::vector<DataGroup> data;        ///< in the order of the table
+  DrawingInput words;                 ///< text of the title block
+  SurfaceRequirements surfaces;       ///< textures of flanks and faces
+  std::string number;                 ///< number of the sheet, such as "2/2"
+  UnitSystem units = UnitSystem::mm;  ///< unit of the dimensions; inches have four decimals
+};
+
+/// `tolerance_mm` is the tolerance of the outline, in mm on the rack.
+///
+/// Errors    the errors of rack_body(); `tolerance_mm` if an arc cannot be fitted within it
+Result<GearSheet> rack_sheet(const RackSheetInput& input, SheetSize size, double tolerance_mm);
+
+}  // namespace gearwright

@@ -1,0 +1,42 @@
+// The page of a workshop drawing: frame, title block, data table and the views of a part at the
+// largest scale of ISO 5455 at which they fit. Internal to cad/.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gearwright/cad/gear_sheet.hpp"
+
+namespace gearwright {
+
+/// A length in the unit of the sheet. Inches have four decimals.
+std::string length_text(UnitSystem units, double mm);
+/// As length_text(), but a computed length in mm is rounded to µm. The table has its exact value.
+std::string computed_length_text(UnitSystem units, double mm);
+
+/// The views of a part at one scale.
+class SheetViews {
+ public:
+  virtual ~SheetViews() = default;
+  /// The box that the views occupy around their origin.
+  virtual SheetBox box() const = 0;
+  virtual void draw(Sheet& sheet, const Vec2& origin) = 0;
+};
+
+struct SheetPage {
+  const DrawingInput& words;
+  const std::vector<DataGroup>& data;
+  std::string number, mass;  ///< "1/2"; "0.41 kg", empty if unknown
+  std::string datum;         ///< "axis of the bore"
+  UnitSystem units;
+  SheetSize size;
+};
+
+/// Draws the page. `views_at` makes the views for a scale, in mm on paper per mm on the part.
+/// `deviation_mm` is that of the outline.
+GearSheet on_page(const SheetPage& page, double deviation_mm,
+                  const std::function<std::unique_ptr<SheetViews>(double)>& views_at);
+
+}  // namespace gearwright

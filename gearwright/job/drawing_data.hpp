@@ -1,0 +1,56 @@
+// The data tables of workshop drawings. Internal to job/.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/cad/gear_sheet.hpp"
+#include "gearwright/catalogue/quantity.hpp"
+#include "gearwright/job/solved_job.hpp"
+
+namespace gearwright {
+
+/// Whether the sign of a helix angle or lead is written. A drawing gives the hand instead of the
+/// sign.
+enum class Sign { kept, dropped };
+
+/// A record, and the same record at the lower and at the upper end of its tolerances.
+struct Records {
+  ValueRecord nominal;
+  UnitSystem units;
+  std::vector<ValueRecord> ends{};  ///< values at both tolerance ends; empty without tolerances
+
+  /// The text of the member with this path, with its limits if there are any. None without a value.
+  std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
+
+ private:
+  std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const;
+};
+
+/// Adds the member with this path as a row with its words and its symbol, if it has a value.
+void add_data(DataGroup& group, const Records& records, std::string_view path,
+              Sign sign = Sign::kept);
+
+/// The row of the module, or of the diametral pitch in inch.
+void add_module(DataGroup& group, const Records& records, double normal_module);
+
+/// The name of the standard basic rack of a gear in the spec, for example "AGMA-20". The default is
+/// "ISO 53-A".
+std::string rack_name(const JobSpec& spec, int which);
+
+/// Adds the distances of the rack from the axis of its pinion, and the backlash.
+///
+/// Domain    the job has a rack (contract)
+void add_rack_mounting(DataGroup& group, const SolvedJob& job);
+
+/// The tables of a gear.
+std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which);
+
+/// The tables of the rack.
+///
+/// Domain    the job has a rack (contract)
+std::vector<DataGroup> rack_drawing_data(const SolvedJob& job);
+
+}  // namespace gearwright
