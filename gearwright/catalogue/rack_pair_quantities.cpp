@@ -168,7 +168,8 @@ const Quantities<RackGeometry>& rack_quantities() {
            "at the datum line, including the thickness allowance", &R::thickness);
     q.number("pin_diameter_mm", "diameter of the pin", "D_M",
              "of all sizes of DIN 3977 that can be measured, the nearest to the size that touches "
-             "the flanks at the datum line; null if no size can be measured",
+             "the flanks at the datum line; null if no size can be measured; 1.728/P if an inch spec "
+             "gives the diametral pitch and this pin can be measured",
              [](const R& r) { return of_pin(r, &RackPin::diameter); });
     q.number("over_pin_mm", "dimension over one pin", "M",
              "from the back of the rack over a pin in a tooth space [T10.38]; null without "

@@ -30,6 +30,7 @@ struct RackBar {
   std::optional<double> height{};      ///< mm, from the back of the rack to the datum line;
                                        ///< by default 3 modules more than the dedendum
   double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
+  std::optional<double> pin_diameter{};  ///< D_M mm of the usual measuring pin; see usual_pin()
 };
 
 /// The geometry of a rack, from its pinion and its RackBar.
