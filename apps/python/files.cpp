@@ -223,9 +223,9 @@ void bind_exports(Class& type) {
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear or rack. Returns the "
-      "bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, whose "
-      "ending determines the format. The drawn outline is within tolerance (mm) of the exact "
+      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear or rack. Returns "
+      "the bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, "
+      "whose ending determines the format. The drawn outline is within tolerance (mm) of the exact "
       "outline");
 }
 

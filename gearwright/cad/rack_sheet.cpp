@@ -122,13 +122,7 @@ class RackViews : public SheetViews {
   }
   Dimension height_dimension() const {
     const double x = end_ + face_;
-    return {Direction::up,
-            back_,
-            0.0,
-            x,
-            x + kAxis,
-            x + kFirst,
-            height_text(input_.rack.height)};
+    return {Direction::up, back_, 0.0, x, x + kAxis, x + kFirst, height_text(input_.rack.height)};
   }
   Dimension whole_dimension() const {
     const double x = end_ + face_;
