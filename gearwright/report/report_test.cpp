@@ -165,6 +165,11 @@ TEST(Report, FiguresThatDecideAreAtTheHead) {
 
   const CrossedPair crossed = testing::crossed_pair();
   expect_head(report_input(crossed), {"plan", "section", "faces"});
+  const testing::ContactSample at_points = testing::crossed_contact();
+  const CrossedPair left_hand = testing::left_hand_pair();
+  ReportInput of_crossed = report_input(left_hand);
+  of_crossed.contact = &at_points.report;
+  expect_head(of_crossed, {"plan", "te", "bearing1"});
   EXPECT_EQ(ids_at_the_head(report_html(report_input(testing::crossed_apart()))),
             (Values{"plan", "section"}));
   EXPECT_EQ(ids_at_the_head(report_html(report_input(sample_gear(17, 2, 0, 0)))), Values{});
