@@ -196,8 +196,8 @@ void CommandLine::add_files() {
   files->add_option("--dxf", o.dxf, "DXF outline");
   files->add_option("--svg", o.svg, "SVG outline");
   files->add_option("--drawing", o.drawing,
-                    "Workshop drawing with the gear data, one sheet for each gear: .pdf, .svg or "
-                    ".dxf");
+                    "Workshop drawing with the gear data, one sheet for each gear or rack: .pdf, "
+                    ".svg or .dxf");
   files->add_option("--rexs", o.rexs,
                     "REXS 1.7 file (exchange format for gear units) of a pair or a drive: .rexs, "
                     ".rexsj for JSON, or .rexsz for a ZIP archive");

@@ -158,7 +158,7 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
       path);
 }
 
-// Makes the workshop drawing, with a sheet for each gear. If a path is given, its extension
+// Makes the workshop drawing, with a sheet for each gear or rack. If a path is given, its extension
 // determines the format, and `format` is ignored.
 py::object drawing(const std::vector<int>& gears, const Model& model,
                    const std::optional<fs::path>& path, const std::string& format,
@@ -223,9 +223,10 @@ void bind_exports(Class& type) {
       },
       py::arg("path") = py::none(), py::arg("format") = "pdf", py::arg("sheet") = "A4",
       py::arg("tolerance") = 0.001,
-      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear. Returns the bytes "
-      "of the file in the given format (pdf, svg or dxf), or writes the file to path, whose ending "
-      "determines the format. The drawn outline is within tolerance (mm) of the exact outline");
+      "Workshop drawing with the gear data, one sheet (A4 or A3) for each gear or rack. Returns "
+      "the bytes of the file in the given format (pdf, svg or dxf), or writes the file to path, "
+      "whose ending determines the format. The drawn outline is within tolerance (mm) of the exact "
+      "outline");
 }
 
 Eigen::Matrix4d pose(const PairValue& pair, int which) {

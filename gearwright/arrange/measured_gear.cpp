@@ -69,8 +69,8 @@ class Measuring {
         warn(WarningCode::no_span,
              std::string("No span can be measured, because ") +
                  (straight_tools_fit(gear_)
-                      ? "for every number of spanned teeth the contacts lie outside the usable "
-                        "flank or the face"
+                      ? "for every number of spanned teeth the contacts are not on the usable "
+                        "flank or not on the face"
                       : kNoPlaneAnvils) +
                  ".");
       note_narrow_face(m);
@@ -88,8 +88,8 @@ class Measuring {
         usual ? fmt::format("; over {} teeth they lie on it", usual->teeth) : std::string();
     if (asked->place != ContactPlace::usable) {
       warn(WarningCode::span_off_flank,
-           fmt::format("In a span over {} teeth, the contacts lie on a diameter of {} mm, outside "
-                       "the usable flank{}.",
+           fmt::format("In a span over {} teeth, the contacts lie on a diameter of {} mm, which is "
+                       "not on the usable flank{}.",
                        asked->teeth, format_number(asked->contact_diameter), instead));
     } else {
       warn(WarningCode::span_off_face,
@@ -138,7 +138,8 @@ class Measuring {
     if (seat.usable()) return;
     warn(code,
          fmt::format(
-             "The contacts of {} of {} mm lie on a diameter of {} mm, outside the usable flank.",
+             "The contacts of {} of {} mm lie on a diameter of {} mm, which is not on the usable "
+             "flank.",
              what, format_number(seat.ball_diameter), format_number(seat.contact_diameter)));
   }
 

@@ -115,15 +115,14 @@ class RackViews : public SheetViews {
             back_ - kFirst,
             computed_length_text(input_.units, length)};
   }
+  // A height from the back. A given height is not rounded to µm.
+  std::string height_text(double mm) const {
+    return input_.rack.bar.height ? length_text(input_.units, mm)
+                                  : computed_length_text(input_.units, mm);
+  }
   Dimension height_dimension() const {
     const double x = end_ + face_;
-    return {Direction::up,
-            back_,
-            0.0,
-            x,
-            x + kAxis,
-            x + kFirst,
-            computed_length_text(input_.units, input_.rack.height)};
+    return {Direction::up, back_, 0.0, x, x + kAxis, x + kFirst, height_text(input_.rack.height)};
   }
   Dimension whole_dimension() const {
     const double x = end_ + face_;
@@ -133,7 +132,7 @@ class RackViews : public SheetViews {
             x,
             x,
             x + kFirst + kNext,
-            computed_length_text(input_.units, input_.rack.height + input_.rack.addendum)};
+            height_text(input_.rack.height + input_.rack.addendum)};
   }
   Dimension width_dimension() const {
     return {Direction::up,

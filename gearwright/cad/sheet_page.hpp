@@ -11,9 +11,7 @@
 
 namespace gearwright {
 
-/// A length in the unit of the sheet. Inches have four decimals.
-std::string length_text(UnitSystem units, double mm);
-/// As length_text(), but a computed length in mm is rounded to µm. The table has its exact value.
+/// As length_text(), but a computed length in mm is rounded to µm.
 std::string computed_length_text(UnitSystem units, double mm);
 
 /// The views of a part at one scale.

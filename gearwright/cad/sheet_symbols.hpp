@@ -22,7 +22,8 @@ inline constexpr double kTextureHeight = 7.5, kFrameHeight = 5.0, kDatumHeight =
 /// Half of the width of the box of a datum, mm.
 inline constexpr double kDatumHalf = kFrameHeight / 2;
 
-/// The letter of the only datum of a sheet. The datum is the axis of a gear.
+/// The letter of the only datum of a sheet. The datum is the axis of a gear or the back of a
+/// rack.
 inline constexpr const char* kDatum = "A";
 
 /// The symbol of a surface texture, such as "MRR Ra 0.8". The first word selects the symbol. MRR

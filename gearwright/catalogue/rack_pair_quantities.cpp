@@ -166,10 +166,12 @@ const Quantities<RackGeometry>& rack_quantities() {
     q.number("dedendum_mm", "dedendum", "h_f", "depth below the datum line", &R::dedendum);
     q.term("reference_tooth_thickness_normal_mm",
            "at the datum line, including the thickness allowance", &R::thickness);
-    q.number("pin_diameter_mm", "diameter of the pin", "D_M",
-             "of all sizes of DIN 3977 that can be measured, the nearest to the size that touches "
-             "the flanks at the datum line; null if no size can be measured",
-             [](const R& r) { return of_pin(r, &RackPin::diameter); });
+    q.number(
+        "pin_diameter_mm", "diameter of the pin", "D_M",
+        "of all sizes of DIN 3977 that can be measured, the nearest to the size that touches "
+        "the flanks at the datum line; null if no size can be measured; 1.728/P if an inch spec "
+        "gives the diametral pitch and this pin can be measured",
+        [](const R& r) { return of_pin(r, &RackPin::diameter); });
     q.number("over_pin_mm", "dimension over one pin", "M",
              "from the back of the rack over a pin in a tooth space [T10.38]; null without "
              "`pin_diameter_mm`",

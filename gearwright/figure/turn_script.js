@@ -36,7 +36,8 @@
         g.node.setAttribute('transform', t === 0 ? g.at : g.at + ' rotate(' + g.turn * t + ')');
       });
       bars.forEach(function (b) {
-        b.node.setAttribute('transform', 'translate(' + b.dx * t + ' ' + b.dy * t + ') ' + b.at);
+        b.node.setAttribute('transform',
+            t === 0 ? b.at : 'translate(' + b.dx * t + ' ' + b.dy * t + ') ' + b.at);
       });
       touches.forEach(function (c) {
         var s = t + c.tooth;
@@ -86,7 +87,7 @@
     // prefers reduced motion.
     var calm = window.matchMedia && window.matchMedia('(prefers-reduced-motion: reduce)');
     if (calm && calm.addEventListener) calm.addEventListener('change', function () { if (calm.matches) stop(); });
-    return {stop: stop, reset: function () { stop(); slider.value = t = whole = 0; }};
+    return {stop: stop, reset: function () { stop(); way = 1; slider.value = t = whole = 0; }};
   };
 
   // The controls of a report. Each turns the figures of its group.

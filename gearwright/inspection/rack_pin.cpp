@@ -21,6 +21,8 @@ std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter) {
 }
 
 std::optional<RackPin> usual_pin(const RackGeometry& rack) {
+  if (rack.bar.pin_diameter)
+    if (auto pin = pin_on_rack(rack, *rack.bar.pin_diameter)) return pin;
   const double e_n = rack.normal_pitch - rack.thickness;
   const auto size = nearest_pin_size(e_n / std::cos(rack.normal_pressure_angle.rad()),
                                      [&](double d) { return pin_on_rack(rack, d).has_value(); });

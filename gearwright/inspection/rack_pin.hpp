@@ -34,8 +34,9 @@ struct RackPin {
 ///           (2) a thickness allowance E_sn changes M by E_sn/(2 tan α_n)
 std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter);
 
-/// The pin whose diameter is the size of DIN 3977 nearest to e_n/cos α_n, which touches at the
-/// datum line, of all sizes that can be measured. None if no size can be measured.
+/// The pin with RackBar::pin_diameter if it is given and can be measured. Otherwise the pin whose
+/// diameter is the size of DIN 3977 nearest to e_n/cos α_n, which touches at the datum line, of all
+/// sizes that can be measured. None if no size can be measured.
 std::optional<RackPin> usual_pin(const RackGeometry& rack);
 
 }  // namespace gearwright

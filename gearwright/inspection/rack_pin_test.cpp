@@ -97,5 +97,15 @@ TEST(RackPin, that_cannot_be_measured_is_none) {
   EXPECT_FALSE(usual_pin(rack_of(50, 0, 0)));  // greater than every size
 }
 
+// A pin of 1.728 modules can be measured. A pin of 1.5 mm rests on the root.
+TEST(RackPin, has_the_given_diameter_if_it_can_be_measured) {
+  RackGeometry rack = rack_of(2, 0, 0);
+  const double standard = usual_pin(rack)->diameter;
+  rack.bar.pin_diameter = 1.728 * 2;
+  EXPECT_EQ(usual_pin(rack)->diameter, 1.728 * 2);
+  rack.bar.pin_diameter = 1.5;
+  EXPECT_EQ(usual_pin(rack)->diameter, standard);
+}
+
 }  // namespace
 }  // namespace gearwright

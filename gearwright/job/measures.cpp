@@ -30,21 +30,17 @@ Result<GearMeasures> measured(const SolvedJob& job, const Arranged& arranged, in
   return measure(arranged, request, warnings);
 }
 
-// The tools of a gear. If an inch spec gives the diametral pitch P and no tool, balls and pins have
-// the diameters of North American practice, provided that they touch the usable flanks: 1.728/P for
-// an external and 1.68/P for an internal gear (ANSI/AGMA 2002-B88, the sizes of Van Keuren).
+// The tools of a gear. If no tool is given, balls and pins have the diameters of
+// pin_of_diametral_pitch(), provided that they touch the usable flanks.
 MeasureInput tools_of(const SolvedJob& job, int which) {
-  constexpr double kExternal = 1.728, kInternal = 1.68;  // diameters of balls and pins, modules
   MeasureInput tools = job.spec.gear(which).measure;
-  const auto pitch_given = [&](int gear) {
-    return job.spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));
-  };
-  const bool pitch = job.spec.units() == UnitSystem::inch && (pitch_given(1) || pitch_given(which));
-  if (tools.ball_diameter || !(pitch || tools.pin_diameter)) return tools;
+  if (tools.ball_diameter) return tools;
   const Gear& gear = job.gear(which);
-  const double size = tools.pin_diameter.value_or((gear.internal() ? kInternal : kExternal) *
-                                                  gear.spec.normal_module);
-  const auto seat = ball_in_space(gear, size);
+  const auto size = tools.pin_diameter ? tools.pin_diameter
+                                       : pin_of_diametral_pitch(job.spec, which, gear.internal(),
+                                                                gear.spec.normal_module);
+  if (!size) return tools;
+  const auto seat = ball_in_space(gear, *size);
   if (seat && seat->usable()) tools.ball_diameter = size;
   return tools;
 }
@@ -55,6 +51,17 @@ Result<GearMeasures> measured(const SolvedJob& job, int which, const std::option
 }
 
 }  // namespace
+
+std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
+                                             double normal_module) {
+  constexpr double kExternal = 1.728, kInternal = 1.68;  // modules
+  const auto pitch_given = [&](int gear) {
+    return spec.given.contains(gear_field(gear, "normal_diametral_pitch_per_in"));
+  };
+  if (spec.units() != UnitSystem::inch || !(pitch_given(1) || pitch_given(which)))
+    return std::nullopt;
+  return (internal ? kInternal : kExternal) * normal_module;
+}
 
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job) {
   std::vector<GearMeasures> measures;

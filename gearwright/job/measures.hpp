@@ -21,6 +21,12 @@ namespace gearwright {
 /// Errors    `gearN.measure.…`: a requested measurement that is impossible
 Result<std::vector<GearMeasures>> measure_gears(SolvedJob& job);
 
+/// The diameter of North American practice for balls and pins, mm: 1.728/P for an external gear and
+/// for a rack, and 1.68/P for an internal gear (ANSI/AGMA 2002-B88, the sizes of Van Keuren). None
+/// unless an inch spec gives the diametral pitch P of this gear or of gear 1.
+std::optional<double> pin_of_diametral_pitch(const JobSpec& spec, int which, bool internal,
+                                             double normal_module);
+
 /// The measurements as records for the page. Impossible measurements are omitted.
 std::vector<ValueRecord> measure_records(const SolvedJob& job);
 

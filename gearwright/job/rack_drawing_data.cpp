@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
-#include "gearwright/base/number_text.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/job/drawing_data.hpp"
@@ -12,16 +11,14 @@ namespace gearwright {
 
 namespace {
 
-// The rows whose values are not results. They have the form of the other lengths of the sheet.
+// The rows whose values are not results. They have the form of the dimensions of the sheet.
 void add_rack_length(DataGroup& group, UnitSystem units, const char* words, const char* symbol,
                      double mm) {
-  const std::string text = units == UnitSystem::mm
-                               ? short_decimals(mm, 4)
-                               : fixed_decimals(value_in(units, Unit::mm, mm), 4);
-  group.rows.push_back({words, symbol, with_minus(text)});
+  group.rows.push_back({words, symbol, with_minus(length_text(units, mm))});
 }
 
-// The body has a default number of teeth if none is given.
+// The body has a default number of teeth and a default height if none is given. The dimensions of
+// the height and the dimension over a pin depend on this height.
 DataGroup rack_teeth(const SolvedJob& job, const Records& r) {
   const RackGeometry& rack = job.rack->rack;
   DataGroup group{"Rack data, symbols of ISO 21771", {}};
@@ -40,6 +37,9 @@ DataGroup rack_teeth(const SolvedJob& job, const Records& r) {
   add_data(group, r, "addendum_mm");
   add_data(group, r, "dedendum_mm");
   add_rack_length(group, r.units, "Root fillet radius", "ρ_f", rack.fillet_radius);
+  if (!rack.bar.height)
+    group.rows.push_back(
+        {"Back to datum line", "h_B", length_text(r.units, rack.height) + ", default height"});
   return group;
 }
 

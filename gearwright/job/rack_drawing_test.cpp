@@ -163,6 +163,17 @@ TEST(RackDrawing, shows_the_direction_of_its_teeth) {
   }
 }
 
+// A default height is 3 modules more than the dedendum of 1.25 modules.
+TEST(RackDrawing, shows_which_lengths_are_not_given) {
+  const Sheet bare = drawn_rack({"2", "0", "", ""}).sheet;
+  for (const char* words : {"21, default length", "8.5, default height", "8.5", "10.5"})
+    EXPECT_TRUE(has_text(bare, words)) << words;
+  const Sheet given = drawn_rack({"2", "0", "teeth = 9\nheight_mm = 12.0625\n", ""}).sheet;
+  for (const SheetText& text : given.texts)
+    EXPECT_EQ(text.text.find("default"), std::string::npos) << text.text;
+  for (const char* words : {"12.0625", "14.0625"}) EXPECT_TRUE(has_text(given, words)) << words;
+}
+
 TEST(RackDrawing, contains_what_the_workshop_needs) {
   const Drawn made =
       drawn_rack({"2", "0", "teeth = 26\nheight_mm = 12\nthickness_allowance_mm = -0.05\n", ""});

@@ -11,6 +11,7 @@
 #include "gearwright/base/printable.hpp"
 #include "gearwright/catalogue/spelling.hpp"
 #include "gearwright/gear/gear.hpp"
+#include "gearwright/job/measures.hpp"
 
 namespace gearwright {
 
@@ -173,7 +174,9 @@ Result<SolvedJob> solve_rack(const JobSpec& spec) {
   auto solved = solve(spec, Scope::gears);
   if (!solved) return solved;
   SolvedJob job = std::move(solved).take();
-  auto pair = mount_rack(job.gears[0], *spec.rack, spec.pair.center_distance, spec.pair.speed_rpm,
+  RackBar bar = *spec.rack;
+  bar.pin_diameter = pin_of_diametral_pitch(spec, 2, false, job.gears[0].spec.normal_module);
+  auto pair = mount_rack(job.gears[0], bar, spec.pair.center_distance, spec.pair.speed_rpm,
                          spec.pair.friction_coefficient);
   if (!pair) return spelled(pair.error(), spec.given);
   job.warnings.insert(job.warnings.end(), pair->warnings.begin(), pair->warnings.end());

@@ -1,4 +1,5 @@
-// The workshop drawings of a job. There is one sheet for each gear, as PDF, SVG or DXF.
+// The workshop drawings of a job. There is one sheet for each gear or rack, as PDF, SVG or
+// DXF.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +27,7 @@ struct WorkshopSheets {
 /// The mass of a body of the job, kg. None if its material has no density.
 std::optional<double> mass_of(const SolvedJob& job, int which, const ToothedBody& body);
 
-/// One sheet for each of these gears, 1 or 2. `tolerance_mm` applies to the outlines.
+/// One sheet for each of these parts, gear or rack, 1 or 2. `tolerance_mm` applies to the outlines.
 ///
 /// Errors    the errors of make_body and make_file
 Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<int>& gears,

@@ -25,11 +25,12 @@ namespace gearwright {
 
 /// A rack as a part. The teeth have the profile of the basic rack of the pinion.
 struct RackBar {
-  std::optional<int> teeth{};          ///< n; see RackGeometry::teeth if it is absent
-  std::optional<double> face_width{};  ///< b    mm; by default the face width of the pinion
-  std::optional<double> height{};      ///< mm, from the back of the rack to the datum line;
-                                       ///< by default 3 modules more than the dedendum
-  double thickness_allowance = 0.0;    ///< E_sn mm at the datum line, < 0 thins the teeth
+  std::optional<int> teeth{};            ///< n; see RackGeometry::teeth if it is absent
+  std::optional<double> face_width{};    ///< b    mm; by default the face width of the pinion
+  std::optional<double> height{};        ///< mm, from the back of the rack to the datum line;
+                                         ///< by default 3 modules more than the dedendum
+  double thickness_allowance = 0.0;      ///< E_sn mm at the datum line, < 0 thins the teeth
+  std::optional<double> pin_diameter{};  ///< D_M mm of the usual measuring pin; see usual_pin()
 };
 
 /// The geometry of a rack, from its pinion and its RackBar.

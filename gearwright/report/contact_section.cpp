@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
@@ -120,9 +123,9 @@ std::string pattern_part(const ContactReport& report, const FigureForm& form) {
                               "position, the path shows only the tooth pair that is nearest to the "
                               "centre line."
                             : "";
-  const auto pattern = [&](std::size_t i) {
-    return form.html(flank_figure(report, i, {.pattern = &report.patterns[i]}));
-  };
+  std::vector<std::optional<Figure>> patterns;
+  for (std::size_t i = 0; i < (report.driving.rack ? 1u : 2u); ++i)
+    patterns.emplace_back(flank_figure(report, i, {.pattern = &report.patterns[i]}));
   return fmt::format(
              "<h3>Bearing contact: where the teeth touch</h3>\n<p>Each picture shows a flank laid "
              "flat, with the face from left to right, the root at the bottom and the tip at the "
@@ -136,7 +139,7 @@ std::string pattern_part(const ContactReport& report, const FigureForm& form) {
              "contact. The sharp edge then carries the load instead of the flank, scrapes off the "
              "oil and wears or pits the mating gear.{}</p>\n",
              fixed(kUmPerMm * report.marking, 2), several) +
-         side_by_side(pattern(0) + (report.driving.rack ? std::string() : pattern(1)));
+         form.row(patterns);
 }
 
 std::string gap_part(const ContactReport& report, const FigureForm& form) {

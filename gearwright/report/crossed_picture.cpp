@@ -101,12 +101,14 @@ Figure plan_figure(const InvolutePair& pair) {
   Figure f = plane_figure(
       "plan", "Lines of action",
       "Both gears seen along the centre line from gear 2. Rectangles show the pitch cylinders, and "
-      "thin rectangles the tip cylinders. Lines show both axes, the direction of the teeth, and "
-      "the leading and trailing lines of action with their ends and base tangent points.",
+      "rectangles in thin lines show the tip cylinders. Lines show both axes, the direction of the "
+      "teeth, and the leading and trailing lines of action with their ends and base tangent "
+      "points.",
       {-half, half});
   f.caption = " seen along the centre line from gear 2. " + line_key() +
-              " The rectangles are the pitch cylinders from face to face, and the thin rectangles "
-              "the tip cylinders. The dashed line is the common direction of the teeth.";
+              " The rectangles are the pitch cylinders from face to face, and the rectangles in "
+              "thin lines are the tip cylinders. The dashed line is the common direction of the "
+              "teeth.";
   for (const std::size_t i : {0u, 1u}) {
     add_face(f, pair, i, pair.mesh.rack.sides[i].pitch_radius, "face ");
     add_face(f, pair, i, pair.gears[i].actual_tip_radius(), "thin ");

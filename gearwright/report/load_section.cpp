@@ -75,7 +75,7 @@ std::string te_part(const LoadScene& report, const FigureForm& form) {
          "it alone, so gear 2 oscillates at the tooth frequency even if the flanks are perfect. A "
          "tip relief compensates this oscillation at one torque. At lower torques the relief "
          "itself causes noise, and at higher torques the deflection causes noise.</p>\n" +
-         side_by_side(form.html(loaded_te_figure(report)) + harris) +
+         form.row({loaded_te_figure(report)}, harris) +
          (harris.empty() ? "<p>If several torques are given, a Harris map shows the torque at "
                            "which the pair is quietest.</p>\n"
                          : "");

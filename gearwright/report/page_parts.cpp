@@ -7,6 +7,7 @@
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/figure/mesh.hpp"
+#include "gearwright/report/html_text.hpp"
 
 namespace gearwright {
 
@@ -18,6 +19,20 @@ std::string FigureForm::html(Figure figure, double width, std::string_view contr
 
 std::string FigureForm::html(std::optional<Figure> figure) const {
   return figure ? html(std::move(*figure)) : std::string();
+}
+
+std::string FigureForm::row(const std::vector<std::optional<Figure>>& figures,
+                            const std::string& more) const {
+  std::string shown;
+  bool moved = false;
+  for (const auto& figure : figures) {
+    const std::string one = html(figure);
+    moved = moved || (figure && one.empty());
+    shown += one;
+  }
+  shown += more;
+  if (shown.empty() && moved) return "<p>The figure is at the head of the report.</p>\n";
+  return side_by_side(shown);
 }
 
 std::string page_head(std::string_view title, std::string_view version,

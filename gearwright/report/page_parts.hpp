@@ -30,6 +30,10 @@ struct FigureForm {
   /// Returns figure_html() of the figure in this form. Empty if the figure is above or missing.
   std::string html(Figure figure, double width = kFigureWidth, std::string_view control = "") const;
   std::string html(std::optional<Figure> figure) const;
+  /// Returns side_by_side() of these figures and of `more`, which is HTML. If the head of the page
+  /// contains all of them, returns a sentence that refers to it.
+  std::string row(const std::vector<std::optional<Figure>>& figures,
+                  const std::string& more = {}) const;
 };
 
 /// The style sheet of every page. On screen, the preference of the user determines whether the page

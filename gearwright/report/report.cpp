@@ -179,7 +179,10 @@ std::vector<Figure> deciding_figures(const ReportInput& input) {
                      return views;
                    }});
   if (input.rack) {
-    if (auto figure = rack_figure(*input.rack, kShapes)) of_pair.push_back(*figure);
+    if (auto made = rack_figure(*input.rack, kShapes)) {
+      of_pair.push_back(std::move(made).take());
+      of_pair.back().definitions.clear();  // the page contains them
+    }
   }
   if (!of_pair.empty()) add(of_pair.front());
   // The figures of a double-helical pair that belong to one half remain under its heading.

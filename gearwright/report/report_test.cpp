@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gearwright/base/testing/taken.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/report/testing/sample_load.hpp"
 #include "gearwright/report/testing/sample_reports.hpp"
@@ -132,9 +134,42 @@ TEST(Report, FiguresThatDecideAreAtTheHead) {
   ReportInput loaded = report_input(*load.pair);
   loaded.load = &load.report;
   expect_head(loaded, {"mesh", "loaded-te", "pressure1"});
+  // No figure of the transmission error remains in the section, because there is only one torque.
+  EXPECT_NE(report_html(loaded).find("<p>The figure is at the head of the report.</p>"),
+            std::string::npos);
+
+  // The figures of the contact of a half remain under its heading.
+  ContactReport halved = contact.report;
+  halved.halves = {contact.report};
+  input.contact = &halved;
+  expect_head(input, {"mesh", "te", "path"});
+
+  const RackPair rack = testing::taken(mount_rack(sample_gear(20, 2, 10, 0), {.teeth = 12}));
+  ReportInput of_rack = report_input(rack.pinion);
+  of_rack.rack = &rack;
+  expect_head(of_rack, {"mesh"});
+
+  const auto with_arcs = [](int teeth, double beta_deg) {
+    CylindricalSpec spec = testing::plain_spec(
+        {.teeth = teeth, .module = 4.0, .beta_deg = beta_deg, .face_width = 60.0});
+    spec.rack = *gbt12759_rack(4.0);
+    return testing::taken(make_gear(spec));
+  };
+  const ArcPair arcs =
+      testing::taken(mount_arcs(with_arcs(18, 22), with_arcs(50, -22), std::nullopt));
+  ReportInput of_arcs;
+  of_arcs.gears = {&arcs.gears[0], &arcs.gears[1]};
+  of_arcs.pair = arcs;
+  testing::judge(of_arcs, arcs.warnings);
+  expect_head(of_arcs, {"contact1", "contact2"});
 
   const CrossedPair crossed = testing::crossed_pair();
   expect_head(report_input(crossed), {"plan", "section", "faces"});
+  const testing::ContactSample at_points = testing::crossed_contact();
+  const CrossedPair left_hand = testing::left_hand_pair();
+  ReportInput of_crossed = report_input(left_hand);
+  of_crossed.contact = &at_points.report;
+  expect_head(of_crossed, {"plan", "te", "bearing1"});
   EXPECT_EQ(ids_at_the_head(report_html(report_input(testing::crossed_apart()))),
             (Values{"plan", "section"}));
   EXPECT_EQ(ids_at_the_head(report_html(report_input(sample_gear(17, 2, 0, 0)))), Values{});

@@ -331,7 +331,9 @@ class Reader {
     if (found.fixed)
       set["fixed"] = one_or_all(*found.fixed);
     else
-      note("The file states no held member, so the default of `fixed` applies.");
+      note(
+          "The file does not state which member is held, so the key `fixed` has its default "
+          "value.");
     if (!found.output.empty()) set["output"] = found.output;
     if (found.inputs.empty()) {
       note("The file states no driving member, so the default of `input` applies.");

@@ -165,7 +165,7 @@ TEST(Rexs, TheHeldMemberIsCoupledWithTheCasing) {
   // A file without loads and without held members has a note.
   const RexsSpec bare = read(SetFile().text());
   EXPECT_FALSE(bare.tables["planetary"].contains("fixed"));
-  EXPECT_NE(bare.notes[0].find("no held member"), std::string::npos);
+  EXPECT_NE(bare.notes[0].find("which member is held"), std::string::npos);
 }
 
 TEST(Rexs, WhatIsNotReadIsNamed) {

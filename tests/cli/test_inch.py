@@ -1,6 +1,7 @@
 """Specs in inch. The same gears in mm and in inch have the same answer, number by number; errors, listings and printed specs
 are in the units of the spec."""
 import json
+import math
 import re
 import tomllib
 import unittest
@@ -209,6 +210,16 @@ class Words(unittest.TestCase):
         self.assertEqual(ring["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.21)
         by_module = Run("measure", PAIR.replace("normal_diametral_pitch_per_in = 10", "normal_module_mm = 2.54"), "--json")
         self.assertNotEqual(by_module.json["gears"][0]["measure"]["over_pins"]["pin_diameter_in"], 0.1728)
+
+    def test_pin_of_a_rack_given_by_the_diametral_pitch_of_its_pinion(self):
+        text = 'units = "inch"\n[gear1]\nteeth = 20\n{}\n[gear2]\nform = "rack"\nteeth = 12\nheight_in = 0.5\n'
+        rack = Run("gear", text.format("normal_diametral_pitch_per_in = 10"), "--json").json["gears"][1]
+        self.assertEqual(rack["pin_diameter_in"], 0.1728)
+        slope = math.tan(math.radians(20))
+        height = (0.1728 / math.cos(math.radians(20)) - math.pi / 20) / (2 * slope)
+        self.assertAlmostEqual(rack["over_pin_in"], 0.5 + height + 0.0864, 12)
+        by_module = Run("gear", text.format("normal_module_mm = 2.54"), "--json").json["gears"][1]
+        self.assertAlmostEqual(by_module["pin_diameter_in"] * 25.4, 4.25, 12)
 
     def test_racks_of_agma_bring_their_pressure_angle(self):
         for rack, degrees, whole in (("AGMA-14.5", 14.5, 2.157), ("AGMA-20", 20, 2.25), ("AGMA-25", 25, 2.25),

@@ -3,8 +3,8 @@
 The colours are read from gearwright/figure/figure_style.css, as they are on light and dark screens and on
 paper, and the styles of curves from the sources that draw them. Rules:
 
-    colour  marks that occur together differ by at least 12 in CIELAB, which is five times the smallest visible
-            difference (2.3), for normal vision, protanopia, deuteranopia and tritanopia
+    colour  the marks of each set in TOGETHER differ by at least 12 in CIELAB, which is five times the smallest
+            visible difference (2.3), for normal vision, protanopia, deuteranopia and tritanopia
     grey    two curves of a figure differ in dashes, in width by at least 40 %, or in lightness by 20
     shades  the lightness of a map increases with its values
 
@@ -33,7 +33,10 @@ TOGETHER = {"gears": ["g1", "g2"],
             "tooth pairs": ["flank", "root-fillet", "tip-land"],
             "arcs of a tooth": ["root-land", "root-fillet", "flank", "tip-fillet", "tip-land"],
             "bars": ["alpha", "beta"],
-            "zones": ["more", "fewer"]}
+            "zones": ["more", "fewer"],
+            "lines of action": ["g1", "g2", "action", "trailing"],
+            "shares": ["action", "tip-fillet", "g1", "trailing", "g2"],
+            "edges of a region": ["g1", "g2", "trailing", "action", "tip-fillet", "beta", "root-land"]}
 DIFFERENT, DARKER, WIDER = 12.0, 20.0, 1.4
 
 

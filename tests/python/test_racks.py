@@ -74,6 +74,8 @@ def test_files_and_pictures():
     rack = gw.load(PATH)
     assert rack.step().count(b"MANIFOLD_SOLID_BREP") == 2
     assert rack.drawing()[:5] == b"%PDF-"
+    drawing = rack.drawing(format="svg").decode()
+    assert "Rack data" in drawing and "2/2" in drawing
     assert rack.pose(2)[0, 3] == rack.center_distance
     assert "Rack data" in rack._repr_html_() and "Rack data" in rack.report()
     assert [f.title for f in rack.figures] == ["The mesh at the pitch point"]

@@ -301,8 +301,8 @@ export interface DesignAxis {
   better: Objective["better"] | "";
   values: number[];
 }
-/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. A line joins the
- *  dots of the front if both axes are objectives. */
+/** Designs as dots over two of their quantities, in the order of drawing. The values must be finite. If both
+ *  axes are objectives, a staircase borders the dots of the front. */
 export interface DesignDots {
   width: number; // px, width of the figure
   tall: number; // height over width of the plot

@@ -25,8 +25,8 @@ export function materials(): NamedMaterial[] {
   return whole.materials;
 }
 
-export function objective(name: string): Objective {
-  return whole.objectives.find((one) => one.name === name)!;
+export function objective(name: string): Objective | undefined {
+  return whole.objectives.find((one) => one.name === name);
 }
 
 /** For a table of keys, the tables of results that contain its quantities. By default, this is the

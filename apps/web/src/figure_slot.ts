@@ -33,6 +33,7 @@ export class FigureSlot {
   );
   private figure: Figure | null = null;
   private t = NaN;
+  private turn: ((t: number, moved: boolean) => void) | null = null; // made when the figure has its drawn position
 
   /** `chosen` is called when the user clicks or drags to a position. `at` is called with the values at the
    *  pointer when the pointer moves or clicks on the plot. */
@@ -57,7 +58,10 @@ export class FigureSlot {
 
   show(figure: Figure | undefined): void {
     this.element.hidden = !figure;
-    if (figure?.html !== this.figure?.html) this.picture.innerHTML = figure?.html ?? "";
+    if (figure?.html !== this.figure?.html) {
+      this.picture.innerHTML = figure?.html ?? "";
+      this.turn = this.plot && figureTurn(this.plot);
+    }
     const data = figure?.data;
     this.values.hidden = !(data?.curves.length || data?.points?.length || data?.grid);
     this.figure = figure ?? null;
@@ -82,7 +86,7 @@ export class FigureSlot {
         plot.append(svg("path", { class: "cursor", d: `M${at} ${y1}L${at} ${y2}` }));
       }
     }
-    figureTurn(plot)(t, true);
+    this.turn?.(t, true);
   }
 
   /** The group that contains the marks. */

@@ -181,7 +181,7 @@ export class Starts {
         picture.querySelector("figcaption")?.remove();
       } catch {
         // The gears of this example must be computed first, so the card has no picture.
-        picture.textContent = (searching ? "search" : "fit") + " …";
+        picture.textContent = (searching ? "search" : kDrive.test(example.text) ? "drive" : "fit") + " …";
       }
     }
   }

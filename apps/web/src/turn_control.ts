@@ -11,7 +11,7 @@ export class TurnControl {
   /** Completed pitches or turns, which the slider does not show. */
   whole = 0;
   private readonly run = h("button", { type: "button" }, "Turn");
-  private readonly slider = h("input", { type: "range", min: -0.5, max: 0.5, step: 0.002 });
+  private readonly slider = h("input", { type: "range", min: -0.5, max: 0.5, step: 0.002, "aria-label": "rotation of gear 1" });
   private readonly angle = h("output", { class: "angle" });
   readonly elements = [this.run, slide("rotation", this.slider), this.angle];
   readonly stop: () => void;

@@ -63,7 +63,9 @@ describe("a rack and its pinion", () => {
     const wait = page.waitForEvent("download");
     await page.click('button[aria-label="STEP, pair"]');
     assert.match((await wait).suggestedFilename(), /_pair\.step$/);
-    assert.equal(await page.locator('button[aria-label="Drawing, rack"]').count(), 0);
+    const drawing = page.waitForEvent("download");
+    await page.click('button[aria-label="Drawing, rack"]');
+    assert.match((await drawing).suggestedFilename(), /_gear2\.pdf$/);
     await page.keyboard.press("Escape");
     for (const room of ["load", "rating", "scatter"]) {
       await openTab(page, room);

@@ -91,6 +91,26 @@ describe("a picture of another spec", () => {
     assert.equal(await page.locator(".pareto, .pareto-axes").filter({ visible: true }).count(), 0);
   });
 
+  it("two objectives border a staircase, and one objective has its own name", async () => {
+    const axes = page.locator(".pareto-axes select");
+    await put(page, example("gearbox_search"), "search");
+    await idle(page);
+    await axes.nth(0).selectOption("objective.contact_ratio");
+    await axes.nth(1).selectOption("objective.sliding");
+    await page.waitForSelector(".pareto .staircase", { state: "attached" });
+    assert.equal(await page.locator(".pareto .staircase").count(), 1);
+    const words = await page.textContent(".pareto svg");
+    assert.match(words, /greatest specific sliding.*, smaller values are better/);
+    assert.match(words, /contact ratio.*, greater values are better/);
+    await put(page, example("gearbox_search").replace(/^objective = .*$/m, 'objective = "mass"'), "search");
+    await idle(page);
+    await axes.nth(0).selectOption("objective.-1");
+    await page.waitForFunction(() => /mass.*kg, smaller values are better/.test(document.querySelector(".pareto svg")?.textContent));
+    assert.equal(await axes.nth(0).locator("option:checked").textContent(), "mass");
+    assert.equal(await page.locator(".pareto .staircase").count(), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
   it("the picture of the previous design disappears even if the new design has none", async () => {
     await put(page, example("printed_drive"), "mesh");
     await idle(page);

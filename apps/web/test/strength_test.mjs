@@ -49,6 +49,16 @@ describe("load", () => {
     const before = await ink();
     await page.fill('#room-load input[aria-label="position within the pitch"]', "3");
     assert.notEqual(await ink(), before);
+    // Frame 0 is the position t = 0, and the frames of one pitch repeat.
+    const place = page.locator('#room-load input[aria-label="position within the pitch"]');
+    const positions = Number(await place.getAttribute("max")) + 1;
+    const frames = Number(await page.getAttribute("#pressure1 [data-frame]", "data-frames"));
+    for (const wanted of [-0.3, 0.2]) {
+      const index = Math.round((wanted + 0.5) * positions);
+      await place.fill(String(index));
+      const frame = Math.round((index / positions - 0.5) * frames);
+      assert.equal(Number(await ink()), (frame + frames) % frames);
+    }
     await page.fill('#room-load [data-key="load.torque_Nm"]', "100");
     await page.waitForFunction(() => /torque_Nm = 100\b/.test(window.gearwright.text()));
     await settled(page);

@@ -51,8 +51,7 @@ export class ParetoPicture {
       words,
       unit: shownUnit(info),
       symbol: place === -1 || typeof place === "string" ? info.symbol : "",
-      // Only an objective has a name as its place.
-      better: typeof place !== "string" ? ("" as const) : info.greaterFirst ? ("greater" as const) : ("smaller" as const),
+      better: info.key !== "objective" ? ("" as const) : info.greaterFirst ? ("greater" as const) : ("smaller" as const),
       values: values.map((value) => toShown(value, info)),
     });
     const figure = await bench.front.call("designs", {

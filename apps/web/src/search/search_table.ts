@@ -46,19 +46,23 @@ export function valueIn(design: Design, column: Column): Json | undefined {
   return column.place < 0 || !Array.isArray(value) ? value : value[column.place];
 }
 
-/** All columns in which at least one design has a value. */
-export function columnsOf(designs: Design[]): Column[] {
+/** All columns in which at least one design has a value. `only` is the name of the objective if the search
+ *  has one objective, whose values have no name. */
+export function columnsOf(designs: Design[], only: string): Column[] {
   const columns: Column[] = [];
   for (const info of quantities("search.designs")?.quantities ?? []) {
     if (!info.page && !info.listing && info.key !== "objective") continue;
     const values = designs.map((one) => one[info.key]).filter((one) => one !== null && one !== undefined);
     if (!values.length) continue;
-    // If the search has several objectives, each becomes a column with its own name.
-    if (info.key === "objective" && typeof values[0] === "object") {
-      for (const name of Object.keys(values[0] as Design)) {
-        const { words, symbol, unit, better } = objective(name);
-        const own: Quantity = { ...info, words, symbol, unit, digits: 4, type: "number", greaterFirst: better === "greater" };
-        columns.push({ info: own, place: name, words });
+    // Each objective is a column with its own words and unit.
+    if (info.key === "objective") {
+      const several = typeof values[0] === "object";
+      for (const name of several ? Object.keys(values[0] as Design) : [only]) {
+        const known = objective(name);
+        const own: Quantity = known
+          ? { ...info, words: known.words, symbol: known.symbol, unit: known.unit, digits: 4, type: "number", greaterFirst: known.better === "greater" }
+          : info;
+        columns.push({ info: own, place: several ? name : -1, words: own.words });
       }
       continue;
     }
@@ -114,10 +118,10 @@ export class SearchTable {
 
   constructor(private readonly take: (row: number) => void) {}
 
-  show(designs: Design[], front: number[]): void {
+  show(designs: Design[], front: number[], only: string): void {
     this.designs = designs;
     this.front = new Set(front);
-    const columns = columnsOf(designs);
+    const columns = columnsOf(designs, only);
     const few = designs.length < kLeastForCommon;
     const different = columns.filter((one) => few || varies(designs, one));
     const twins = few ? new Map<Column, Column>() : twinsOf(designs, different);

@@ -3,7 +3,7 @@
 // gears are incomplete, the verb fit computes all solutions. A click shows a design. The list
 // remains as long as the text on screen is the searched spec or the spec of a design from the list.
 
-import { quantity } from "../catalogue";
+import { inputKey, quantity } from "../catalogue";
 import { button, download, fill, h, sentenceOf } from "../elements";
 import { Cancelled } from "../engine_link";
 import type { Json } from "../engine_worker";
@@ -19,6 +19,12 @@ const kAtOnce = 30_000; // candidates; a search with no more than this starts wi
 const kMostDesigns = 2000;
 /** Quantities for the axes, the most useful first. All others follow in the order of the catalogue. */
 const kAxes = ["objective", "center_distance_mm", "contact_ratio", "sliding_max", "ratio"];
+
+/** The name of the objective of a spec with one objective. If none is given, it is the default. */
+function onlyObjective(spec: Json | null): string {
+  const given = [at(spec, "search.objective")].flat()[0];
+  return typeof given === "string" ? given : inputKey("search", "objective")!.fallback.replaceAll('"', "");
+}
 
 export class SearchView implements Tab {
   readonly id = "search";
@@ -71,6 +77,7 @@ export class SearchView implements Tab {
   private looked = "";
   private running = ""; // the text of the running search
   private columns: Column[] = [];
+  private only = onlyObjective(null); // the objective of the listed designs, if they have one
 
   constructor() {
     this.forget();
@@ -199,10 +206,11 @@ export class SearchView implements Tab {
     this.designs = designs;
     this.front = front;
     this.taken = -1;
-    this.table.show(designs, front);
+    if (bench.solved?.text === text) this.only = onlyObjective(bench.solved.spec);
+    this.table.show(designs, front, this.only);
     // A quantity with the same value in all designs is not useful on an axis.
     const rank = (column: Column) => (kAxes.indexOf(column.info.key) + kAxes.length + 1) % (kAxes.length + 1);
-    this.columns = columnsOf(designs)
+    this.columns = columnsOf(designs, this.only)
       .filter((one) => designs.some((design) => typeof valueIn(design, one) === "number"))
       .filter((one) => varies(designs, one))
       .sort((a, b) => rank(a) - rank(b));
