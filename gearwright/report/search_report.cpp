@@ -154,21 +154,33 @@ std::string chart_section(const SearchReport& report) {
          "</section>\n";
 }
 
+// The tolerances of the drawn designs. Empty if they have none.
+std::string toleranced(const SearchAllowances& allowances) {
+  const bool teeth = !allowances.series.empty() ||
+                     (allowances.backlash && (*allowances.backlash)[0] < (*allowances.backlash)[1]);
+  const bool distance = allowances.distance_tolerance.has_value();
+  if (teeth && distance) return "the tooth thicknesses and of the centre distance";
+  if (teeth) return "the tooth thicknesses";
+  return distance ? "the centre distance" : "";
+}
+
 // What the numbers of the designs include.
 std::string included(const SearchProblem& problem) {
-  const SearchAllowances& allowances = problem.allowances;
-  const bool toleranced = allowances.thin_teeth() || allowances.distance_tolerance;
-  if (!toleranced && !problem.rating)
+  const std::string with = toleranced(problem.allowances);
+  if (with.empty() && !problem.rating)
     return "Manufacturing deviations, load and strength are not considered.";
   std::string text = "Load and strength are not considered.";
   if (problem.rating) {
     text =
-        fmt::format("Strength is rated by ISO 6336. Load is considered only in this rating{}.",
+        fmt::format("Strength is rated by {}. Load is considered only in this rating{}.",
+                    name(problem.rating->input.edition),
                     problem.ranks_by(Objective::noise) ? " and in the estimate of the noise" : "");
   }
-  return text + (toleranced ? " The geometry includes the tolerances of the tooth thicknesses and "
-                              "of the centre distance, and no other manufacturing deviations."
-                            : " The geometry includes no manufacturing deviations.");
+  if (with.empty()) return text + " The geometry includes no manufacturing deviations.";
+  return text + fmt::format(
+                    " The numbers of a design apply to the mean of the tolerances of {}, and its "
+                    "backlash to their ends. No other manufacturing deviations are included.",
+                    with);
 }
 
 std::string foot(const SearchProblem& problem, UnitSystem units) {

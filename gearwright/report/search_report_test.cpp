@@ -98,27 +98,32 @@ TEST(SearchReport, TextIsTextWhateverItContains) {
 // The foot contradicts no column of the table: a rated search has safeties, and a search with
 // allowances has the backlash at the ends of the tolerances.
 TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
-  const auto page_of = [](bool rated, bool toleranced) {
+  using Backlash = std::array<double, 2>;
+  const auto page_of = [](bool rated, const std::optional<Backlash>& backlash) {
     SearchProblem p = testing::spur_problem();
     p.modules = {5};
     p.helix = {Angle()};
     if (rated) p.rating = testing::search::load(120.0);
     if (rated) p.objectives = {Objective::safety, Objective::noise};
-    if (toleranced) p.allowances.backlash = {{0.1, 0.2}};
+    p.allowances.backlash = backlash;
     return search_report(testing::search_sample(p).report());
   };
   const std::string plain = "Manufacturing deviations, load and strength are not considered.";
-  EXPECT_TRUE(has(page_of(false, false), plain));
+  EXPECT_TRUE(has(page_of(false, std::nullopt), plain));
   for (const bool rated : {false, true}) {
-    for (const bool toleranced : {false, true}) {
-      const std::string page = page_of(rated, toleranced);
+    // Equal ends are an allowance without a tolerance.
+    for (const auto& backlash :
+         {std::optional<Backlash>(), std::optional(Backlash{0.1, 0.1}),
+          std::optional(Backlash{0.1, 0.2})}) {
+      const std::string page = page_of(rated, backlash);
+      const bool toleranced = backlash && (*backlash)[0] < (*backlash)[1];
       EXPECT_EQ(has(page, plain), !rated && !toleranced);
       EXPECT_EQ(has(page, symbol_html("S_H1")), rated);
       EXPECT_EQ(has(page,
-                    "Strength is rated by ISO 6336. Load is considered only in this rating "
+                    "Strength is rated by ISO 6336:2006. Load is considered only in this rating "
                     "and in the estimate of the noise."),
                 rated);
-      EXPECT_EQ(has(page, "includes the tolerances of the tooth thicknesses"), toleranced);
+      EXPECT_EQ(has(page, "the mean of the tolerances of the tooth thicknesses, and"), toleranced);
       EXPECT_EQ(has(page, "includes no manufacturing deviations."), rated && !toleranced);
     }
   }

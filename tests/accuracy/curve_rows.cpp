@@ -69,7 +69,8 @@ std::vector<Row> curve_rows() {
 }
 
 // Points are compared with rack_cut(), tangents and curvatures with trochoid_jet(), each in 50
-// digits. The program computes tangents and curvatures from neither.
+// digits. The program computes tangents and curvatures with rack_cut() and other closed forms, not
+// from the derivatives of trochoid_jet().
 std::vector<Row> trochoid_rows() {
   constexpr int kInputs = 20000;
   const std::string where = fmt::format(

@@ -111,17 +111,20 @@ struct RackSet {
   }
 };
 
-/// A rack whose flank touches the involute of the pinion along its whole path of contact, as the
-/// gears of over_pairs() do. If the flank of the pinion began within the path, the curve would jump
-/// there. Returns nothing if the draw does not give such a pair.
-inline std::optional<RackSet> random_rack_set(Random& random, bool modified) {
+/// A pinion with a rack. If `whole_path`, the flank of the rack touches the involute of the pinion
+/// along its whole path of contact, as the gears of over_pairs() do. If the flank of the pinion
+/// began within the path, the curve would jump there. Returns nothing if the draw does not give such
+/// a pair.
+inline std::optional<RackSet> random_rack_set(Random& random, bool modified, bool whole_path) {
   CylindricalSpec spec = random_pair(random, false).first;
   spec.profile_shift = std::abs(spec.profile_shift);
   const auto pinion = make_gear(spec);
   if (!pinion || !pinion->root_form_radius()) return std::nullopt;
   auto rack = mount_rack(*pinion, {});
-  if (!rack || !(rack->true_contact_ratio() > 1.05)) return std::nullopt;
-  if (rack->true_approach < rack->approach - 1e-9 || rack->true_recess < rack->recess - 1e-9)
+  if (!rack) return std::nullopt;
+  if (whole_path &&
+      (!(rack->true_contact_ratio() > 1.05) || rack->true_approach < rack->approach - 1e-9 ||
+       rack->true_recess < rack->recess - 1e-9))
     return std::nullopt;
   RackSet set{std::move(rack).take(), {}, {}};
   set.mount.center_distance = set.rack.center_distance;
@@ -150,6 +153,7 @@ inline std::optional<RackSet> random_rack_set(Random& random, bool modified) {
 /// The number of pairs of each kind over which a law is checked.
 struct Counts {
   int parallel, crossed, racks;
+  bool whole_path = true;  ///< of the racks, see random_rack_set()
 };
 
 /// Checks the law over the gears of over_pairs(), pairs on crossed axes, half of them internal, and
@@ -181,14 +185,15 @@ void over_sets(std::uint64_t seed, const Counts& counts, const Wanted& want, Law
                std::to_string(set.gears[1].spec.teeth);
       });
   over(
-      counts.racks, [&](Random& r, int) { return random_rack_set(r, want.modifications); },
+      counts.racks,
+      [&](Random& r, int) { return random_rack_set(r, want.modifications, counts.whole_path); },
       [](const RackSet& set) { return "a rack and" + describe(set.rack.pinion.spec); });
 }
 
-/// Checks the law over the contacts of over_sets().
+/// Checks the law over the contacts of over_sets(), also those of undercut pinions with racks.
 template <class Law>
 void over_contacts(std::uint64_t seed, int pairs, Law law) {
-  over_sets(seed, {pairs, pairs, pairs / 3}, {},
+  over_sets(seed, {pairs, pairs, pairs / 3, false}, {},
             [&](const auto& set, Random&) { law(set.pair()); });
 }
 
