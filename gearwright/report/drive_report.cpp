@@ -65,7 +65,8 @@ std::string table_of(const std::string& caption, const Quantities<View>& quantit
 std::string drive_overview(const DriveReportInput& input) {
   const Drive& drive = *input.drive;
   std::string text = "<section>\n<h2>The drive</h2>\n";
-  if (input.places) text += figure_html(scheme_figure(drive, *input.places), kSchemeWidth);
+  if (input.places)
+    text += figure_html(scheme_figure(drive, *input.places, kSchemeWidth), kSchemeWidth);
   text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies, input.units);
   return text + "</section>\n";
 }
