@@ -152,7 +152,7 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     const FigureForm form{units, fmt::format("mesh{}-", m + 1)};
-    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
+    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), rack_shape_name(drive, m)};
     text += rack ? rack_section(*rack, shapes, form, head)
                  : pair_section(*parallel, shapes, form, head);
   }
