@@ -44,14 +44,6 @@ std::string framed(const std::string& title, const std::string& body) {
       escaped(title), escaped(page));
 }
 
-std::string definitions(const std::vector<const Gear*>& gears) {
-  std::string shapes;
-  for (std::size_t i = 0; i < gears.size(); ++i) shapes += gear_definition(*gears[i], kShapes[i]);
-  return shapes.empty() ? shapes
-                        : "<svg class=\"definitions\" aria-hidden=\"true\"><defs>\n" + shapes +
-                              "</defs></svg>\n";
-}
-
 std::string verdict_line(const Verdict& v, UnitSystem units) {
   return fmt::format("<p class=\"verdict {}\"><b>{}</b> {}</p>\n", to_string(v.level),
                      to_string(v.level), escaped(sentence_in(units, v.headline)));
@@ -61,7 +53,7 @@ std::string gear_html(const GearValue& g) {
   const Gear& gear = g.gear();
   const UnitSystem units = g.model->job.spec.units();
   return framed(fmt::format("Gear with {} teeth", gear.spec.teeth),
-                definitions({&gear}) + "<div class=\"columns\"><div>" +
+                shape_definitions({&gear}, nullptr, kShapes) + "<div class=\"columns\"><div>" +
                     gear_table({&gear}, {g.halves()}, units) + "</div><div>" +
                     tooth_part(gear, kShapes[0], "Gear", units) + "</div></div>\n");
 }
@@ -71,14 +63,14 @@ std::string pair_html(const PairValue& p) {
   if (p.rack()) {
     const Gear& pinion = p.rack()->pinion;
     return framed(fmt::format("Rack and pinion with {} teeth", pinion.spec.teeth),
-                  definitions({&pinion}) + verdict_line(p.verdict(), units) +
-                      rack_section(*p.rack(), kShapes, units));
+                  shape_definitions({&pinion}, &*p.rack(), kShapes) +
+                      verdict_line(p.verdict(), units) + rack_section(*p.rack(), kShapes, units));
   }
   const Pair& pair = p.pair();
   const ParallelPair* parallel = pair.parallel();
   const bool picture = parallel && has_outline(pair.gear(1)) && has_outline(pair.gear(2));
   return framed(fmt::format("Gear pair {} / {}", pair.gear(1).spec.teeth, pair.gear(2).spec.teeth),
-                definitions({&pair.gear(1), &pair.gear(2)}) +
+                shape_definitions({&pair.gear(1), &pair.gear(2)}, nullptr, kShapes) +
                     verdict_line(judge(p.model->job), units) +
                     (picture ? mesh_part(*parallel, kShapes, units) : std::string()) +
                     pair_table(pair, units));

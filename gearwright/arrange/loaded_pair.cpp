@@ -210,14 +210,6 @@ Error too_fine(const ContactSetup& setup, const LoadRequest& request) {
                         request.slices[g] > kLeastSlices ? " or the number of slices" : ""));
 }
 
-// Halves the default numbers of slices, down to kLeastSlices. Returns false if neither number can
-// be reduced.
-bool halve(std::array<int, 2>& slices) {
-  const auto before = slices;
-  for (int& count : slices) count = std::max(kLeastSlices, count / 2);
-  return slices != before;
-}
-
 Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
                          const LoadInput& input, const std::array<ElasticBody, 2>& bodies,
                          const std::optional<HalfPlace>& half = {}) {
@@ -256,7 +248,7 @@ Result<LoadTask> task_of(const Arranged& arranged, const ContactErrors& errors,
   request.accuracy = input.accuracy;
   request.bodies = bodies;
   while (!input.slices && surely_too_fine(task.setup.gear(1), task.setup.gear(2), request) &&
-         halve(request.slices)) {
+         halve_slices(request.slices)) {
   }
   if (surely_too_fine(task.setup.gear(1), task.setup.gear(2), request))
     return too_fine(task.setup, request);
@@ -303,6 +295,12 @@ LoadedContact LoadTask::contact(const PairCompliance& compliance) const {
                         perfect ? &*perfect : nullptr);
 }
 
+bool halve_slices(std::array<int, 2>& slices) {
+  const auto before = slices;
+  for (int& count : slices) count = std::max(kLeastSlices, count / 2);
+  return slices != before;
+}
+
 std::vector<LoadedContact> contacts_at_limits(const LoadTask& task,
                                               const PairCompliance& compliance, double deviation) {
   constexpr int kMostPositions = 16;  // per pitch
@@ -328,10 +326,13 @@ std::optional<Error> judge_load(const LoadTask& task, const LoadedContact& found
   if (found.slices_too_fine) return too_fine(task.setup, task.request);
   for (const LoadedTorque& t : found.torques)
     if (std::none_of(t.positions.begin(), t.positions.end(),
-                     [](const LoadedPosition& p) { return p.solved(); }))
-      return refused("load.torques", newton_metres(t.torque / task.torque_share),
-                     "the forces converge at no position; accuracy = \"full\", another number of "
-                     "slices or a smaller torque may help");
+                     [](const LoadedPosition& p) { return p.solved(); })) {
+      Error error = refused("load.torques", newton_metres(t.torque / task.torque_share),
+                            "the forces converge at no position; accuracy = \"full\", another "
+                            "number of slices or a smaller torque may help");
+      error.kind = FailureKind::not_converged;
+      return error;
+    }
   warn_about(found, task.torque_share, warnings);
   return std::nullopt;
 }
@@ -365,14 +366,12 @@ Result<LoadAnalysis> loaded(const Arranged& arranged, const ContactErrors& error
   if (!made) return made.error();
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
-  // The contact of soft or heavily loaded teeth is wider than fair_slices() assumes. The default
-  // numbers of slices are therefore halved until there is a solution.
   do {
     auto compliance = half && half->ready ? Result(*half->ready) : task.compliance();
     if (!compliance) return compliance.error();
     answer.compliance = std::move(compliance).take();
     answer.contact = task.contact(*answer.compliance);
-  } while (answer.contact->slices_too_fine && !input.slices && halve(task.request.slices));
+  } while (answer.contact->slices_too_fine && !input.slices && halve_slices(task.request.slices));
   if (auto error = judge_load(task, *answer.contact, warnings)) return *error;
   answer.standard = load_standard(arranged, answer);
   if (!half || !half->below) explain_stiffness(arranged, task, answer, warnings);
@@ -399,11 +398,14 @@ Result<LoadedContact> contact_under(const Arranged& arranged, const ContactError
   LoadTask task = std::move(made).take();
   task.request.progress = progress;
   task.request.torques = {from_newton_metres(torque)};
-  const auto compliance = task.compliance();
-  if (!compliance) return compliance.error();
-  LoadedContact contact = task.contact(*compliance);
-  if (auto error = judge_load(task, contact, warnings)) return *error;
-  return contact;
+  for (;;) {
+    const auto compliance = task.compliance();
+    if (!compliance) return compliance.error();
+    LoadedContact contact = task.contact(*compliance);
+    if (contact.slices_too_fine && !input.slices && halve_slices(task.request.slices)) continue;
+    if (auto error = judge_load(task, contact, warnings)) return *error;
+    return contact;
+  }
 }
 
 Warning held_without_bore(const std::string& gear, WarningCode code, double diameter) {

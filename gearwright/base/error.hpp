@@ -26,6 +26,7 @@ enum class FailureKind {
   placement,        ///< the gears cannot be placed or shaped as the input requires
   nothing_touches,  ///< the teeth of the two gears touch at no position
   not_under_load,   ///< teeth of this kind are not computed under load
+  not_converged,    ///< the forces under load converge at no position
   not_in_build,     ///< this build cannot compute the result
   option,           ///< the field is an option of the command line, not a part of the input
 };

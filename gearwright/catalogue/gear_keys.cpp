@@ -60,8 +60,8 @@ std::optional<KeyFault> check_bore(Bore& bore, const KeyGiven& given) {
     const auto keyway = hub_keyway(bore.diameter);
     if (!keyway)
       return KeyFault{"keyway",
-                      fmt::format("has no keyway for a bore of {} mm, because the table of DIN "
-                                  "6885-1 is for {} to {} mm; give keyway_width_mm and "
+                      fmt::format("has no keyway for a bore of {} mm, because values are built in "
+                                  "for bores of {} to {} mm; give keyway_width_mm and "
                                   "keyway_depth_mm",
                                   format_number(bore.diameter), kKeyedBores[0], kKeyedBores[1])};
     bore.keyway_width = keyway->width;
@@ -303,9 +303,11 @@ const KeyTable& bore_keys() {
       {Key::positive("diameter_mm", "", &Bore::diameter, kRequired, "diameter of the bore")
            .with_also({"bore", "bore_diameter", "hole", "shaft_diameter"}),
        Key::word("keyway", {"DIN 6885-1"}, KeyPlace::unused(), "no keyway",
-                 "standard that gives width and depth of the keyway for the diameter of the bore, "
-                 "6 mm to 380 mm")
-           .with_excludes({"keyway_width_mm", "keyway_depth_mm"}),
+                 "standard that gives width and depth of the keyway for the diameter of the bore; "
+                 "values are built in for bores of 6 to 380 mm")
+           .with_excludes({"keyway_width_mm", "keyway_depth_mm"},
+                          "determines both keyway_width_mm and keyway_depth_mm; leave out these "
+                          "keys, or leave out keyway"),
        Key::positive(
            "keyway_width_mm", "", &Bore::keyway_width, "no keyway, or the width by `keyway`",
            "width of a keyway at +y of the gear frame; less than the diameter of the bore")

@@ -111,8 +111,10 @@ struct Key {
                ///< number or …"
   KeyPlace place{};  ///< empty if the reader handles this key
   bool required = false;
-  Words needs{};     ///< keys that must also be given
-  Words excludes{};  ///< keys that must not also be given
+  Words needs{};                    ///< keys that must also be given
+  Words excludes{};                 ///< keys that must not also be given
+  std::string_view excludes_why{};  ///< the rule that `excludes` violates; empty if one of the keys
+                                    ///< must be chosen
   /// The possible tables, distinguished by their key `kind`.
   std::vector<const KeyTable& (*)()> tables{};
   std::string_view fallback{};  ///< the default, written as in the file or described in words
@@ -155,8 +157,9 @@ struct Key {
     needs = std::move(keys);
     return std::move(*this);
   }
-  Key with_excludes(Words keys) && {
+  Key with_excludes(Words keys, std::string_view why = {}) && {
     excludes = std::move(keys);
+    excludes_why = why;
     return std::move(*this);
   }
   Key with_fields(std::vector<std::string> f) && {

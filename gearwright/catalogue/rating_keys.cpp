@@ -123,8 +123,8 @@ std::optional<KeyFault> complete_rating(RatingTable& rating, const KeyGiven& giv
   }
   if (rating.input.mounting && rating.input.misalignment) {
     return KeyFault{"misalignment_um",
-                    "is used only with the shafts of the gears; with [rating.mounting], give "
-                    "misalignment_um in that table"};
+                    "has no effect with [rating.mounting], which has a misalignment of its own; "
+                    "give misalignment_um in that table"};
   }
   if (given("plastic") && !plastics)
     return KeyFault{"plastic", "is used only with standard = \"VDI 2736:2014\""};

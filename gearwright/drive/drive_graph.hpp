@@ -76,6 +76,7 @@ struct DriveMesh {
   std::optional<Angle> direction{};
   std::optional<double> friction{};  ///< μ; by default DriveGraph::friction
   std::optional<double> backlash{};  ///< j_n  mm, for which the teeth of both gears are thinned
+  bool backlash_is_mean = false;     ///< true if `backlash` is the mean of a given band
 };
 
 /// Axial gap between the faces of adjacent gears, in m_n.

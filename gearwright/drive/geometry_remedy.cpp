@@ -230,9 +230,10 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
     const DriveGear &a = thinned.gear(mesh, 0), &b = thinned.gear(mesh, 1);
     made.faults.push_back(
         {GeometryFault::Kind::no_pair,
-         fmt::format("The mesh {} cannot have a backlash of {:g} mm, because it requires thickness "
-                     "allowances of {} mm for {} and {} mm for {}.{}",
-                     mesh.name, *mesh.backlash, format_number(a.thickness_allowance()), a.name,
+         fmt::format("The mesh {} cannot have a {}backlash of {:g} mm, because it requires "
+                     "thickness allowances of {} mm for {} and {} mm for {}.{}",
+                     mesh.name, mesh.backlash_is_mean ? "mean " : "", *mesh.backlash,
+                     format_number(a.thickness_allowance()), a.name,
                      format_number(b.thickness_allowance()), b.name, limit)});
   }
   return !blamed.empty();

@@ -139,19 +139,30 @@ TEST(GeometryRemedy, ABacklashThatIsTooGreatNamesItsMesh) {
   const std::string most = " At most ";
   DriveGraph pair = rack_graph();
   pair.gears[1] = {"w", 1, 58, {}, pair.gears[0].spec, {}};
-  for (const double backlash : {4.0, 9.0}) expect_limits(rack_graph(), {backlash}, {0}, most, 0.01);
-  for (const double backlash : {7.0, 30.0}) expect_limits(pair, {backlash}, {0}, most, 0.01);
-  expect_limits(set_of(20, 25, 70), {9.0, 9.0}, {0, 1}, most, 0.01);
+  for (const double backlash : {4.0, 9.0})
+    expect_limits(rack_graph(), {backlash}, {0}, most, 0.002);
+  for (const double backlash : {7.0, 30.0}) expect_limits(pair, {backlash}, {0}, most, 0.002);
+  expect_limits(set_of(20, 25, 70), {9.0, 9.0}, {0, 1}, most, 0.002);
   // Only the mesh with the sun is at fault.
-  expect_limits(set_of(20, 25, 70), {9.0, 0.1}, {0}, most, 0.01);
+  expect_limits(set_of(20, 25, 70), {9.0, 0.1}, {0}, most, 0.002);
   EXPECT_TRUE(with_backlash_in(set_of(20, 25, 70), {0.1, 0.2}).geometry.faults.empty());
+}
+
+TEST(GeometryRemedy, TheMessageNamesTheMeanOfABand) {
+  DriveGraph graph = rack_graph();
+  graph.meshes.front().backlash_is_mean = true;
+  const Drive drive = with_backlash_in(graph, {5.0});
+  ASSERT_EQ(drive.geometry.faults.size(), 1u);
+  EXPECT_TRUE(drive.geometry.faults[0].message.starts_with(
+      "The mesh p_r cannot have a mean backlash of 5 mm"))
+      << drive.geometry.faults[0].message;
 }
 
 // At a centre distance that is too great, the teeth would have to be so thick that the spaces close.
 TEST(GeometryRemedy, ABacklashThatIsTooSmallNamesItsMesh) {
   DriveGraph deep = rack_graph(1.6);
   deep.meshes.front().center_distance = 23.2;
-  expect_limits(deep, {0.0}, {0}, " At least ", -0.01);
+  expect_limits(deep, {0.0}, {0}, " At least ", -0.002);
 }
 
 }  // namespace

@@ -189,6 +189,7 @@ DriveGraph pair_graph(const PairStage& stage) {
   }
   graph.meshes.push_back({"gear1_gear2", {0, 1}, stage.efficiency, stage.center_distance});
   graph.meshes.front().backlash = stage.backlash;
+  graph.meshes.front().backlash_is_mean = stage.backlash_is_mean;
   graph.meshes.front().direction = stage.direction;
   graph.inputs = {0};
   graph.output = 1;
@@ -388,6 +389,7 @@ Result<DriveGraph> graph_of(const PlanetarySpec& given) {
                             spec.efficiency.of(mesh.name),
                             named || graph.meshes.empty() ? distance : std::nullopt});
     graph.meshes.back().backlash = spec.backlash.of(mesh.name);
+    graph.meshes.back().backlash_is_mean = spec.backlash_is_mean;
   }
   graph.speeds_rpm = spec.speeds_rpm;
   graph.torque_Nm = spec.torque_Nm;

@@ -67,6 +67,7 @@ struct PlanetarySpec {
                             ///< mm; `all` does not apply to rings
   PerMesh efficiency;
   PerMesh backlash;                               ///< j_n  mm
+  bool backlash_is_mean = false;                  ///< true if `backlash` is the mean of a band
   PerMesh center_distance;                        ///< a  mm; `all` applies to the first mesh only
   double friction = 0.05;                         ///< μ
   std::optional<std::vector<std::string>> fixed;  ///< by default the ring
@@ -101,6 +102,7 @@ struct PairStage {
   std::array<std::optional<Bore>, 2> bores{};
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;
+  bool backlash_is_mean = false;  ///< true if `backlash` is the mean of a band
   /// Direction from the axis of the first gear to the axis of the second gear; by default that of the
   /// stage before.
   std::optional<Angle> direction{};

@@ -51,12 +51,24 @@ void expect_inside(const Figure& figure) {
     }
 }
 
+// The lines of words are at most 14 px above and 4 px below their points. `width` is the width of
+// the picture, px.
+void expect_words_inside(const Figure& figure, double width) {
+  const double per_px = (figure.x.hi - figure.x.lo) / (width - 24.0);
+  for (const FigureMark& mark : figure.marks) {
+    if (mark.kind != FigureMark::Kind::text) continue;
+    const double y = mark.points.front().y() - mark.offset.y() * per_px;  // offsets point down
+    EXPECT_LE(y + 14.0 * per_px, figure.y.hi) << mark.words << " at " << width;
+    EXPECT_GE(y - 4.0 * per_px, figure.y.lo) << mark.words << " at " << width;
+  }
+}
+
 TEST(DriveFigures, SchemesNameAllGearsAndGroundWhatIsHeld) {
   for (const Drive& drive : drives()) {
     const auto places = drive_places(drive);
     ASSERT_TRUE(places) << places.error().message();
     EXPECT_FALSE(places->true_scale);  // there is no module
-    const Figure figure = scheme_figure(drive, *places);
+    const Figure figure = scheme_figure(drive, *places, 640.0);
     expect_inside(figure);
     int grounds = 0;
     for (const FigureMark& mark : figure.marks) grounds += mark.style == "ground";
@@ -80,7 +92,7 @@ double share_after(const std::string& words, const std::string& word) {
 TEST(DriveFigures, NoLineCrossesTheNameOfAGear) {
   for (const Drive& drive : drives()) {
     const Sheet sheet =
-        picture_sheet(figure_svg(scheme_figure(drive, *drive_places(drive)), 640.0), {1.0});
+        picture_sheet(figure_svg(scheme_figure(drive, *drive_places(drive), 640.0), 640.0), {1.0});
     std::vector<SheetText> names;
     for (const SheetText& text : sheet.texts)
       for (const DriveGear& gear : drive.graph.gears)
@@ -167,7 +179,9 @@ TEST(DriveFigures, ASchemeOfARackHasItsBarAndItsWords) {
       ASSERT_TRUE(drive) << drive.error().message();
       const auto places = drive_places(*drive);
       ASSERT_TRUE(places) << places.error().message();
-      const Figure figure = scheme_figure(*drive, *places);
+      for (const double width : {640.0, 300.0})
+        expect_words_inside(scheme_figure(*drive, *places, width), width);
+      const Figure figure = scheme_figure(*drive, *places, 640.0);
       expect_inside(figure);
       double pinion = 0.0, rack = 0.0;
       int words = 0, speeds = 0;

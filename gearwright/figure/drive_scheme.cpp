@@ -16,18 +16,19 @@ namespace {
 // Units of the picture: the greatest radius is kTall or kTallSet. The distance between neighbouring
 // slots (axial sections, drive_places.hpp) is kSlot.
 constexpr double kTall = 2.0, kSlot = 2.7;
-constexpr double kTallSet = 3.0;  // with planetary sets, whose names need room between the lines
-constexpr double kBeside = 8.0;   // px from a gear to its name, on the right or on the left
-constexpr double kHalf = 0.3;     // half the length of a bar of teeth
-constexpr double kWeb = 1.2;      // from the middle of a slot to the web of a carrier
-constexpr double kBell = 1.45;    // from the middle of a slot to the bell of a ring
-constexpr double kLevel = 0.2;    // distance between coaxial shafts
-constexpr double kApart = 0.05;   // half the gap between the bars of a mesh
-constexpr double kEnd = 1.5;      // from the last web to the end of the outer shaft
-constexpr double kLine = 18.0;    // px between lines of words
-constexpr double kBack = 0.45;    // from the teeth of a rack to its back
-constexpr double kDrawn = 616.0;  // px, width of the plot in the report
-constexpr double kFurther = 2.5;  // from the end of a shaft to the end of the next shaft inside it
+constexpr double kTallSet = 3.0;   // with planetary sets, whose names need room between the lines
+constexpr double kBeside = 8.0;    // px from a gear to its name, on the right or on the left
+constexpr double kHalf = 0.3;      // half the length of a bar of teeth
+constexpr double kWeb = 1.2;       // from the middle of a slot to the web of a carrier
+constexpr double kBell = 1.45;     // from the middle of a slot to the bell of a ring
+constexpr double kLevel = 0.2;     // distance between coaxial shafts
+constexpr double kApart = 0.05;    // half the gap between the bars of a mesh
+constexpr double kEnd = 1.5;       // from the last web to the end of the outer shaft
+constexpr double kLine = 18.0;     // px between lines of words
+constexpr double kName = 22.0;     // px, height of a name above its shaft
+constexpr double kBack = 0.45;     // from the teeth of a rack to its back
+constexpr double kMargins = 24.0;  // px, both margins of a picture without axes
+constexpr double kFurther = 2.5;   // from the end of a shaft to the end of the next shaft inside it
 
 // A vertical line from the shaft of a body to a gear, a carrier or the bell of a ring. The bell
 // joins a ring to its shaft.
@@ -37,8 +38,8 @@ struct Rise {
 
 class Scheme {
  public:
-  Scheme(const Drive& drive, const DrivePlaces& places)
-      : drive_(drive), graph_(drive.graph), places_(places) {}
+  Scheme(const Drive& drive, const DrivePlaces& places, double width)
+      : drive_(drive), graph_(drive.graph), places_(places), drawn_(width - kMargins) {}
 
   Figure figure() {
     f_.id = "scheme";
@@ -359,10 +360,13 @@ class Scheme {
     for (std::size_t i = 1; i < lines.size(); ++i)
       f_.text(at, lines[i], anchor, "tick halo",
               {0.0, (hollow ? lift + 8.0 : 20.0) + kLine * static_cast<double>(i - 1)});
-    if (hollow)
+    beyond_.push_back({at.y(), kName - lift});
+    if (hollow) {
       top_ = std::max(top_, at.y() + 1.3);
-    else
+    } else {
+      beyond_.push_back({at.y(), -kLine * static_cast<double>(lines.size())});
       bottom_ = std::min(bottom_, at.y() - 1.2);
+    }
   }
 
   // Draws the symbol of a fixed body above a ring or across the end of a shaft.
@@ -381,7 +385,7 @@ class Scheme {
   void frame() {
     f_.x = {"", "", std::min(left_, left_most_) - 0.1, std::max(right_, right_most_) + 0.1};
     for (const auto& [y, px] : beyond_) {
-      const double end = y + px * (f_.x.hi - f_.x.lo) / kDrawn;
+      const double end = y + px * (f_.x.hi - f_.x.lo) / drawn_;
       top_ = std::max(top_, end);
       bottom_ = std::min(bottom_, end);
     }
@@ -392,6 +396,7 @@ class Scheme {
   const Drive& drive_;
   const DriveGraph& graph_;
   const DrivePlaces& places_;
+  double drawn_;  // px, width of the plot
   Figure f_;
   double scale_ = 1.0;
   std::vector<double> heights_;           // height of each axis, mm
@@ -408,8 +413,8 @@ class Scheme {
 
 std::string body_style(std::size_t body) { return fmt::format("b{}", body % 8); }
 
-Figure scheme_figure(const Drive& drive, const DrivePlaces& places) {
-  return Scheme(drive, places).figure();
+Figure scheme_figure(const Drive& drive, const DrivePlaces& places, double width) {
+  return Scheme(drive, places, width).figure();
 }
 
 }  // namespace gearwright

@@ -23,7 +23,7 @@ std::optional<Error> rim_error(const std::optional<Bore>& bore, double room) {
   if (!bore) return Error{"bore.diameter", "", need};
   if (bore->keyway_width > 0.0) {
     return refused("bore.keyway_width", bore->keyway_width,
-                   "an internal gear has no keyway; leave out the keyway width");
+                   "an internal gear has no keyway; leave out the keyway");
   }
   if (!(bore->diameter / 2.0 >= room)) {
     return refused("bore.diameter", bore->diameter, need);

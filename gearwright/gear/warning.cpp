@@ -173,6 +173,10 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::no_corrections, "no_corrections", kCaution,
      "corrections cannot be computed for this spec (verb `run`); the message gives the reason",
      "no corrections"},
+    {C::no_strength, "no_strength", kCaution,
+     "the strength cannot be computed, because it needs the load along the teeth (verb `run`); the "
+     "message gives the reason",
+     "no strength"},
     {C::ellipse_beyond_flank, "ellipse_beyond_flank", kCaution,
      "the contact ellipse extends beyond an end of the flank, and the pressure there is a lower "
      "bound (verb `load`)",

@@ -69,6 +69,7 @@ enum class WarningCode {
   // The user should check numbers of the result or of the spec.
   no_outline,
   no_corrections,
+  no_strength,
   ellipse_beyond_flank,
   rating_root_fillet,
   contact_search_unfinished,

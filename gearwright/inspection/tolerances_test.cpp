@@ -205,17 +205,20 @@ TEST(Tolerances, HolesAndKeyways) {
 }
 
 // Printed keyways of hubs from other tables of DIN 6885-1 than the one in the code: a list of
-// single bores, and the catalogue Siemens MD 31.1 of 2016 with the ends of its rows.
+// single bores, and the catalogue Siemens MD 31.1 of 2016 with the ends of its rows. The bores of
+// 260 mm to 380 mm are not in these tables.
 TEST(Tolerances, keyways_of_DIN_6885) {
   struct Printed {
     double bore, width, depth;
   };
   for (const Printed& p : std::vector<Printed>{
-           {6, 2, 1},      {8, 2, 1},       {9, 3, 1.4},       {10, 3, 1.4},   {11, 4, 1.8},
-           {12, 4, 1.8},   {13, 5, 2.3},    {17, 5, 2.3},      {18, 6, 2.8},   {38.5, 12, 3.3},
-           {44, 12, 3.3},  {50, 14, 3.8},   {58, 16, 4.3},     {65, 18, 4.4},  {75, 20, 4.9},
-           {85, 22, 5.4},  {95, 25, 5.4},   {110, 28, 6.4},    {130, 32, 7.4}, {150, 36, 8.4},
-           {170, 40, 9.4}, {200, 45, 10.4}, {200.1, 50, 11.4}, {230, 50, 11.4}}) {
+           {6, 2, 1},       {8, 2, 1},       {9, 3, 1.4},       {10, 3, 1.4},    {11, 4, 1.8},
+           {12, 4, 1.8},    {13, 5, 2.3},    {17, 5, 2.3},      {18, 6, 2.8},    {38.5, 12, 3.3},
+           {44, 12, 3.3},   {50, 14, 3.8},   {58, 16, 4.3},     {65, 18, 4.4},   {75, 20, 4.9},
+           {85, 22, 5.4},   {95, 25, 5.4},   {110, 28, 6.4},    {130, 32, 7.4},  {150, 36, 8.4},
+           {170, 40, 9.4},  {200, 45, 10.4}, {200.1, 50, 11.4}, {230, 50, 11.4}, {8.1, 3, 1.4},
+           {22.1, 8, 3.3},  {30.1, 10, 3.3}, {110.1, 32, 7.4},  {260, 56, 12.4}, {290, 63, 12.4},
+           {330, 70, 14.4}, {380, 80, 15.4}}) {
     const auto keyway = hub_keyway(p.bore);
     ASSERT_TRUE(keyway) << p.bore;
     EXPECT_EQ(keyway->width, p.width) << p.bore;

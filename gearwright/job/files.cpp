@@ -205,10 +205,25 @@ void note_editions(SolvedJob& job, const Rating& rating) {
   }
 }
 
+// The rating, or nothing if the spec has no [rating]. If it needs the load along the teeth and this
+// load cannot be computed, for example because nothing touches, the result is also empty, and the
+// job has a warning.
 Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
   auto answer = answer_rating(job);
-  if (!answer) return answer.error();
+  if (!answer) {
+    const RatingTable& rating = job.spec.rating;
+    const FailureKind kind = answer.error().kind;
+    const bool needs_load = rating.input.face_load_computed || rating.tooth_contact;
+    const bool has_none = without_contact(answer.error()) || kind == FailureKind::not_under_load ||
+                          kind == FailureKind::not_converged;
+    if (!needs_load || !has_none) return answer.error();
+    job.warnings.push_back({WarningCode::no_strength,
+                            "The strength cannot be computed: " +
+                                spelled(answer.error(), job.spec.given).message() + ".",
+                            0});
+    return std::optional<RatingAnswer>();
+  }
   note_editions(job, answer->rating);
   return std::optional(std::move(answer).take());
 }

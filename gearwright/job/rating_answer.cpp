@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/job/contact_answer.hpp"
 
@@ -84,16 +85,22 @@ class FaceLoads {
   Result<double> at(const RatedPair& pair, RatingInput input);
 
  private:
-  explicit FaceLoads(LoadTask task) : task_(std::move(task)) {}
+  FaceLoads(LoadTask task, bool default_slices)
+      : task_(std::move(task)), default_slices_(default_slices) {}
+  Result<std::vector<LoadedContact>> at_limits(double deviation);
+
+  struct Resolution {
+    std::array<int, 2> slices;
+    PairCompliance compliance;
+  };
 
   LoadTask task_;
-  std::optional<PairCompliance> compliance_;
+  bool default_slices_;                  // true if the spec does not give the number of slices
+  std::vector<Resolution> resolutions_;  // the first is the finest; each of the others is halved
 };
 
 Result<FaceLoads> FaceLoads::of(SolvedJob& job, const RatedPair& pair, Progress* progress) {
-  if (pair.halves == 2)
-    return Error{"rating.face_load_factor", "\"computed\"",
-                 "is supported for single-helical gears only; give a number"};
+  GW_EXPECTS(pair.halves == 1);  // read_spec_tree() rejects "computed" for other gears
   LoadInput input = job.spec.load;
   const RatingInput& rating = job.spec.rating.input;
   input.torques = {rating.torque * rating.application_factor * rating.mesh_load_factor};
@@ -101,16 +108,41 @@ Result<FaceLoads> FaceLoads::of(SolvedJob& job, const RatedPair& pair, Progress*
   std::vector<Warning> notes;  // about the gear bodies; the verbs for loaded contact give the same
   auto task = load_task(job, errors_of(job), input, notes);
   if (!task) return task.error();
-  if (!job.spec.rating.tooth_contact && job.spec.load.torques.empty())
-    job.warnings.insert(job.warnings.end(), notes.begin(), notes.end());
-  FaceLoads made(std::move(task).take());
+  for (Warning& note : notes) {
+    const auto is_same = [&](const Warning& w) {
+      return w.code == note.code && w.gear == note.gear;
+    };
+    // tooth_contact() adds its own notes.
+    if (!job.spec.rating.tooth_contact &&
+        std::none_of(job.warnings.begin(), job.warnings.end(), is_same))
+      job.warnings.push_back(std::move(note));
+  }
+  FaceLoads made(std::move(task).take(), !input.slices);
   made.task_.request.root_stress = false;
   made.task_.request.progress = progress;
   auto compliance = made.task_.compliance();
   if (!compliance) return compliance.error();
-  made.compliance_ = std::move(compliance).take();
+  made.resolutions_.push_back({made.task_.request.slices, std::move(compliance).take()});
   made.task_.request.progress = nullptr;
   return made;
+}
+
+// The contact at both limits of the helix slope `deviation`, mm normal to the flank. At each
+// torque, the default numbers of slices are halved until there is a solution, as in `load`.
+Result<std::vector<LoadedContact>> FaceLoads::at_limits(double deviation) {
+  for (std::size_t i = 0;; ++i) {
+    task_.request.slices = resolutions_[i].slices;
+    auto contacts = contacts_at_limits(task_, resolutions_[i].compliance, deviation);
+    const bool too_fine =
+        std::any_of(contacts.begin(), contacts.end(),
+                    [](const LoadedContact& contact) { return contact.slices_too_fine; });
+    if (!too_fine || !default_slices_) return contacts;
+    if (i + 1 < resolutions_.size()) continue;
+    if (!halve_slices(task_.request.slices)) return contacts;
+    auto compliance = task_.compliance();
+    if (!compliance) return compliance.error();
+    resolutions_.push_back({task_.request.slices, std::move(compliance).take()});
+  }
 }
 
 Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
@@ -123,8 +155,9 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
   const double torque = input.torque * rated->K_A.value * rated->K_gamma.value * rated->K_v.value;
   task_.request.torques = {from_newton_metres(torque)};
   double greatest = 1.0;
-  for (const LoadedContact& limit :
-       contacts_at_limits(task_, *compliance_, f_ma * std::cos(pair.beta_b) * kMmPerUm)) {
+  const auto limits = at_limits(f_ma * std::cos(pair.beta_b) * kMmPerUm);
+  if (!limits) return limits.error();
+  for (const LoadedContact& limit : *limits) {
     std::vector<Warning> unused;  // warnings of `load`, which apply at the limits only
     if (auto error = judge_load(task_, limit, unused)) return *error;
     const auto scores = loaded_scores(limit);
@@ -132,14 +165,16 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
       return Error{"rating.face_load_factor", "\"computed\"",
                    fmt::format("at {} N m and f_ma = {} µm, teeth do not touch or forces do not "
                                "converge at some positions; give a number, or stiffer shafts",
-                               format_number(torque), format_number(f_ma))};
+                               format_number(torque), format_number(f_ma)),
+                   FailureKind::not_converged};
     greatest = std::max(greatest, *scores.front().face_load_factor);
   }
   return greatest;
 }
 
 // The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. It solves
-// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque.
+// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque, or
+// if the load along the teeth cannot be computed at a torque of the iteration.
 //
 // Accuracy  1e-5, relative; the returned torque has the required safeties
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,

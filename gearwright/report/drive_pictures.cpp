@@ -89,6 +89,8 @@ class Pictures {
       if (const double pitches = std::abs(ratio(body_of(p))); pitches > 0.0)
         turns = std::min(*turns, rack->rack.teeth / (2 * pitches));
     }
+    // With several inputs without speeds, no rack has a speed ratio, so no length limits the turns.
+    if (turns && !std::isfinite(*turns)) turns = 1.0;
     return turns;
   }
 
@@ -341,6 +343,13 @@ class Pictures {
 
 std::string shape_name(std::size_t gear) { return fmt::format("gear{}", gear + 1); }
 
+std::string rack_shape_name(const Drive& drive, std::size_t mesh) {
+  const std::size_t gear = drive.graph.meshes[mesh].gears[1];
+  const auto& rack = drive.geometry.racks[mesh];
+  const bool is_shared = !rack || rack_pair_of(drive, gear) == &*rack;
+  return is_shared ? shape_name(gear) : fmt::format("mesh{}-{}", mesh + 1, shape_name(gear));
+}
+
 std::string drive_definitions(const Drive& drive) {
   std::string shapes;
   for (std::size_t g = 0; g < drive.geometry.gears.size(); ++g)
@@ -349,6 +358,12 @@ std::string drive_definitions(const Drive& drive) {
     } else if (const RackPair* rack = rack_pair_of(drive, g)) {
       if (auto bar = rack_definition(*rack, shape_name(g))) shapes += std::move(bar).take();
     }
+  for (std::size_t m = 0; m < drive.graph.meshes.size(); ++m) {
+    const auto& rack = drive.geometry.racks[m];
+    const std::string name = rack_shape_name(drive, m);
+    if (!rack || name == shape_name(drive.graph.meshes[m].gears[1])) continue;
+    if (auto bar = rack_definition(*rack, name)) shapes += std::move(bar).take();
+  }
   if (shapes.empty()) return {};
   return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
          "</defs></svg>\n";

@@ -65,7 +65,8 @@ std::string table_of(const std::string& caption, const Quantities<View>& quantit
 std::string drive_overview(const DriveReportInput& input) {
   const Drive& drive = *input.drive;
   std::string text = "<section>\n<h2>The drive</h2>\n";
-  if (input.places) text += figure_html(scheme_figure(drive, *input.places), kSchemeWidth);
+  if (input.places)
+    text += figure_html(scheme_figure(drive, *input.places, kSchemeWidth), kSchemeWidth);
   text += table_of("Bodies", drive_body_quantities(), drive, drive.graph.bodies, input.units);
   return text + "</section>\n";
 }
@@ -151,7 +152,7 @@ std::string mesh_parts(const Drive& drive, UnitSystem units) {
         "<h2>Mesh {}</h2>\n<p>Gear 1 is {}, gear 2 is {}.</p>\n", escaped(mesh.name),
         escaped(drive.graph.gear(mesh, 0).name), escaped(drive.graph.gear(mesh, 1).name));
     const FigureForm form{units, fmt::format("mesh{}-", m + 1)};
-    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), shape_name(mesh.gears[1])};
+    const std::array<std::string, 2> shapes{shape_name(mesh.gears[0]), rack_shape_name(drive, m)};
     text += rack ? rack_section(*rack, shapes, form, head)
                  : pair_section(*parallel, shapes, form, head);
   }

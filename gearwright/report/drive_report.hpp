@@ -41,6 +41,11 @@ std::string drive_report_html(const DriveReportInput& input);
 /// (rack_mesh.hpp).
 std::string shape_name(std::size_t gear);
 
+/// The same for the rack of a mesh. If a rack has several meshes, each of them after the first has
+/// its own shape of the rack, because the length of a path unit depends on the pinion. If gear 2 is
+/// not a rack, its shape_name().
+std::string rack_shape_name(const Drive& drive, std::size_t mesh);
+
 std::string drive_definitions(const Drive& drive);
 
 /// A figure for each axial section, true to scale, followed by the phases of the planets. The first

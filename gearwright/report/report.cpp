@@ -13,7 +13,6 @@
 #include "gearwright/figure/figure_svg.hpp"
 #include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/load_figures.hpp"
-#include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/crossed_figures.hpp"
 #include "gearwright/report/gear_figures.hpp"
 #include "gearwright/report/html_text.hpp"
@@ -69,17 +68,6 @@ std::string kind_of(const ReportInput& input) {
   return fmt::format("{} {}{}", teeth_of(*input.gears[0], halves),
                      input.gears[0]->involute() ? "" : "circular-arc ",
                      input.gears[0]->internal() ? "internal gear" : "gear");
-}
-
-std::string definitions(const ReportInput& input) {
-  std::string shapes;
-  for (std::size_t i = 0; i < input.gears.size(); ++i)
-    shapes += gear_definition(*input.gears[i], kShapes[i]);
-  if (input.rack)
-    if (auto rack = rack_definition(*input.rack, kShapes[1])) shapes += std::move(rack).take();
-  if (shapes.empty()) return {};
-  return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + shapes +
-         "</defs></svg>\n";
 }
 
 std::string few_teeth_section(const ReportInput& input) {
@@ -310,7 +298,7 @@ std::string report_html(const ReportInput& input) {
                     .verdict = escaped(sentence_in(units, input.verdict.headline)),
                     .level = to_string(input.verdict.level),
                     .head = head,
-                    .definitions = definitions(input),
+                    .definitions = shape_definitions(input.gears, input.rack, kShapes),
                     .sections = sentence_in(units, sections + file_section(input.files)),
                     .spec = input.spec_text,
                     .foot = foot(input),

@@ -11,6 +11,7 @@
 #include "gearwright/catalogue/figure_units.hpp"
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/figure/figure_svg.hpp"
+#include "gearwright/figure/gear_shape.hpp"
 #include "gearwright/figure/rack_mesh.hpp"
 #include "gearwright/report/html_text.hpp"
 #include "gearwright/report/pair_figures.hpp"
@@ -213,6 +214,17 @@ Result<Figure> rack_figure(const RackPair& pair, const std::array<std::string, 2
       caption_key("action", "path of contact A–E"),
       caption_key("trailing", "line of action of the trailing flanks"));
   return figure;
+}
+
+std::string shape_definitions(const std::vector<const Gear*>& gears, const RackPair* rack,
+                              const std::array<std::string, 2>& shapes) {
+  std::string text;
+  for (std::size_t i = 0; i < gears.size(); ++i) text += gear_definition(*gears[i], shapes[i]);
+  if (rack)
+    if (auto bar = rack_definition(*rack, shapes[1])) text += std::move(bar).take();
+  if (text.empty()) return {};
+  return "<svg class=\"definitions\" aria-hidden=\"true\" focusable=\"false\"><defs>\n" + text +
+         "</defs></svg>\n";
 }
 
 std::string rack_section(const RackPair& pair, const std::array<std::string, 2>& shapes,

@@ -103,6 +103,11 @@ std::vector<Figure> scatter_figures(const ScatterView& view);
 /// Strength: inputs, factors, stresses and safety factors with their clauses of the standard.
 std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
+/// The definitions of the shapes of gears and of a rack, which is null if there is none, for the
+/// pictures of a page. The rack is the shape after that of its pinion. Empty without shapes.
+std::string shape_definitions(const std::vector<const Gear*>& gears, const RackPair* rack,
+                              const std::array<std::string, 2>& shapes);
+
 /// A rack and its pinion: a picture of the mesh, and the quantities of both. The page must contain
 /// the definitions of both shapes. If the rack has no outline, a paragraph with the reason replaces
 /// the picture. `head` is as in pair_section().

@@ -24,6 +24,12 @@ void refuse_halves(const Json& node, const std::string& path, const char* where)
     throw SpecError{{path + ".double_helical", shown(node["double_helical"]), where}};
 }
 
+// True if the backlash in this table of a drive is a band of two numbers.
+bool gives_band(const Json& node) {
+  const auto backlash = node.find("backlash_mm");
+  return backlash != node.end() && backlash->is_array() && backlash->size() == 2;
+}
+
 }  // namespace
 
 PlanetarySpec read_set(const Json& node, const std::string& path) {
@@ -33,6 +39,7 @@ PlanetarySpec read_set(const Json& node, const std::string& path) {
   TableReader t(planetary_keys(), node, path);
   PlanetarySpec set;
   t.read(set);
+  set.backlash_is_mean = gives_band(node);
   t.table("material");  // read by spec/drive_tree.cpp
   t.finish();
   return set;
@@ -138,6 +145,7 @@ StageSpec read_stage(const Json& node, const std::string& path, bool is_last,
     if (!pair.coaxial) pair.direction = Angle::degrees(t.checked("angle_deg", *angle));
   }
   pair.backlash = in.backlash.all;
+  pair.backlash_is_mean = gives_band(node);
   pair.efficiency = in.efficiency.all;
   if (pair.backlash && !pair.specs[0])
     t.fail("backlash_mm", "needs normal_module_mm, because there are no teeth without a module");

@@ -54,17 +54,21 @@ TEST(ReadForms, a_keyway_by_its_standard) {
   EXPECT_EQ(bore("25").keyway_width, 8.0);
   EXPECT_EQ(bore("25").keyway_depth, 3.3);
   EXPECT_EQ(bore("22").keyway_width, 6.0);
-  EXPECT_EQ(refused_form(gear + "diameter_mm = 5.5"),
-            "gear1.bore.keyway = \"DIN 6885-1\": has no keyway for a bore of 5.5 mm, because the "
-            "table of DIN 6885-1 is for 6 to 380 mm; give keyway_width_mm and keyway_depth_mm");
-  EXPECT_NE(refused_form(gear + "diameter_mm = 25\nkeyway_width_mm = 8\nkeyway_depth_mm = 3.3")
-                .find("gear1.bore.keyway"),
-            std::string::npos);
+  EXPECT_EQ(
+      refused_form(gear + "diameter_mm = 5.5"),
+      "gear1.bore.keyway = \"DIN 6885-1\": has no keyway for a bore of 5.5 mm, because values "
+      "are built in for bores of 6 to 380 mm; give keyway_width_mm and keyway_depth_mm");
+  for (const char* own : {"keyway_width_mm = 8\nkeyway_depth_mm = 3.3", "keyway_width_mm = 8"})
+    EXPECT_EQ(refused_form(gear + "diameter_mm = 25\n" + own),
+              "gear1.bore.keyway = \"DIN 6885-1\": determines both keyway_width_mm and "
+              "keyway_depth_mm; leave out these keys, or leave out keyway");
 }
 
 TEST(ReadForms, one_number_or_two_limits) {
   const JobSpec spec = read_form(kStage + "backlash_mm = [0.1, 0.2]\n");
   EXPECT_EQ(spec.drive->graph.meshes[0].backlash, (0.1 + 0.2) / 2);
+  EXPECT_TRUE(spec.drive->graph.meshes[0].backlash_is_mean);
+  EXPECT_FALSE(read_form(kStage + "backlash_mm = 0.1\n").drive->graph.meshes[0].backlash_is_mean);
   EXPECT_NE(refused_form(kStage + "backlash_mm = [0.2, 0.1]\n").find("rising order"),
             std::string::npos);
   EXPECT_EQ(refused_form(kStage + "backlash_mm = { sun_planet = 0.1 }\n"),

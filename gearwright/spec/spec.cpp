@@ -197,6 +197,8 @@ void refuse_computed_face_load(const Json& tree, const JobSpec& spec) {
         "[rating.mounting], and \"computed\" in the spec of the design that --take writes");
   if (is_drive(tree))
     refuse("is not supported for a drive, whose bodies have no shafts; give a number");
+  if (spec.has(1) && spec.gear(1).double_helical)
+    refuse("is supported for single-helical gears only; give a number");
 }
 
 // Rejects the keys of [load] that describe planets if the spec has no drive.

@@ -244,6 +244,7 @@ void TableReader::finish() const {
     }
     for (const std::string_view other : key.excludes) {
       if (!given(other)) continue;
+      if (!key.excludes_why.empty()) fail(name, std::string(key.excludes_why));
       fail(name, fmt::format("only one of the keys {} and {} can be given; leave out the others",
                              fmt::join(key.excludes, ", "), name));
     }

@@ -1,8 +1,10 @@
 """Tests a pinion and its rack as a Pair. Its results equal the results of the program, and results that
 need two gears are rejected."""
 
+import html
 import json
 import pickle
+import re
 import subprocess
 
 import pytest
@@ -79,6 +81,10 @@ def test_files_and_pictures():
     assert rack.pose(2)[0, 3] == rack.center_distance
     assert "Rack data" in rack._repr_html_() and "Rack data" in rack.report()
     assert [f.title for f in rack.figures] == ["The mesh at the pitch point"]
+    for page in (html.unescape(rack._repr_html_()), rack.report()):
+        used = set(re.findall(r'href="#([^"]+)"', page))
+        assert "gear2" in used
+        assert used <= set(re.findall(r' id="([^"]+)"', page))
 
 
 @pytest.mark.parametrize("call", [

@@ -77,7 +77,7 @@ Result<Json> Session::drive_figures(double width) const {
   const auto job = solve_drive(job_.spec);
   if (!job) return job.error();
   Json figures = Json::array();
-  if (job->places) figures.push_back(drawn(scheme_figure(job->drive, *job->places), width));
+  if (job->places) figures.push_back(drawn(scheme_figure(job->drive, *job->places, width), width));
   if (auto power = power_figure(job->drive)) figures.push_back(drawn(std::move(*power), width));
   for (Figure& figure : drive_load_figures(job->drive))
     figures.push_back(drawn(std::move(figure), width));
