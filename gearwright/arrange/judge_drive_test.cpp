@@ -189,8 +189,8 @@ TEST(JudgeDrive, GreenSetsDoNotOverlapAndRedOnesDo) {
 }
 
 TEST(LongJudgeDrive, ThreeHundredSets) {
-  const Counts counts = try_sets(2, 200, 100, 360);
-  EXPECT_EQ(counts.green, 200);
+  const Counts counts = try_sets(2, 300, 100, 360);
+  EXPECT_EQ(counts.green, 300);
   EXPECT_EQ(counts.red, 100);
 }
 
