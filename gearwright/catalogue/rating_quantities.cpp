@@ -296,14 +296,12 @@ void add_spectrum(Quantities<RatingAnswer>& q) {
       "torque_holding_Nm", "greatest torque", "T_1",
       "greatest torque on gear 1 for which the safeties are at least `safety_flank_min` and "
       "`safety_root_min`, or at least 1 if these keys are absent; null if there is no such torque, "
-      "or if the load along the teeth for `face_load_factor = \"computed\"` cannot be computed "
-      "near it",
+      "or if no K_Hβ can be computed near it with `face_load_factor = \"computed\"`",
       &RatingAnswer::torque_holding);
   q.number("face_width_holding_mm", "required face width", "b",
-           "least face width, up to 40 modules, for which the safeties are at least "
-           "`safety_flank_min` and `safety_root_min`, or at least 1 if these keys are absent; null "
-           "if there is no such face width, or with `face_load_factor = \"computed\"`, which applies "
-           "to one face width",
+           "least face width, up to 40 modules, with the safeties of `torque_holding_Nm`; null if "
+           "there is no such face width, or with `face_load_factor = \"computed\"`, which applies to "
+           "one face width",
            &RatingAnswer::face_holding)
       .digits(2);
 }

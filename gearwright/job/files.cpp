@@ -15,7 +15,6 @@
 #include "gearwright/cad/svg_outline.hpp"
 #include "gearwright/cad/walls.hpp"
 #include "gearwright/catalogue/spelling.hpp"
-#include "gearwright/job/compensate_answer.hpp"
 #include "gearwright/job/contact_answer.hpp"
 #include "gearwright/job/contact_report.hpp"
 #include "gearwright/job/csv_answer.hpp"
@@ -24,7 +23,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
-#include "gearwright/job/scatter_answer.hpp"
+#include "gearwright/job/run_parts.hpp"
 #include "gearwright/job/workshop_drawing.hpp"
 #include "gearwright/report/report.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -145,87 +144,6 @@ std::optional<Error> beyond(const SolvedJob& job) {
         "a rack"};
   }
   return std::nullopt;
-}
-
-// The corrections, or nothing if the spec has no [compensate]. If they cannot be computed, for
-// example because nothing touches, the result is also empty, and the job has a warning.
-Result<std::optional<CompensateView>> compensation_part(SolvedJob& job, Progress* progress) {
-  if (!job.pair || !job.spec.compensate.given) return std::optional<CompensateView>();
-  auto answer = answer_compensate(job, progress);
-  if (answer) return std::optional<CompensateView>(*answer);
-  const FailureKind kind = answer.error().kind;
-  const auto none = [&](const std::string& why) {
-    job.warnings.push_back(
-        {WarningCode::no_corrections, "Corrections cannot be computed: " + why + ".", 0});
-    return std::optional<CompensateView>();
-  };
-  if (kind == FailureKind::not_in_build) return none(answer.error().rule);
-  if (kind == FailureKind::not_under_load)
-    return none(spelled(answer.error(), job.spec.given).message());
-  if (!without_contact(answer.error())) return answer.error();
-  const auto is_listed = [](const Warning& w) { return w.code == WarningCode::no_contact; };
-  if (std::none_of(job.warnings.begin(), job.warnings.end(), is_listed)) {
-    const Error why = spelled(answer.error(), job.spec.given);
-    job.warnings.push_back(
-        {WarningCode::no_contact, "Corrections cannot be computed: " + why.message() + ".", 0});
-  }
-  return std::optional<CompensateView>();
-}
-
-// The scatter, or nothing if the spec has no [scatter] or if there is no contact. In the second
-// case, no warning is added here, because the contact analysis already warns.
-Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* progress) {
-  if (!job.pair || !job.spec.scatter.given) return std::optional<ScatterAnswer>();
-  auto answer = answer_scatter(job, progress);
-  if (answer) return std::optional(std::move(answer).take());
-  if (without_contact(answer.error())) return std::optional<ScatterAnswer>();
-  return answer.error();
-}
-
-// Adds a note if the rating and the drawing use the tolerances of different editions.
-void note_editions(SolvedJob& job, const Rating& rating) {
-  if (!rating.tolerance) return;
-  const FlankTolerances rated = tolerance_edition(rating.edition);
-  const auto year = [](FlankTolerances edition) {
-    return edition == FlankTolerances::iso_2013 ? 2013 : 1995;
-  };
-  for (const int which : {1, 2}) {
-    const ToleranceInput& drawn = job.spec.gear(which).tolerance;
-    if (!drawn.quality || drawn.edition == rated) continue;
-    job.warnings.push_back(
-        {WarningCode::tolerance_editions,
-         fmt::format("The rating by {} uses the tolerances of ISO 1328-1:{}, but the inspection "
-                     "table and the drawing use ISO 1328-1:{}. Give edition = \"ISO 1328:{}\" in "
-                     "[gear1.tolerance] and [gear2.tolerance], or standard = \"ISO 6336:{}\" in "
-                     "[rating], to use one edition.",
-                     name(rating.edition), year(rated), year(drawn.edition), year(rated),
-                     rated == FlankTolerances::iso_2013 ? 2006 : 2019),
-         0});
-    return;
-  }
-}
-
-// The rating, or nothing if the spec has no [rating]. If it needs the load along the teeth and this
-// load cannot be computed, for example because nothing touches, the result is also empty, and the
-// job has a warning.
-Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
-  if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
-  auto answer = answer_rating(job);
-  if (!answer) {
-    const RatingTable& rating = job.spec.rating;
-    const FailureKind kind = answer.error().kind;
-    const bool needs_load = rating.input.face_load_computed || rating.tooth_contact;
-    const bool has_none = without_contact(answer.error()) || kind == FailureKind::not_under_load ||
-                          kind == FailureKind::not_converged;
-    if (!needs_load || !has_none) return answer.error();
-    job.warnings.push_back({WarningCode::no_strength,
-                            "The strength cannot be computed: " +
-                                spelled(answer.error(), job.spec.given).message() + ".",
-                            0});
-    return std::optional<RatingAnswer>();
-  }
-  note_editions(job, answer->rating);
-  return std::optional(std::move(answer).take());
 }
 
 }  // namespace
