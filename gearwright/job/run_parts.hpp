@@ -1,5 +1,6 @@
 // The parts of a run that a spec may contain or not: corrections, scatter and strength. A part is
 // empty if the spec has no table for it, or if it cannot be computed for these gears.
+// Internal to job/.
 #pragma once
 
 #include <optional>

@@ -368,7 +368,7 @@ class Contact(unittest.TestCase):
                 ("[contact.map]\nx = \"crossing_deg\"", "contact.map.x_range", "missing"),
                 ("[compensate]\ncorrections = [\"tool_setting_mm\"]", "compensate.corrections", "rack F"),
                 ("[compensate]\ncorrections = [\"lead_crowning\"]", "compensate.corrections", "did you mean"),
-                ("[compensate.range]\ncrossing_deg = [0.1, 0]", "compensate.range.crossing_deg", "grow")):
+                ("[compensate.range]\ncrossing_deg = [0.1, 0]", "compensate.range.crossing_deg", "rising order")):
             with self.subTest(rest=rest):
                 self.refused("compensate" if "compensate" in rest else "contact", self.spec(rest=rest), key, word)
 

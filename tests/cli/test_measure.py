@@ -290,7 +290,7 @@ class Measuring(Asked):
         self.assertIn("tip diameter contradicts", counted.out)
         self.assertIn("all readings agree with a gear of 32 teeth with DP 24", counted.out)
         mixed = Run("identify", THINNED.replace("1.416", "35.97"))
-        self.assertIn("if the tip diameter is in mm", mixed.out)
+        self.assertIn("If the tip diameter is in mm", mixed.out)
         self.assertIn("implausible", mixed.out)
         in_mm = THINNED.replace("0.4475", "11.3665").replace("0.5703", "14.4856").replace("1.416", "35.97")
         in_mm = in_mm.split("[gear2]")[0]

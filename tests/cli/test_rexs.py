@@ -192,7 +192,7 @@ class Rexs(unittest.TestCase):
             refused(archive({"a.rexs": text}, zipfile.ZIP_BZIP2), "by another method than deflate")
             refused(archive({"a.rexs": "x" * (5 << 20)}), "has more than 4194304 bytes")
             refused(archive({"a.txt": text}), "no file whose name ends in .rexs or .rexsj")
-            refused(archive({"a.rexs": text, "b.rexsj": "{}"}), "2 REXS files, a.rexs and b.rexsj")
+            refused(archive({"a.rexs": text, "b.rexsj": "{}"}), "2 REXS files (a.rexs and b.rexsj)")
             refused(b"{}", "not REXS")
 
     def test_import_prints_the_spec_that_every_verb_reads(self):
