@@ -294,7 +294,7 @@ class Measuring(Asked):
         self.assertIn("implausible", mixed.out)
         in_mm = THINNED.replace("0.4475", "11.3665").replace("0.5703", "14.4856").replace("1.416", "35.97")
         in_mm = in_mm.split("[gear2]")[0]
-        self.assertIn("if all lengths are in mm", Run("identify", in_mm).out)
+        self.assertIn("If all lengths are in mm", Run("identify", in_mm).out)
         found = Run("identify", in_mm, "--json").json["identify"]["alternative"]
         self.assertEqual((found["mistake"], found["gear"]["normal_diametral_pitch_per_in"]), ("all", 24))
         self.assertIsNone(Run("identify", THINNED, "--json").json["identify"]["alternative"])
