@@ -316,6 +316,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("driveSolids", &call<&Session::drive_solids, Session>)
       .function("driveFigures", &call<&Session::drive_figures, Session, double>)
+      .function("driveLoadFigures", &call<&Session::drive_load_figures, Session, double>)
       .function("lines", &call<&Session::lines, Session>)
       .function("meshFigure", &call<&mesh_figure, const Session, val>)
       .function("pose", &call<&Session::pose, Session, int, double, bool>)

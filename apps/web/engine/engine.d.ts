@@ -327,8 +327,10 @@ export interface Session {
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;
-  /** The scheme of a drive ("scheme"), its power flow ("power") and its curves under load. */
+  /** The scheme of a drive ("scheme") and its power flow ("power"). */
   driveFigures(width: number): Figure[] | Failed;
+  /** The curves of a drive under load; empty without [load]. Computing the load takes seconds. */
+  driveLoadFigures(width: number): Figure[] | Failed;
   lines(): MeshLines | Failed;
   /** The gears in section, in mm. Each shape of a gear is a `use` element with `data-gear`, whose
    *  transformation is relative to the position of the gear. */

@@ -69,8 +69,10 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Json> mesh(int gear, double tolerance) const;
   /// The solids of a drive in their positions, with the data of their motion.
   Result<Json> drive_solids() const;
-  /// The scheme of a drive, its power flow and its curves under load.
+  /// The scheme of a drive and its power flow.
   Result<Json> drive_figures(double width) const;
+  /// The curves of a drive under load; none without [load].
+  Result<Json> drive_load_figures(double width) const;
   Result<Json> lines() const;
   /// The gears in section, with all circles that the catalogue contains.
   Result<Json> mesh_figure(const MeshView& view) const;

@@ -79,7 +79,14 @@ Result<Json> Session::drive_figures(double width) const {
   Json figures = Json::array();
   if (job->places) figures.push_back(drawn(scheme_figure(job->drive, *job->places, width), width));
   if (auto power = power_figure(job->drive)) figures.push_back(drawn(std::move(*power), width));
-  for (Figure& figure : drive_load_figures(job->drive))
+  return figures;
+}
+
+Result<Json> Session::drive_load_figures(double width) const {
+  const auto job = solve_whole_drive(job_.spec, nullptr, RateMeshes::no);
+  if (!job) return job.error();
+  Json figures = Json::array();
+  for (Figure& figure : gearwright::drive_load_figures(job->drive))
     figures.push_back(drawn(std::move(figure), width));
   return figures;
 }

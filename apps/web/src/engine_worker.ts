@@ -203,6 +203,7 @@ const questions = {
   },
   driveSolids: (q: { text: string }) => good(session(q.text).driveSolids()),
   driveFigures: (q: { text: string; width: number }) => good(session(q.text).driveFigures(q.width)),
+  driveLoadFigures: (q: { text: string; width: number }) => good(session(q.text).driveLoadFigures(q.width)),
   /** The contact over one pitch with its figures. The time in the answer is the time of the contact
    *  analysis without the figures. */
   contact(q: { text: string; view: E.ContactView }) {

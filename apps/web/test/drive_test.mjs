@@ -32,7 +32,7 @@ const pixels = () =>
 describe("the figures of a drive", () => {
   const ids = () => page.$$eval("#room-drive .figure-slot:not([hidden]) svg[id]", (all) => all.map((one) => one.id));
 
-  it("the tab drive has the scheme and the power flow, and saves them", async () => {
+  it("the tab drive has the scheme, the power flow and the curves under load, and saves them", async () => {
     await put(page, drive("planetary_set"), "drive");
     await shown();
     assert.deepEqual(await ids(), ["scheme", "power"]);
@@ -43,6 +43,10 @@ describe("the figures of a drive", () => {
       page.click('#room-drive .figure-slot:has(#power) .figure-save button:has-text("SVG")'),
     ]);
     assert.equal(saved.suggestedFilename(), "power.svg");
+    await put(page, drive("loaded_planets"), "drive");
+    await page.waitForSelector('#room-drive .figure-slot:not([hidden]) svg[id^="planet-share"]', { timeout: 90000 });
+    await shown();
+    assert.deepEqual((await ids()).slice(0, 2), ["scheme", "power"]);
     assert.deepEqual(page.complaints, []);
   });
 

@@ -26,6 +26,9 @@ export class DriveView implements Tab {
     if (!figures || bench.good?.text !== text) return;
     this.figures.show(figures);
     this.shown = text;
+    // The load along the teeth takes seconds, so it is computed beside the other results.
+    const loaded = await bench.about(bench.back, "drive load", "driveLoadFigures", question);
+    if (loaded && this.shown === text) this.figures.show(loaded, false);
   }
   inUnits(): void {
     this.shown = "";
