@@ -12,16 +12,18 @@
 namespace gearwright {
 namespace {
 
-// A case-hardened helical pair with a pinion near one of its bearings.
-Json shafted_pair(double crowning_um = 0.0) {
+// A case-hardened pair with a pinion near one of its bearings. Most tests use spur gears, for which
+// the load is computed three times as fast.
+Json shafted_pair(double crowning_um = 0.0, double helix_angle_deg = 0.0) {
   Json tree = Json::parse(R"({
-    "gear1": {"teeth": 23, "normal_module_mm": 3, "helix_angle_deg": 15, "face_width_mm": 30,
+    "gear1": {"teeth": 23, "normal_module_mm": 3, "face_width_mm": 30,
               "material": "16MnCr5", "bore": {"diameter_mm": 30},
               "shaft": {"bearings_mm": [-40, 90], "diameter_mm": 30}},
     "gear2": {"teeth": 41, "bore": {"diameter_mm": 40}},
     "load": {"positions": 6, "slices": 8, "accuracy": "draft"},
     "rating": {"torque_Nm": 250, "speed_rpm": 1500, "application_factor": 1.25, "quality": 6,
                "life_h": 20000, "face_load_factor": "computed"}})");
+  tree["gear1"]["helix_angle_deg"] = helix_angle_deg;
   if (crowning_um != 0.0) tree["gear1"]["modifications"]["lead_crowning_um"] = crowning_um;
   return tree;
 }
@@ -41,7 +43,7 @@ double face_load_of(Json tree, double torque_Nm, double slope_um) {
 }
 
 TEST(RatingFaceLoad, is_that_of_load_at_the_worse_limit) {
-  const Json tree = shafted_pair(8.0);
+  const Json tree = shafted_pair(8.0, 15.0);
   SolvedJob job = testing::taken(solve(testing::taken(read_spec_tree(tree)), Scope::pair));
   const RatingAnswer answer = testing::taken(answer_rating(job));
   const Rating& r = answer.rating;
@@ -58,7 +60,7 @@ TEST(RatingFaceLoad, is_that_of_load_at_the_worse_limit) {
 
 // `propose` computes the same limits from its own deviation, which is normal to the flank.
 TEST(RatingFaceLoad, is_that_of_propose_for_the_same_deviation) {
-  Json tree = shafted_pair(8.0);
+  Json tree = shafted_pair(8.0, 15.0);
   tree["rating"].erase("application_factor");
   tree["rating"]["dynamic_factor"] = 1.0;
   const Json proposed = testing::answered(tree, "propose")["propose"];
@@ -152,7 +154,7 @@ TEST(RatingFaceLoad, is_rejected_without_its_inputs_and_for_other_specs) {
   tree["rating"]["mounting"] = {{"bearing_span_mm", 130}, {"shaft_diameter_mm", 30}};
   expect(tree, "rating.face_load_factor", "[rating.mounting]");
 
-  tree = shafted_pair();
+  tree = shafted_pair(0.0, 15.0);
   tree["gear1"]["double_helical"] = {{"gap_mm", 4}};
   tree["gear2"]["double_helical"] = {{"gap_mm", 4}};
   tree["gear1"].erase("shaft");
