@@ -51,6 +51,7 @@
 #include "gearwright/scatter/scatter.hpp"
 
 // Elastic teeth: loaded, teeth under torque; probes of one tooth
+#include "gearwright/arrange/face_loads.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 
 // Strength: rated_pair, rate, rate_spectrum, torque_of_safety, the table of steels

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gearwright/base/numbers.hpp"
+#include "gearwright/base/subject.hpp"
 #include "gearwright/drive/geometry_remedy.hpp"
 #include "gearwright/gear/pinion_cut.hpp"
 #include "gearwright/math/involute.hpp"
@@ -161,7 +162,7 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
 // The reason why a rack and its pinion cannot be mounted, with the name of the gear instead of
 // "gear1" or "gear2".
 std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error error) {
-  const bool of_rack = error.field.starts_with(gear_field(2));
+  const bool of_rack = subject_of(error.field).gear == 2;
   const std::string& name = graph.gear(mesh, of_rack ? 1 : 0).name;
   const std::size_t dot = error.field.find('.');
   if (dot == std::string::npos) return fmt::format("{} {}", name, error.rule);

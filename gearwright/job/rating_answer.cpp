@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearwright/arrange/face_loads.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
@@ -73,41 +74,11 @@ void warn_of_spectrum(SolvedJob& job, const RatingAnswer& answer) {
        0});
 }
 
-// K_Hβ of a pair from the load along its teeth, for any torque. It is the greater value at both
-// limits of the mesh misalignment f_ma.
-//
-// Formula   [T11.53]
-class FaceLoads {
- public:
-  static Result<FaceLoads> of(SolvedJob& job, const RatedPair& pair, Progress* progress);
-  /// K_Hβ at the torque, the speed and the load factors of `input`. Its `face_load_factor` has no
-  /// effect.
-  Result<double> at(const RatedPair& pair, RatingInput input);
-
- private:
-  FaceLoads(LoadTask task, bool default_slices)
-      : task_(std::move(task)), default_slices_(default_slices) {}
-  Result<std::vector<LoadedContact>> at_limits(double deviation);
-
-  struct Resolution {
-    std::array<int, 2> slices;
-    PairCompliance compliance;
-  };
-
-  LoadTask task_;
-  bool default_slices_;                  // true if the spec does not give the number of slices
-  std::vector<Resolution> resolutions_;  // the first is the finest; each of the others is halved
-};
-
-Result<FaceLoads> FaceLoads::of(SolvedJob& job, const RatedPair& pair, Progress* progress) {
-  GW_EXPECTS(pair.halves == 1);  // read_spec_tree() rejects "computed" for other gears
-  LoadInput input = job.spec.load;
-  const RatingInput& rating = job.spec.rating.input;
-  input.torques = {rating.torque * rating.application_factor * rating.mesh_load_factor};
-  input.rotations.clear();
-  std::vector<Warning> notes;  // about the gear bodies; the verbs for loaded contact give the same
-  auto task = load_task(job, errors_of(job), input, notes);
-  if (!task) return task.error();
+// K_Hβ from the load along the teeth. Adds notes about the gear bodies that the job does not yet have.
+Result<FaceLoads> face_loads_of(SolvedJob& job, Progress* progress) {
+  std::vector<Warning> notes;
+  auto faces =
+      FaceLoads::of(job, errors_of(job), job.spec.load, job.spec.rating.input, notes, progress);
   for (Warning& note : notes) {
     const auto is_same = [&](const Warning& w) {
       return w.code == note.code && w.gear == note.gear;
@@ -117,87 +88,7 @@ Result<FaceLoads> FaceLoads::of(SolvedJob& job, const RatedPair& pair, Progress*
         std::none_of(job.warnings.begin(), job.warnings.end(), is_same))
       job.warnings.push_back(std::move(note));
   }
-  FaceLoads made(std::move(task).take(), !input.slices);
-  made.task_.request.root_stress = false;
-  made.task_.request.progress = progress;
-  auto compliance = made.task_.compliance();
-  if (!compliance) return compliance.error();
-  made.resolutions_.push_back({made.task_.request.slices, std::move(compliance).take()});
-  made.task_.request.progress = nullptr;
-  return made;
-}
-
-// The contact at both limits of the helix slope `deviation`, mm normal to the flank. At each
-// torque, the default numbers of slices are halved until there is a solution, as in `load`.
-Result<std::vector<LoadedContact>> FaceLoads::at_limits(double deviation) {
-  for (std::size_t i = 0;; ++i) {
-    task_.request.slices = resolutions_[i].slices;
-    auto contacts = contacts_at_limits(task_, resolutions_[i].compliance, deviation);
-    const bool too_fine =
-        std::any_of(contacts.begin(), contacts.end(),
-                    [](const LoadedContact& contact) { return contact.slices_too_fine; });
-    if (!too_fine || !default_slices_) return contacts;
-    if (i + 1 < resolutions_.size()) continue;
-    if (!halve_slices(task_.request.slices)) return contacts;
-    auto compliance = task_.compliance();
-    if (!compliance) return compliance.error();
-    resolutions_.push_back({task_.request.slices, std::move(compliance).take()});
-  }
-}
-
-Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
-  input.face_load_factor = 1.0;  // K_v does not depend on K_Hβ
-  const auto rated = rate(pair, input);
-  if (!rated) return rated.error();
-  const double f_ma = input.misalignment ? *input.misalignment
-                                         : std::hypot((*rated->tolerance)[0].f_Hbeta,
-                                                      (*rated->tolerance)[1].f_Hbeta);
-  const double torque = input.torque * rated->K_A.value * rated->K_gamma.value * rated->K_v.value;
-  task_.request.torques = {from_newton_metres(torque)};
-  double greatest = 1.0;
-  const auto limits = at_limits(f_ma * std::cos(pair.beta_b) * kMmPerUm);
-  if (!limits) return limits.error();
-  for (const LoadedContact& limit : *limits) {
-    std::vector<Warning> unused;  // warnings of `load`, which apply at the limits only
-    if (auto error = judge_load(task_, limit, unused)) return *error;
-    const auto scores = loaded_scores(limit);
-    if (scores.empty())
-      return Error{"rating.face_load_factor", "\"computed\"",
-                   fmt::format("at {} N m and f_ma = {} µm, teeth do not touch or forces do not "
-                               "converge at some positions; give a number, or stiffer shafts",
-                               format_number(torque), format_number(f_ma)),
-                   FailureKind::not_converged};
-    greatest = std::max(greatest, *scores.front().face_load_factor);
-  }
-  return greatest;
-}
-
-// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. It solves
-// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque, or
-// if the load along the teeth cannot be computed at a torque of the iteration.
-//
-// Accuracy  1e-5, relative; the returned torque has the required safeties
-std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
-                                             const Safeties& wanted, FaceLoads& faces) {
-  constexpr double kSameTorque = 2e-6;  // greatest relative distance to the torque of safety
-  constexpr int kMostSteps = 12;
-  double log_torque = std::log(input.torque);
-  std::optional<std::array<double, 2>> before;  // ln T and its distance in the step before
-  for (int step = 0; step < kMostSteps; ++step) {
-    input.torque = std::exp(log_torque);
-    const auto K_Hbeta = faces.at(pair, input);
-    if (!K_Hbeta) return std::nullopt;
-    input.face_load_factor = *K_Hbeta;
-    const auto torque = torque_of_safety(pair, input, wanted);
-    if (!torque) return std::nullopt;
-    const double distance = std::log(*torque) - log_torque;
-    if (distance >= 0.0 && distance <= kSameTorque) return input.torque;
-    const double missing = distance - kSameTorque / 2;
-    const double slope = before ? (distance - (*before)[1]) / (log_torque - (*before)[0]) : -1.0;
-    before = {log_torque, distance};
-    log_torque -= missing / (slope < 0.0 ? slope : -1.0);
-  }
-  return std::nullopt;
+  return faces;
 }
 
 Result<ToothContact> tooth_contact(SolvedJob& job, const RatingAnswer& answer, Progress* progress) {
@@ -245,7 +136,8 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
     shafts->hand1 = job.gear(1).spec.helix_angle.rad() < 0.0 ? -1.0 : 1.0;
   std::optional<FaceLoads> faces;
   if (answer.input.face_load_computed) {
-    auto of_teeth = FaceLoads::of(job, answer.pair, progress);
+    GW_EXPECTS(answer.pair.halves == 1);  // read_spec_tree() rejects "computed" for other gears
+    auto of_teeth = face_loads_of(job, progress);
     if (!of_teeth) return of_teeth.error();
     faces = std::move(of_teeth).take();
     const auto K_Hbeta = faces->at(answer.pair, answer.input);

@@ -1,0 +1,98 @@
+#include "gearwright/arrange/face_loads.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearwright/base/number_text.hpp"
+#include "gearwright/base/units.hpp"
+
+namespace gearwright {
+
+Result<FaceLoads> FaceLoads::of(const Arranged& arranged, const ContactErrors& errors,
+                                LoadInput input, const RatingInput& rating,
+                                std::vector<Warning>& notes, Progress* progress) {
+  input.torques = {rating.torque * rating.application_factor * rating.mesh_load_factor};
+  input.rotations.clear();
+  auto task = load_task(arranged, errors, input, notes);
+  if (!task) return task.error();
+  FaceLoads made(std::move(task).take(), !input.slices);
+  made.task_.request.root_stress = false;
+  made.task_.request.progress = progress;
+  auto compliance = made.task_.compliance();
+  if (!compliance) return compliance.error();
+  made.resolutions_.push_back({made.task_.request.slices, std::move(compliance).take()});
+  made.task_.request.progress = nullptr;
+  return made;
+}
+
+// The contact at both limits of the helix slope `deviation`, mm normal to the flank. At each
+// torque, the default numbers of slices are halved until there is a solution, as in `load`.
+Result<std::vector<LoadedContact>> FaceLoads::at_limits(double deviation) {
+  for (std::size_t i = 0;; ++i) {
+    task_.request.slices = resolutions_[i].slices;
+    auto contacts = contacts_at_limits(task_, resolutions_[i].compliance, deviation);
+    const bool too_fine =
+        std::any_of(contacts.begin(), contacts.end(),
+                    [](const LoadedContact& contact) { return contact.slices_too_fine; });
+    if (!too_fine || !default_slices_) return contacts;
+    if (i + 1 < resolutions_.size()) continue;
+    if (!halve_slices(task_.request.slices)) return contacts;
+    auto compliance = task_.compliance();
+    if (!compliance) return compliance.error();
+    resolutions_.push_back({task_.request.slices, std::move(compliance).take()});
+  }
+}
+
+Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
+  input.face_load_factor = 1.0;  // K_v does not depend on K_Hβ
+  const auto rated = rate(pair, input);
+  if (!rated) return rated.error();
+  const double f_ma = input.misalignment ? *input.misalignment
+                                         : std::hypot((*rated->tolerance)[0].f_Hbeta,
+                                                      (*rated->tolerance)[1].f_Hbeta);
+  const double torque = input.torque * rated->K_A.value * rated->K_gamma.value * rated->K_v.value;
+  task_.request.torques = {from_newton_metres(torque)};
+  double greatest = 1.0;
+  const auto limits = at_limits(f_ma * std::cos(pair.beta_b) * kMmPerUm);
+  if (!limits) return limits.error();
+  for (const LoadedContact& limit : *limits) {
+    std::vector<Warning> unused;  // warnings of `load`, which apply at the limits only
+    if (auto error = judge_load(task_, limit, unused)) return *error;
+    const auto scores = loaded_scores(limit);
+    if (scores.empty())
+      return Error{"rating.face_load_factor", "\"computed\"",
+                   fmt::format("at {} N m and f_ma = {} µm, teeth do not touch or forces do not "
+                               "converge at some positions; give a number, or stiffer shafts",
+                               format_number(torque), format_number(f_ma)),
+                   FailureKind::not_converged};
+    greatest = std::max(greatest, *scores.front().face_load_factor);
+  }
+  return greatest;
+}
+
+std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
+                                             const Safeties& wanted, FaceLoads& faces) {
+  constexpr double kSameTorque = 2e-6;  // greatest relative distance to the torque of safety
+  constexpr int kMostSteps = 12;
+  double log_torque = std::log(input.torque);
+  std::optional<std::array<double, 2>> before;  // ln T and its distance in the step before
+  for (int step = 0; step < kMostSteps; ++step) {
+    input.torque = std::exp(log_torque);
+    const auto K_Hbeta = faces.at(pair, input);
+    if (!K_Hbeta) return std::nullopt;
+    input.face_load_factor = *K_Hbeta;
+    const auto torque = torque_of_safety(pair, input, wanted);
+    if (!torque) return std::nullopt;
+    const double distance = std::log(*torque) - log_torque;
+    if (distance >= 0.0 && distance <= kSameTorque) return input.torque;
+    const double missing = distance - kSameTorque / 2;
+    const double slope = before ? (distance - (*before)[1]) / (log_torque - (*before)[0]) : -1.0;
+    before = {log_torque, distance};
+    log_torque -= missing / (slope < 0.0 ? slope : -1.0);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gearwright

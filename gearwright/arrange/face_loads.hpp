@@ -1,0 +1,60 @@
+// The face load factor from the load along the teeth, `face_load_factor = "computed"` of a rating.
+//
+// The standard computes K_Hβ from the misalignment of flanks without crowning. Here it is the ratio
+// of the greatest to the mean load per length that loaded contact computes, with the modifications
+// of the flanks and the shafts.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gearwright/arrange/loaded_pair.hpp"
+#include "gearwright/rating/rating.hpp"
+#include "gearwright/rating/sizing.hpp"
+
+namespace gearwright {
+
+/// K_Hβ of a pair for any torque: the greater value at both limits of the mesh misalignment f_ma.
+///
+/// Formula   [T11.53]
+class FaceLoads {
+ public:
+  /// Notes about the gear bodies, which loaded contact gives too, are added to `notes`. The pair is
+  /// not double-helical.
+  ///
+  /// Errors    those of load_task()
+  static Result<FaceLoads> of(const Arranged& arranged, const ContactErrors& errors,
+                              LoadInput input, const RatingInput& rating,
+                              std::vector<Warning>& notes, Progress* progress = nullptr);
+  /// K_Hβ at the torque, the speed and the load factors of `input`. Its `face_load_factor` has no
+  /// effect.
+  ///
+  /// Errors    those of rate() and judge_load(); `rating.face_load_factor` if the load cannot be
+  ///           computed at any position
+  Result<double> at(const RatedPair& pair, RatingInput input);
+
+ private:
+  FaceLoads(LoadTask task, bool default_slices)
+      : task_(std::move(task)), default_slices_(default_slices) {}
+  Result<std::vector<LoadedContact>> at_limits(double deviation);
+
+  struct Resolution {
+    std::array<int, 2> slices;
+    PairCompliance compliance;
+  };
+
+  LoadTask task_;
+  bool default_slices_;                  // true if the number of slices is not given
+  std::vector<Resolution> resolutions_;  // the first is the finest; each of the others is halved
+};
+
+/// The greatest torque with the required safeties, N m, if K_Hβ changes with the torque. It solves
+/// torque_of_safety(K_Hβ(T)) = T by the secant method for ln T. None if there is no such torque, or
+/// if the load along the teeth cannot be computed at a torque of the iteration.
+///
+/// Accuracy  1e-5, relative; the returned torque has the required safeties
+std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
+                                             const Safeties& wanted, FaceLoads& faces);
+
+}  // namespace gearwright
