@@ -56,6 +56,10 @@ function(gw_target target)
     target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # With -fipa-modref, g++ 12 for Windows wrongly removes stores to an array that a function reads through a
+    # reference, if -fipa-sra has changed the signature of a function that it calls. `pair` then printed the angles of
+    # `contact_ratio_range` from memory that was never written.
+    target_compile_options(${target} PRIVATE -fno-ipa-modref)
     # The compiler collects garbage only above one gigabyte. By default it does so every 128 MB, and
     # a precompiled header alone fills that. For sources with many templates, this saves 10 to 20 %
     # of the time and uses 15 % more memory.
