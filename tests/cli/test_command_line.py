@@ -6,7 +6,9 @@ import json
 import os
 import pathlib
 import re
+import resource
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -25,6 +27,19 @@ def piped(text, *args, cwd=None):
 
 def table(text):
     return list(csv.reader(io.StringIO(text)))
+
+
+class Start(unittest.TestCase):
+    def test_an_answer_starts_at_once(self):
+        """Measures the time of the processor, which other programs on the machine hardly change. A pair takes about 11 ms."""
+        def seconds(*args):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.assertEqual(raw(*args).returncode, 0)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        for args in (("--version",), ("pair", str(pathlib.Path(SOURCE, "examples/spur_pair.toml")))):
+            self.assertLess(statistics.median(seconds(*args) for _ in range(11)), 0.05, args)
 
 
 class Words(unittest.TestCase):

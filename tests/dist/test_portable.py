@@ -8,7 +8,7 @@
    The script prints how many numbers differ, and by how many units in the last place (ulp).
 2. For every example, `run` writes the same files with the same bytes.
 3. The program handles names and titles in Unicode, CRLF, a byte order mark, UTF-16, batch, a missing
-   file, and folders that accept no file.
+   file, folders that accept no file, and Ctrl-C.
 4. The program needs no library beside it. The program for Windows has less than 12 MB.
 """
 import argparse
@@ -17,10 +17,12 @@ import json
 import math
 import os
 import pathlib
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
 VERBS = "gear pair contact load measure rate identify fit drive outline".split()
@@ -240,6 +242,26 @@ def first_minutes(programs, report, windows, folder):
         report.check("paths are printed with backslashes", "o\\p\\report.html" in text.decode(), text.decode()[-500:])
 
 
+def interrupted(programs, report, folder):
+    """Stops a long search with Ctrl-C. Wine converts the signal to an event of the console."""
+    pathlib.Path(folder, "long.toml").write_text('[search]\nratio = [1, 8]\nmodules_mm = "ISO54-I+II"\npinion_teeth = [20, 1070]\n')
+    with tempfile.TemporaryFile() as err:
+        process = subprocess.Popen([*programs.other, "search", "long.toml", "--out", "stopped"], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=err, cwd=folder, env=programs.environment)
+        deadline = time.monotonic() + 60
+        while not os.fstat(err.fileno()).st_size and time.monotonic() < deadline:
+            time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        try:
+            status = process.wait(timeout=60)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            status = None
+        err.seek(0)
+        errors = err.read().decode(errors="replace")
+    report.check("Ctrl-C", status == 3 and "--resume continues the search" in errors, f"{status} {errors}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("native")
@@ -262,6 +284,7 @@ def main():
                 sys.exit(0 if options.may_skip and not report.failed else 1)
         folder = stack.enter_context(tempfile.TemporaryDirectory())
         first_minutes(programs, report, options.program.endswith(".exe"), folder)
+        interrupted(programs, report, folder)
         compare_answers(programs, report, examples, folder)
         compare_files(programs, report, examples, folder)
     print(f"{report.passed} passed, {len(report.failed)} failed")
