@@ -5,12 +5,18 @@
 #include <numbers>
 
 // With SSE2, Boost adds up terms in another order than without. Results must not depend on the
-// processor, so Boost is compiled as if SSE2 were missing.
+// processor, so Boost is compiled as if SSE2 were missing. MinGW has the two macros of MSVC, too.
 #pragma push_macro("__SSE2__")
+#pragma push_macro("_M_AMD64")
+#pragma push_macro("_M_X64")
 #undef __SSE2__
+#undef _M_AMD64
+#undef _M_X64
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #pragma pop_macro("__SSE2__")
+#pragma pop_macro("_M_AMD64")
+#pragma pop_macro("_M_X64")
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/math/root.hpp"
