@@ -64,9 +64,9 @@ void a_position_under_load(benchmark::State& state) {
 }
 BENCHMARK(a_position_under_load)->ArgName("helix")->Arg(0)->Arg(15)->Unit(benchmark::kMillisecond);
 
-// Measures a trial of corrections under load near a pair whose contact is known, and compares it with
-// the whole contact of the corrected pair in the same run. The counter `ratio` is the time of the
-// contact divided by the time of the trial.
+// Measures a trial of corrections under load near a pair whose contact is known, and compares it
+// with the whole contact of the corrected pair in the same run. The counter `ratio` is the time of
+// the contact divided by the time of the trial.
 void a_trial_of_corrections(benchmark::State& state) {
   const Loaded l(15, ComplianceAccuracy::full);
   LoadRequest request = l.request;

@@ -69,8 +69,8 @@ MeshInput<double> screws() {
   return in;
 }
 
-// Computes all quantities of a crossed pair: the mesh, backlash, line of action, face widths, sliding
-// at both ends, efficiency, and the backlash-free and the minimum centre distance.
+// Computes all quantities of a crossed pair: the mesh, backlash, line of action, face widths,
+// sliding at both ends, efficiency, and the backlash-free and the minimum centre distance.
 double all_of(const MeshInput<double>& in) {
   const Mesh<double> m = mesh_of(in);
   const FaceWidths<double> f = face_widths(m);

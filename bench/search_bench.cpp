@@ -51,7 +51,8 @@ void paired(benchmark::State& state, double candidates, const Scalar& slow, cons
   state.counters["per_s"] = candidates / best;
 }
 
-// Computes working angle, contact ratios, sliding, tips, clearance and interference of 16 384 candidates.
+// Computes working angle, contact ratios, sliding, tips, clearance and interference of 16 384
+// candidates.
 void candidates_lanes_over_scalar(benchmark::State& state) {
   CandidateConstants c;
   c.tan_alpha = std::tan(20.0 * std::numbers::pi / 180.0);
@@ -141,7 +142,7 @@ void feasible_designs_over_sieve(benchmark::State& state) {
   state.counters["feasible"] = static_cast<double>(feasible) / static_cast<double>(size);
   state.counters["designs_per_s"] = static_cast<double>(feasible) * state.counters["per_s"] /
                                     static_cast<double>(size) / state.counters["ratio"];
-  state.SetLabel(p.limits.avoid_interference ? "without interference" : "whatever interferes");
+  state.SetLabel(p.limits.avoid_interference ? "without interference" : "interference allowed");
 }
 BENCHMARK(feasible_designs_over_sieve)
     ->Arg(0)
@@ -183,7 +184,7 @@ void designs_off_the_line_over_those_on_it(benchmark::State& state) {
   }
   state.counters["ratio"] = median(ratios);
   state.counters["designs_per_s"] = feasible / best;
-  state.SetLabel(q.shorten_tips ? "tight, tips shortened" : "off the line of Eq. 11");
+  state.SetLabel(q.shorten_tips ? "tight, tips shortened" : "off the balanced line");
 }
 BENCHMARK(designs_off_the_line_over_those_on_it)
     ->Arg(0)
@@ -246,7 +247,7 @@ void rated_designs_over_unrated(benchmark::State& state) {
   state.counters["ratio"] = median(ratios);
   state.counters["us_per_rating"] = median(added);
   state.counters["designs_per_s"] = static_cast<double>(feasible) / with;
-  constexpr std::array kKinds{"spur", "helical", "internal, each wheel cut once before"};
+  constexpr std::array kKinds{"spur", "helical", "internal, wheels cut in advance"};
   state.SetLabel(kKinds[static_cast<std::size_t>(state.range(0))]);
 }
 BENCHMARK(rated_designs_over_unrated)

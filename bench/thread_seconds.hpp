@@ -1,5 +1,5 @@
-// Processor time of the calling thread. A busy machine slows two compared computations unequally, so
-// wall time is not used for ratios.
+// Processor time of the calling thread. A busy machine slows two compared computations unequally,
+// so wall time is not used for ratios.
 #pragma once
 
 #include <ctime>

@@ -74,7 +74,7 @@ std::string Watch::text(double seconds) const {
                                        words_.before_stage ? words_.before_stage() : "",
                                        s.stage ? s.stage : "reading the spec");
   if (s.of <= 0) return text;
-  // The total number of steps is only an estimate, so more steps may have been done.
+  // The total number of steps is only an estimate, which the number of steps done may exceed.
   if (s.done >= s.of) return text + ", last steps";
   return fmt::format("{}, {} % done", text, 100 * s.done / s.of);
 }

@@ -45,7 +45,10 @@ def attributes(entries):
 
 
 def records_of(text, tables):
-    """Returns the classes of the tables that the text or one of these classes uses."""
+    """Returns the classes that the text uses, together with all classes that these use in turn.
+
+    Each class is made from one of the tables.
+    """
     made = {}
     while True:
         used = text + "".join(made.values())

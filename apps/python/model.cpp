@@ -34,8 +34,8 @@ const Key* find(const std::vector<const KeyTable*>& tables, const std::string& k
   return nullptr;
 }
 
-// Raises SpecError if the number is within the range of the key without conversion, but not with
-// it. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
+// Raises SpecError if the given number is within the range of the key and the converted number is
+// not. The caller has probably forgotten the unit, for example helix_angle = 15 instead of
 // helix_angle_deg = 15.
 void check_unit(const Key& key, const std::string& name, const Json& given, const Json& converted) {
   if (!given.is_number() || !key.range.limited()) return;

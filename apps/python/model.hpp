@@ -116,7 +116,7 @@ struct RatingValue : AnswerValue {};
 struct LoadedValue : AnswerValue {};
 
 /// Returns a model of the pair with other errors and modifications, and with `keys` in the
-/// table `name` of its spec. If `errors` or `modifications` is None, the pair keeps its own.
+/// table `name` of its spec. If `errors` or `modifications` is None, those of the pair are used.
 ModelPtr asked_model(const PairValue& pair, const py::object& errors,
                      const py::object& modifications, const KeyTable& table,
                      const std::string& name, const py::kwargs& keys);

@@ -25,7 +25,8 @@ def needed(library):
 
 
 def bundle(stage, built):
-    """Copies the libraries of `built` to the folder in which the staged module searches, except those of the system."""
+    """Copies the libraries that `built` needs, except system libraries, to the folder in which the staged module
+    looks for them."""
     into = stage / "gearwright.libs"
     into.mkdir()
     for name, path in sorted(needed(built).items()):

@@ -1,5 +1,5 @@
-// Page 7: circular arcs. Left: a tooth cut by rack F in the space cut by rack P, in the normal section.
-// Right: the normal angle at the contact as a function of the centre distance.
+// Page 7: circular arcs. Left: a tooth cut by rack F in the space cut by rack P, in the normal
+// section. Right: the normal angle at the contact as a function of the centre distance.
 #include <cmath>
 #include <stdexcept>
 
@@ -28,7 +28,7 @@ Gear gear_of_arcs(int teeth, double helix_deg, const ArcRack& rack) {
 }  // namespace
 
 Drawing arcs_figure() {
-  Drawing f("07-circular-arc", 860, 480, "Circular arcs touch in a point",
+  Drawing f("07-circular-arc", 860, 480, "Circular arcs touch at a point",
             "Normal section of a convex tooth in a concave space with the centres of both arcs on "
             "one normal, and the normal angle at the contact over the change of the centre "
             "distance.");
@@ -82,7 +82,7 @@ Drawing arcs_figure() {
   angle.tall = 1.0;
   angle.line(std::move(first), "curve g2 dash");
   angle.line(std::move(exact), "curve g1");
-  angle.text({0.0, 60.0}, "exact [T7.16]; first order [T7.17], broken", Anchor::middle, "halo");
+  angle.text({0.0, 60.0}, "exact [T7.16]; first order [T7.17], dashed", Anchor::middle, "halo");
   const double begin = pair->gears[0].arc_cutter()->arcs.back().begin.deg();
   angle.line({{-kInfinity, begin}, {kInfinity, begin}}, "action-line");
   angle.text({-kInfinity, begin}, fmt::format("the flank of F begins, {:.1f}°", begin),

@@ -1,6 +1,6 @@
 // Page 5: the chord that a calliper measures, and the errors of formulas for a calculation by hand.
-// Left: the unrolled cylinder with both flanks and the shortest chord between them. Right: the errors
-// of the series and of virtual gears.
+// Left: the unrolled cylinder with both flanks and the shortest chord between them. Right: the
+// errors of the series and of virtual gears.
 #include <array>
 #include <cmath>
 
@@ -12,10 +12,9 @@ namespace gearwright::figures {
 
 Drawing chord_figure() {
   Drawing f(
-      "05-approximations", 860, 500, "The shortest chord, exactly and by hand",
-      "A tooth's two flanks on an unrolled cylinder with the shortest chord, and the relative "
-      "errors of "
-      "its approximations over the half angle of the tooth.");
+      "05-approximations", 860, 500, "The shortest chord and its approximations",
+      "Both flanks of a tooth on an unrolled cylinder with the shortest chord between them, and "
+      "the relative errors of the approximations over the half angle of the tooth.");
   const double psi = Angle::degrees(35.2644).rad();  // where the series converge worst [T5.11]
 
   // Left: the radius is 1, the half angle 0.6. The flanks are the helices θ = ±θ_t − ζ tan ψ.
@@ -87,7 +86,7 @@ Drawing chord_figure() {
     curve([&](double h) { return chord_by_series(h, psi, 1.0, n).chord; }, kStyles[n - 1]);
   errors.text({0.25, 1.5e-2}, markup("the arc {s_n}"), Anchor::end, "halo");
   errors.text({0.067, 9e-6}, "virtual gear [T5.14]", Anchor::start, "halo g2");
-  errors.text({0.054, 2e-8}, "1 correction; broken: virtual gear [T5.13]", Anchor::start,
+  errors.text({0.054, 2e-8}, "1 correction; dashed: virtual gear [T5.13]", Anchor::start,
               "halo g1");
   errors.text({0.23, 6e-7}, "2 corrections", Anchor::end, "halo action");
   errors.text({0.18, 5e-11}, "3 corrections [T5.9]", Anchor::start, "halo green");

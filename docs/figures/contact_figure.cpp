@@ -1,6 +1,6 @@
-// Page 8: the transmission error is the greatest of the branches of the tooth pairs. The example is a
-// crowned helical pair on crossed shafts, over three pitches of gear 1. Below: the height on the face
-// at which the leading pair touches.
+// Page 8: the transmission error is the greatest of the branches of the tooth pairs. The example is
+// a crowned helical pair on crossed shafts, over three pitches of gear 1. Below: the height on the
+// face at which the leading pair touches.
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -14,10 +14,9 @@ namespace gearwright::figures {
 
 Drawing contact_figure() {
   Drawing f(
-      "08-contact", 860, 560, "Transmission error as the greatest of the tooth pairs' branches",
-      "Rotation required by each tooth pair over three pitches with their upper envelope, and "
-      "the height on "
-      "the face at which the leading pair touches.");
+      "08-contact", 860, 560, "The transmission error is the greatest branch of all tooth pairs",
+      "Rotation of gear 2 that each tooth pair requires over three pitches, the upper envelope of "
+      "these branches, and the height on the face at which the leading pair touches.");
   CylindricalSpec spec;
   spec.teeth = 21;
   spec.normal_module = 3;

@@ -1,5 +1,5 @@
-// Page 13: a planetary set with planets at unequal pitch, each at an angle where it meshes with both
-// gears. All such angles of a turn are marked on the circle of the carrier.
+// Page 13: a planetary set with planets at unequal pitch, each at an angle where it meshes with
+// both gears. All such angles of a turn are marked on the circle of the carrier.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,8 +12,8 @@ namespace gearwright::figures {
 
 Drawing drive_figure() {
   Drawing f("13-drives", 860, 560, "A planetary set and the places of its planets",
-            "Sun of 20, planets of 19 and ring of 58 teeth; the 78 places of a turn where a planet "
-            "meshes with both, and four planets at those nearest to equal pitch.");
+            "A sun with 20, planets with 19 and a ring with 58 teeth. A planet meshes with both "
+            "gears at 78 places per turn. Four planets are at the places nearest to equal pitch.");
   PlanetarySpec set;
   set.z(SetMember::sun) = 20;
   set.z(SetMember::planet) = 19;
@@ -45,9 +45,9 @@ Drawing drive_figure() {
     f.dot(view, polar(a, theta), "green");
   }
   const std::array<const char*, 5> words{
-      "{z_s} = 20, {z_p} = 19, {z_r} = −58", "N* = 78 places of a turn, ticks on the circle",
-      "four planets at the nearest to 90°:", "0°, 92.308°, 180°, 272.308°",
-      "opposite ones stand at 180°: forces cancel"};
+      "{z_s} = 20, {z_p} = 19, {z_r} = −58", "N* = 78 places per turn, marked by ticks",
+      "four planets as near to 90° as possible:", "0°, 92.308°, 180°, 272.308°",
+      "180° apart in pairs, so the forces cancel"};
   double y = 60;
   for (const char* line : words) f.label({560, y += 26}, line);
   return f;

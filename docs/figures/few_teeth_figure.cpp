@@ -1,5 +1,5 @@
-// Page 6: the pinion of two teeth of the example in the paper. Left: its circular fillets, tangent to the
-// involute. Right: the pinion in mesh with the wheel of sixty teeth that it has cut.
+// Page 6: the pinion of two teeth of the example in the paper. Left: its circular fillets, tangent
+// to the involute. Right: the pinion in mesh with the wheel of sixty teeth that it has cut.
 #include <stdexcept>
 
 #include "docs/figures/figure.hpp"
@@ -14,9 +14,8 @@ namespace gearwright::figures {
 Drawing few_teeth_figure() {
   Drawing f(
       "06-few-teeth", 860, 500, "A pinion of two teeth and the wheel that it cuts",
-      "Left the tooth of a two-tooth pinion with the circles of its fillets, right the pinion "
-      "in its wheel of "
-      "sixty teeth.");
+      "Left, the tooth of a two-tooth pinion with the circles of its fillets. Right, the pinion "
+      "in mesh with its wheel of sixty teeth.");
   CylindricalSpec spec;  // Table 1 of Chen and Tsay
   spec.teeth = 2;
   spec.normal_module = 1.75;

@@ -75,8 +75,8 @@ void name_decades(FigureAxis& axis);
 /// Returns the transverse outline of half a tooth from root to tip, within `tolerance` mm.
 std::vector<Vec2> half_tooth(const Gear& gear, double tolerance);
 
-/// Returns the section of the teeth `first` … `last`, turned by `angle` rad about the axis. The teeth
-/// 0 … |z| − 1 give the closed polygon of the whole gear.
+/// Returns the section of the teeth `first` … `last`, turned by `angle` rad about the axis. The
+/// teeth 0 … |z| − 1 give the closed polygon of the whole gear.
 std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, double tolerance);
 
 /// Returns the points, first turned about the origin, then moved.

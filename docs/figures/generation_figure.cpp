@@ -1,5 +1,5 @@
-// Page 3: a rack rolls over a gear of nine teeth. The envelope of its edge is the tooth. The flank is
-// an involute and the fillet a trochoid, with undercut in this example.
+// Page 3: a rack rolls over a gear of nine teeth. The envelope of its edge is the tooth. The flank
+// is an involute and the fillet a trochoid, with undercut in this example.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -12,8 +12,8 @@ namespace gearwright::figures {
 namespace {
 
 // Returns the cutter's edge on the side y ≥ 0, from the middle of a cutter tooth to the end of its
-// flank, but at most to `highest` above the datum line. The section is the normal one, which is also
-// the transverse one here (β = 0).
+// flank, but at most to `highest` above the datum line. The section is the normal one, which is
+// also the transverse one here (β = 0).
 std::vector<Vec2> edge_points(const CutterEdge& edge, double module, double highest) {
   std::vector<Vec2> points{{-edge.tip_depth, std::numbers::pi * module / 2},
                            {-edge.tip_depth, edge.tip_land_end}};

@@ -1,5 +1,5 @@
-// Page 10: a span over four teeth as a length on the base tangent, and a ball in a space. The centre of
-// the ball is the point where the parallel curves of both involutes intersect.
+// Page 10: a span over four teeth as a length on the base tangent, and a ball in a space. The
+// centre of the ball is the point where the parallel curves of both involutes intersect.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kScale = 9.2;  // px/mm
 
-// Returns the involute of the flank on the side `hand` of the tooth turned by `turned`, from roll angle
-// a to b. It is moved outward along its normal by `off`.
+// Returns the involute of the flank on the side `hand` of the tooth turned by `turned`, from roll
+// angle a to b. It is moved outward along its normal by `off`.
 std::vector<Vec2> involute_points(const Gear& gear, int hand, double turned, double off, double a,
                                   double b) {
   const double r_b = gear.base_radius();
@@ -64,7 +64,8 @@ void draw_ball(Drawing& f, const Gear& gear, const Viewport& view) {
   for (const int hand : {1, -1}) {
     f.line(view, involute_points(gear, hand, -hand * pitch / 2, 0, 0.05, end), "g1 heavy");
     f.line(view, involute_points(gear, hand, -hand * pitch / 2, r, 0.15, end), "action dash");
-    // The point of contact lies on the normal through the ball's centre, tangent to the base circle.
+    // The point of contact lies on the normal through the ball's centre, which is tangent to the
+    // base circle.
     const double alpha = seat.center_pressure_angle;
     const Vec2 foot = polar(gear.base_radius(), hand * alpha);
     const Vec2 center{r_K, 0};

@@ -9,9 +9,10 @@
 namespace gearwright::figures {
 
 Drawing load_figure() {
-  Drawing f("12-loaded-contact", 900, 520, "A gear's section in elements",
-            "Three teeth of a gear cut into elements, finer towards the outline and the tips; the "
-            "rest of the rim is smooth. A bump of load presses on the flank of the middle tooth.");
+  Drawing f("12-loaded-contact", 900, 520, "The section of a gear in finite elements",
+            "Three teeth of a gear are divided into elements, which are smaller near the outline "
+            "and the tips. The rest of the rim has no teeth. A load with the shape of a bump acts "
+            "on the flank of the middle tooth.");
   CylindricalSpec spec;
   spec.teeth = 25;
   spec.normal_module = 1;

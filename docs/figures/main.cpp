@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     const std::string there{std::istreambuf_iterator<char>(in), {}};
     if (there == text) continue;
     ++stale;
-    std::fprintf(stderr, "%s is not what the program draws now; `make figures` draws it anew\n",
+    std::fprintf(stderr, "%s differs from the current drawing; `make figures` updates it\n",
                  path.c_str());
   }
   return stale == 0 ? 0 : 1;

@@ -1,5 +1,5 @@
-// Page 2: the mesh triangle. The figure shows two base circles, their common tangent and the path of
-// contact on it. The teeth are in contact at a point between B and C.
+// Page 2: the mesh triangle. The figure shows two base circles, their common tangent and the path
+// of contact on it. The teeth are in contact at a point between B and C.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -53,7 +53,7 @@ Drawing mesh_triangle_figure() {
   triangle(o_1, t_1, 0, "curve g1", "{r_b1}");
   triangle(o_2, t_2, std::numbers::pi, "curve g2", "{r_b2}");
 
-  // N is drawn parallel to the line of action, a parallel to the centre line, each at some distance.
+  // The dimension N is parallel to the line of action, and a is parallel to the centre line.
   const auto dimension = [&](const Vec2& from, const Vec2& to, const Vec2& aside,
                              const char* words) {
     const Vec2 between = 0.5 * (from + to) + aside;

@@ -1,5 +1,5 @@
-// Page 11: the geometry of a strength rating. Left: the critical section of a tooth and its load, with
-// the values that the rating uses. Right: the life curves of flank and root.
+// Page 11: the geometry of a strength rating. Left: the critical section of a tooth and its load,
+// with the values that the rating uses. Right: the life curves of flank and root.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -91,17 +91,17 @@ Figure lives() {
   curve([](double n) { return root_life(K::case_hardened, n); }, "curve g2");
   curve([](double n) { return root_life(K::through_hardened, n); }, "curve g2 dash");
   curve([](double n) { return flank_life(K::nitrided, n); }, "curve g1 dash");
-  f.text({3e10, 2.2}, "root: case-hardened; tempered, broken", Anchor::end, "halo g2");
-  f.text({3e10, 1.55}, "flank: hardened; nitrided, broken", Anchor::end, "halo g1");
+  f.text({3e10, 2.2}, "root: case-hardened; tempered, dashed", Anchor::end, "halo g2");
+  f.text({3e10, 1.55}, "flank: hardened; nitrided, dashed", Anchor::end, "halo g1");
   return f;
 }
 
 }  // namespace
 
 Drawing rating_figure() {
-  Drawing f("11-rating", 860, 480, "What a strength rating looks at",
-            "Left a tooth with the tangents at 30 degrees that find its critical section, and the "
-            "load on it; right the life factors of flank and root over the load cycles.");
+  Drawing f("11-rating", 860, 480, "Critical section and life factors",
+            "Left, a tooth with the tangents at 30 degrees that determine its critical section, "
+            "and the load on it. Right, the life factors of flank and root over the load cycles.");
   draw_section(f);
   f.add(lives(), {430, 0}, 430);
   return f;

@@ -1,4 +1,5 @@
-// Page 14: positions of a bore in its circle of tolerance, at random and by a scrambled Sobol sequence.
+// Page 14: positions of a bore in its circle of tolerance, at random and by a scrambled Sobol
+// sequence.
 #include "docs/figures/figure.hpp"
 #include "gearwright/math/sobol.hpp"
 #include "gearwright/scatter/distribution.hpp"
@@ -6,10 +7,9 @@
 namespace gearwright::figures {
 
 Drawing scatter_figure() {
-  Drawing f(
-      "14-scatter", 860, 470, "Samples of a tolerance",
-      "256 places of a bore in its circle, drawn at random and by scrambled Sobol points, which "
-      "leave no holes and make no heaps.");
+  Drawing f("14-scatter", 860, 470, "Samples of a tolerance",
+            "256 positions of a bore in its circle of tolerance, at random and by scrambled Sobol "
+            "points. The Sobol points are evenly distributed.");
   constexpr std::uint32_t kPoints = 256;
   const SobolPoints sobol(2);
   const auto draw = [&](double x, bool random, const char* words) {
@@ -25,7 +25,7 @@ Drawing scatter_figure() {
     }
     f.label({x, 440}, words, Anchor::middle);
   };
-  draw(220, true, "256 random places");
+  draw(220, true, "256 random points");
   draw(640, false, "256 scrambled Sobol points");
   return f;
 }

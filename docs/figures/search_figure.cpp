@@ -10,10 +10,10 @@
 namespace gearwright::figures {
 
 Drawing search_figure() {
-  Drawing f("09-design-search", 860, 520, "What every limit leaves of the two profile shifts",
-            "The region of profile shifts of a pair of 15 and 24 teeth between undercut, tip "
-            "thickness, centre "
-            "distance and contact ratio, and the length of the path of contact along one line.");
+  Drawing f("09-design-search", 860, 520, "The profile shifts that all limits allow",
+            "The region of profile shifts of a pair of 15 and 24 teeth within the limits of "
+            "undercut, tip thickness, centre distance and contact ratio, and the length of the "
+            "path of contact along one line.");
   SearchProblem problem;
   problem.modules = {1.0};
   problem.ratio = {1.5, 1.7};

@@ -110,9 +110,9 @@ void shorten_tips(GivenPair& given, double a) {
   }
 }
 
-// The error for two different racks. The computation of an absent shift, the extended centre
-// distance and the shortened tips require that one rack cuts both gears. Empty if the input
-// requires none of them.
+// The error for two different racks. An absent shift, the extended centre distance and shortened
+// tips can be computed only if one rack cuts both gears. Empty if the input requires none of these
+// three.
 std::optional<Error> needs_one_rack(const GivenPair& given, bool shift_wanted) {
   const std::string why =
       "requires two gears of the same module and pressure angle; for different racks, give both "

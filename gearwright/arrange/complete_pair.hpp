@@ -14,7 +14,7 @@ namespace gearwright {
 /// tips are written into the gears of `given`. If the shaft angle is computed from the centre
 /// distance, it is written into `given.pair`. `shift_wanted` is true if at least one shift is
 /// absent and must be computed from the centre distance. If both are absent, gear 1 gets the sum of
-/// the shifts. If this sum is less than −0.4, an internal pair is an exception. Its pinion gets at
+/// the shifts. An internal pair is an exception if this sum is less than −0.4: its pinion gets at
 /// least the shift with which it is not undercut, and the internal gear gets the rest.
 ///
 /// Domain    two gears (contract)

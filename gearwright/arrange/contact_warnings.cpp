@@ -37,8 +37,8 @@ void warn_of_contact(const ContactResult& driving, const ContactResult& other,
     warn(WarningCode::contact_below_form,
          fmt::format(
              "Contact reaches the end of the usable flank of gear {} at a diameter of {:.4f} mm, "
-             "where the root fillet begins. The tip of the mating gear enters the fillet, and the "
-             "true transmission error there is larger than the computed error.",
+             "where the root fillet begins. The tip of the mating gear enters the fillet, where "
+             "the true transmission error is larger than the computed error.",
              i + 1, 2 * *gear.root_form_radius()),
          static_cast<int>(i) + 1);
   }

@@ -41,8 +41,8 @@ std::optional<Error> place_clear_tips(GivenPair& given, const MadeGears& made,
 /// the gear.
 Error of_given_gear(Error error, const GivenPair& given, int which);
 
-/// If the error of a pair names rack data of a gear that is given by its base cylinder,
-/// replaces these data by the data of the base cylinder.
+/// Changes an error of a pair that names rack data of a gear, although the gear is given by its
+/// base cylinder. The changed error names the data of the base cylinder.
 Error of_basic(const Error& error, const GivenPair& given);
 
 /// Attributes an error about the radius at which the tooth ends to the given tip clearance.

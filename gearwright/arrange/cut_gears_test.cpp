@@ -80,7 +80,7 @@ TEST(CutGears, have_the_thickness_of_a_series_by_the_infeed_of_their_cutter) {
     expect(arranged, (allowances[0] + allowances[1]) / 2);
     expect(arranged.ends->lower, allowances[0]);
     expect(arranged.ends->upper, allowances[1]);
-    // A thinner tooth needs a deeper cutter, and the root of the cutter follows.
+    // A thinner tooth needs a deeper cutter. The root of the cutter then cuts a shorter tip.
     const double deeper = arranged.ends->upper.gear(1).cut_by->distance -
                           arranged.ends->lower.gear(1).cut_by->distance;
     EXPECT_GT(deeper * side_of(teeth), 0.0);

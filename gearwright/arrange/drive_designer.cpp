@@ -223,8 +223,8 @@ bool DriveDesigner::is_better(const DriveOutcome& a, const DriveOutcome& b) cons
   return costs(a) < costs(b);
 }
 
-// The least widths of the meshes, in steps, with which all meshes have the required safeties. No
-// width can be one step less.
+// The least widths of the meshes, in steps, with which all meshes have the required safeties. With
+// one step less, at least one mesh would not have them.
 std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double below,
                                                const std::vector<double>& greatest) const {
   const std::size_t meshes = greatest.size();
@@ -274,7 +274,7 @@ std::vector<double> DriveDesigner::least_steps(DriveCandidate candidate, double 
 
 // Sets the widths of the meshes to whole steps.
 void DriveDesigner::set_steps(DriveCandidate& candidate, const std::vector<double>& steps) const {
-  // 33 steps of 1.27 mm are 41.91 mm, without the rounding error of the product.
+  // Removes the rounding error of the product, so that 33 steps of 1.27 mm are 41.91 mm.
   constexpr double kPlaces = 1e6;
   candidate.face_widths.clear();
   for (const double n : steps)

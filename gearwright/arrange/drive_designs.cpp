@@ -135,7 +135,7 @@ class Candidates {
  private:
   enum class State { open, listed, left_out };
 
-  // The estimate for trains with this module in all stages, from some of the candidates.
+  // Estimates the strength of trains with this module in all stages, from a few rated candidates.
   TrainStrength strength_of(const std::vector<std::size_t>& which, double module) {
     std::vector<std::optional<RatedTrain>> trains(kEstimateTrains);
     begin_stage(task_.progress, "rating trains for an estimate of their strength", kEstimateTrains);
@@ -256,8 +256,8 @@ void sort_designs(const DriveSearchProblem& problem, std::span<FoundDrive> list)
       problem, list, [](const FoundDrive& f) -> const auto& { return f.candidate; });
 }
 
-// True if the candidates have the exact values of the first objective, and their exact size for equal
-// values, before their teeth are computed.
+// True if the values of the first objective, and the sizes of candidates with equal values, are
+// exact before the teeth are computed.
 bool has_exact_order(const DriveSearchProblem& problem) {
   const DriveObjective first = problem.objectives.front();
   return !problem.module_per_stage &&

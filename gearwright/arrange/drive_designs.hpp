@@ -51,9 +51,9 @@ struct DriveDesignTask {
 };
 
 /// The candidates that the result lists: the `top` best and, if there are several objectives, up to
-/// `top` more from the Pareto front. They are computed in the order of the candidates. If the first
-/// objective is only estimated before, every kRankedDrives green drives are sorted by its exact
-/// values. The next candidate replaces a candidate without a green verdict, until
+/// `top` more from the Pareto front. They are computed in the order of the candidates. If this
+/// order uses an estimate of the first objective, every kRankedDrives green drives are sorted by
+/// the exact values. A candidate without a green verdict is replaced by the next one, until
 /// kMostComputedDrives candidates of the same module have been computed. Trains are left out if, by
 /// the estimate of design/train_strength.hpp, they cannot have the required safeties, or if the
 /// sliding of one stage exceeds the limit. If each stage may have its own module, it gets the least
@@ -67,7 +67,7 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
                                    std::size_t top, int threads);
 
 /// Number of drives that are sorted together by their exact values. It does not depend on `top`,
-/// because the order must not.
+/// because the order of the drives must not depend on `top` either.
 inline constexpr std::size_t kRankedDrives = 100;
 /// Greatest number of candidates of each module that are computed.
 inline constexpr std::size_t kMostComputedDrives = 20000;

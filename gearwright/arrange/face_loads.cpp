@@ -74,10 +74,10 @@ Result<double> FaceLoads::at(const RatedPair& pair, RatingInput input) {
 
 std::optional<double> torque_with_face_loads(const RatedPair& pair, RatingInput input,
                                              const Safeties& wanted, FaceLoads& faces) {
-  constexpr double kSameTorque = 2e-6;  // greatest relative distance to the torque of safety
+  constexpr double kSameTorque = 2e-6;  // greatest relative difference from the torque of safety
   constexpr int kMostSteps = 12;
   double log_torque = std::log(input.torque);
-  std::optional<std::array<double, 2>> before;  // ln T and its distance in the step before
+  std::optional<std::array<double, 2>> before;  // of the last step: ln T, distance
   for (int step = 0; step < kMostSteps; ++step) {
     input.torque = std::exp(log_torque);
     const auto K_Hbeta = faces.at(pair, input);

@@ -20,8 +20,7 @@ namespace gearwright {
 /// Formula   [T11.53]
 class FaceLoads {
  public:
-  /// Notes about the gear bodies, which loaded contact gives too, are added to `notes`. The pair is
-  /// not double-helical.
+  /// Notes about the gear bodies are added to `notes`. The pair must not be double-helical.
   ///
   /// Errors    those of load_task()
   static Result<FaceLoads> of(const Arranged& arranged, const ContactErrors& errors,

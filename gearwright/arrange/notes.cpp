@@ -80,8 +80,8 @@ std::optional<Warning> note_rack(const GearInput& gear, int which) {
   return Warning{
       WarningCode::default_rack,
       fmt::format("`rack` is not given; ISO53-A with a dedendum of {:g} modules is used. "
-                  "Standard gears of {:g}° are cut by `rack` = \"{}\" with a dedendum of "
-                  "{:g} modules.",
+                  "For standard gears with a pressure angle of {:g}°, give `rack` = \"{}\", which "
+                  "has a dedendum of {:g} modules.",
                   dedendum_of(gear.cylindrical.rack), standard.normal_pressure_angle.deg(),
                   kStandard, standard.rack.dedendum),
       which};

@@ -143,8 +143,8 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which, R
   if (is_long && !(mesh.true_ratio < 2.0)) return std::nullopt;
   const double beyond = mesh.rho1_true_end - mesh.rho1_true_begin - mesh.step;
   const double length = is_long ? beyond : beyond / 2;
-  // The tip of gear 1 is in contact at the end of the path of contact, and the tip of gear 2 at the
-  // start of the path.
+  // The tip of gear 1 is in contact at the end of the path of contact, and the tip of gear 2 is in
+  // contact at its start.
   const double near_end = mesh.rho1_true_end - length;
   const double near_begin = mesh.rho1_true_begin + length;
   const auto i = static_cast<std::size_t>(which - 1);

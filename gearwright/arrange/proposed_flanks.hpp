@@ -45,8 +45,8 @@ std::optional<ReliefStarts> relief_starts(const InvolutePair& pair, int which,
 
 /// True if some tip or root relief has no start.
 bool lacks_relief_start(const GivenPair& given);
-/// The error about the first relief of a single gear without a start. Only for a pair can the start
-/// of a relief be computed.
+/// The error about the first relief of a single gear without a start. The start of a relief can be
+/// computed only for a pair.
 Error missing_relief_start(const GivenPair& given);
 
 /// Computes the start of each tip or root relief that has none, on both gears of a pair.
@@ -59,8 +59,8 @@ struct LeadProposal {
   bool any() const { return slope != 0.0 || crowning != 0.0; }
 };
 
-/// Reliefs at the tips of both gears. Instead, gear 1 alone can have a tip relief and a root
-/// relief, because the root of gear 1 meets the tip of gear 2.
+/// The proposal contains a relief at the tip of each gear. A tip relief and a root relief on gear 1
+/// alone are equivalent, because the root of gear 1 meets the tip of gear 2.
 struct ReliefProposal {
   ReliefLength length = ReliefLength::short_relief;
   std::array<double, 2> deflection{};  ///< C_i  mm, due to the load

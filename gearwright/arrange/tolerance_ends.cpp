@@ -148,8 +148,8 @@ std::optional<Error> check_tips(const GivenPair& given) {
 
 // Keeps the profile shift of the nominal gear, even if it was computed from the nominal centre
 // distance. If the gear has a cutter and its tip diameter is not given, removes the tip diameter of
-// the nominal gear instead, so that it is computed again. It depends on the distance of the cutter
-// and therefore on the thickness allowance.
+// the nominal gear instead, so that it is computed again. The tip diameter of such a gear depends
+// on the distance of the cutter and therefore on the thickness allowance.
 void follow_nominal(const Arranged& nominal, std::size_t i, GearInput& gear) {
   if (!gear.cut_by && nominal.gears[i].involute()) {
     gear.profile_shift = nominal.gears[i].spec.profile_shift;

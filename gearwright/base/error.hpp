@@ -18,7 +18,7 @@
 
 namespace gearwright {
 
-/// The kind of an error, on which code may branch. The rule is for users only.
+/// The kind of an error, for decisions in code. `rule` is a text for users only.
 enum class FailureKind {
   value,            ///< the value, or the input as a whole, violates the rule
   missing,          ///< the input lacks the field

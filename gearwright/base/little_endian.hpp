@@ -1,5 +1,5 @@
-// Appends numbers to binary files and reads them. The least significant byte comes first on every
-// machine.
+// Appends numbers to the bytes of a binary file, and reads numbers from such bytes. The least
+// significant byte comes first on every machine.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@ std::string short_decimals(double x, int most);
 
 /// The number rounded up or down to this many decimals. It is used for limits that users copy, so
 /// that a printed lower limit is not less than x and a printed upper limit is not greater. A number
-/// that has no more decimals, apart from rounding errors, is unchanged.
+/// that already has at most `decimals` decimals, apart from rounding errors, is returned unchanged.
 ///
 /// Domain    finite, decimals ≥ 0
 double rounded_up(double x, int decimals);

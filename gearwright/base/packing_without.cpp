@@ -1,5 +1,5 @@
 // The version without zlib computes CRC-32 with a table of 256 remainders. It compresses with
-// stb_image_write.h (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB, and
+// stb_image_write.h (libstb-dev), which uses fixed Huffman codes and finds matches within 32 kB. It
 // unpacks with stb_image.h.
 #include <algorithm>
 #include <array>

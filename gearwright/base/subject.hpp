@@ -1,4 +1,4 @@
-// The gear and the member that an error concerns, as data on which code may branch.
+// The gear and the member that an error concerns, as data for decisions in code.
 //
 // The field of an error is a text for users, "gear1.tip_fillet.end_radius". If its value was
 // computed from other inputs, code attributes the error to one of these inputs and must

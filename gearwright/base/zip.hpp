@@ -1,7 +1,7 @@
 // A ZIP archive in memory, the container of 3MF and of compressed REXS files.
 //
-// Written entries are compressed by deflate (base/packing.hpp) and dated 1 January 1980, the oldest date
-// that ZIP permits. The same input therefore gives the same bytes with the same zlib release.
+// Written entries are compressed by deflate (base/packing.hpp) and dated 1 January 1980, the oldest
+// date that ZIP permits. The same input therefore gives the same bytes with the same zlib release.
 // Format: PKWARE APPNOTE 6.3.3, without ZIP64.
 #pragma once
 

@@ -11,11 +11,12 @@ namespace gearwright {
 namespace {
 
 constexpr double kStraight = 1e-9;  // mm, greatest sagitta at which an arc is written as a line
-// If the angles between the chord and the two end tangents differ by less than this, rad, one arc
-// replaces the biarc.
+// If the angles between the chord and the two end tangents differ by less than this value, rad, one
+// arc replaces the biarc.
 constexpr double kOneCircle = 1e-9;
-// Shortest length of a biarc relative to the length of the arc, and permitted error of the length
-// of a biarc relative to this length. Lengths are measured in the parameter of the arc.
+// The shortest length of a biarc, relative to the arc, and the error with which the longest
+// possible biarc is found, relative to its length. Lengths are measured in the parameter of the
+// arc.
 constexpr StepLimits kLimits{1.0 / 4096, 1.0 / 128};
 constexpr int kVouching = 256;  // number of points per biarc at which the tolerance is verified
 

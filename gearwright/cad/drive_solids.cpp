@@ -225,8 +225,8 @@ Result<ToothedBody> body_as_made(const Gear& gear, const std::string& name,
     const auto& [gap, stagger, groove, hob, lead, length] = halves->given;
     if (stagger != 0.0 && gap == 0.0) {
       return refused("double_helical.gap", gap,
-                     "must be greater than 0 for files of staggered halves, which do not meet in "
-                     "the middle plane");
+                     "must be greater than 0 for files of staggered halves, because these halves "
+                     "do not meet in the middle plane");
     }
     const double turn = 2.0 * kPi * stagger / gear.spec.teeth;
     body.face_width = halves->face_width;

@@ -1,5 +1,5 @@
-// Writes a DXF file: the entities, and the sections around the entities that readers of AutoCAD
-// 2000 drawings require.
+// Writes a DXF file. It contains the entities and, around them, the sections that readers of
+// AutoCAD 2000 drawings require.
 //
 // DXF is a list of pairs. Each pair is a group code on one line and a value on the next. Every
 // object has a handle (code 5, hexadecimal) and names its owner (330); entities belong to

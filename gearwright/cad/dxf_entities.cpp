@@ -86,7 +86,8 @@ void DxfEntities::text(const std::string& layer, const Vec2& where, const std::s
 void DxfEntities::circular_spline(const std::string& layer, const Vec2& begin_point,
                                   const Vec2& end_point, double sweep) {
   // The arc is divided into pieces of at most a quarter turn. The poles of a piece are its start,
-  // the intersection of its end tangents and its end, with the weights 1, cos(half the angle), 1.
+  // the point where the tangents at both ends intersect, and its end. The weights of these poles
+  // are 1, cos(half the angle), 1.
   const int pieces = static_cast<int>(std::ceil(std::abs(sweep) / (std::numbers::pi / 2 + 1e-9)));
   const double half = sweep / (2 * pieces);
   const double weight = std::cos(half);

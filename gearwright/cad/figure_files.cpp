@@ -141,8 +141,8 @@ class PictureReader {
     if (!(ink->fill || ink->stroke) || (scale_.outlines && !styled && !ink->stroke)) return;
     const std::size_t first = sheet_.paths.size();
     add_pieces(d, place);
-    // Paths outside the sheet are omitted, because a figure of a mesh shows only a few teeth of
-    // each gear.
+    // Paths outside the sheet are omitted. In a figure of a mesh, most teeth of the gears are
+    // outside.
     if (!scale_.outlines && !on_sheet(first)) sheet_.paths.resize(first);
     for (std::size_t i = first; i < sheet_.paths.size(); ++i) {
       sheet_.paths[i].ink = ink;

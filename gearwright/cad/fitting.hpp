@@ -12,8 +12,8 @@
 //
 // without a division by κ and without cancellation for large radii.
 //
-// An interval is covered by steps, each of which is as long as a condition allows. The number of
-// steps is the smallest possible one if every step longer than a failing step fails, too. The
+// An interval is covered by steps. Each step is as long as a condition allows. The number of steps
+// is the smallest possible one if every step longer than a failing step fails, too. The
 // condition "the error is within the tolerance" has this property if the error grows with the
 // length of the step.
 #pragma once

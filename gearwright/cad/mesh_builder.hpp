@@ -97,7 +97,7 @@ class MeshBuilder {
     std::uint32_t shaded;
   };
   // Indices of the shaded columns of one part. For column i, before[i] belongs to the quad that
-  // ends there, and after[i] to the quad that begins there.
+  // ends there; after[i] belongs to the quad that begins there.
   struct Shades {
     std::vector<std::uint32_t> before;
     std::vector<std::uint32_t> after;

@@ -15,8 +15,8 @@ namespace {
 constexpr double kVisibleShare = 0.1;
 // Steps of the finite differences that give the normals: in u, and in z relative to the face width.
 constexpr double kStepU = 1e-4, kStepZ = 1e-4;
-// The greatest number of times that a segment is halved, and that the number of levels between
-// two starts of reliefs is doubled.
+// A segment is halved at most this many times. The number of levels between two starts of reliefs
+// is doubled at most this many times, too.
 constexpr int kHalvings = 12;
 constexpr int kProbes = 9;  // number of heights, and of points on an arc, at which c is examined
 
@@ -83,8 +83,8 @@ class GridMaker {
     return teeth_.side(left).field().at(std::log(rho), z).c;
   }
 
-  // The greatest error in the middle of a segment if c, or the shift of a fillet, is interpolated
-  // linearly. The error of the chord of the outline as cut is not included.
+  // The greatest error in the middle of a segment when c (on a fillet: the shift) is interpolated
+  // linearly. This does not include the error made by replacing the outline as cut with chords.
   double missed(const Segment& s) const {
     const double middle = 0.5 * (s.u_0 + s.u_1);
     double worst = 0.0;

@@ -38,8 +38,8 @@ class RackPlan {
   double slope() const { return slope_; }    ///< q
   double first() const { return corners_[0]; }
   double last() const { return corners_[3]; }
-  /// The values of s at the corners that the low and the high end point of the line pass. For a
-  /// spur rack, both equal first().
+  /// Each end point of the line passes a corner. These are the values of s at the corner of the low
+  /// end point and at the corner of the high end point. For a spur rack, both equal first().
   double low_corner() const { return low_corner_; }
   double high_corner() const { return high_corner_; }
 

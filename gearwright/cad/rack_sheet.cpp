@@ -16,9 +16,9 @@ namespace gearwright {
 
 namespace {
 
-// The views have the same scale. The origin is on the datum line, in the middle of the section. The
-// coordinates of the section on paper are (−y, x), those of the plan below it (−y, −z), and those
-// of the end view to its right (z, x).
+// The views have the same scale. The origin is on the datum line, in the middle of the section. A
+// point is drawn at (−y, x) in the section, at (−y, −z) in the plan below the section, and at (z,
+// x) in the end view to the right of the section.
 class RackViews : public SheetViews {
  public:
   // `outline` contains all teeth, or those at one end for an interrupted view.
@@ -77,8 +77,9 @@ class RackViews : public SheetViews {
     return texture_left() + texture_right(words);
   }
 
-  // The plan is below the dimension of the length and below the texture of the faces, which stands
-  // on it. If this texture extends below the end view, the plan is also below the texts there.
+  // The plan lies below the dimension of the length. The texture symbol of the faces, if there is
+  // one, is between this dimension and the plan. If the symbol extends to the right below the end
+  // view, the plan also lies below the dimensions of the end view.
   void place_plan() {
     top_ = back_ - kFirst - kPast - 2 * kClear;
     if (!input_.surfaces.face_texture) return;
@@ -94,7 +95,8 @@ class RackViews : public SheetViews {
     return face_texture_foot() + texture_right(*input_.surfaces.face_texture);
   }
 
-  // The point of the flank of the first tooth on the datum line, in the direction of the middle.
+  // The point where the datum line crosses the flank of the first tooth, on the side of the tooth
+  // that faces the middle of the rack.
   Vec2 flank() const {
     const RackGeometry& rack = input_.rack;
     const double thickness = rack.thickness / std::cos(rack.helix_angle.rad());
@@ -169,7 +171,8 @@ class RackViews : public SheetViews {
   }
 
   // The outline around the middle x. Its last three points are the corner of the roots at the end
-  // y > 0 and the two corners of the back. A part that is open at one end begins and ends there.
+  // y > 0 and the two corners of the back. If the outline is open at one end, its line starts and
+  // finishes at that end.
   enum class Open { none, right, left };
   void profile(double x, Open open) {
     const std::size_t n = outline_.points.size(), first = open == Open::left ? n - 2 : 0;
@@ -217,8 +220,8 @@ class RackViews : public SheetViews {
     add(whole_dimension());
   }
 
-  // The part of the line x = x_0 + y tan β through the middle of the plan between the heights and
-  // the ends of the plan.
+  // Draws a line in the direction of the teeth. Its points are (x_0 + s tan β, s), relative to the
+  // middle height of the plan. The line ends at the border of the plan, `left` or `right`.
   void tooth_direction(double x_0, double left, double right) {
     const double slope = std::tan(input_.rack.helix_angle.rad()), middle = top_ - face_ / 2;
     const double a = (left - x_0) / slope, b = (right - x_0) / slope;

@@ -3,8 +3,8 @@
 //
 // The datum is the back of the rack. In the end view and in the plan, teeth are not drawn: the
 // roots are a thin line, the datum line is a chain line, and three thin lines in the plan show the
-// direction of helical teeth (ISO 2203). A rack with more teeth than `kTeethInFull` has interrupted
-// views, between break lines (ISO 128), with the teeth at both ends.
+// direction of helical teeth (ISO 2203). If a rack has more teeth than `kTeethInFull`, break lines
+// (ISO 128) interrupt its views, which then show only the teeth at both ends.
 #pragma once
 
 #include <string>

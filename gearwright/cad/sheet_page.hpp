@@ -33,7 +33,7 @@ struct SheetPage {
 };
 
 /// Draws the page. `views_at` makes the views for a scale, in mm on paper per mm on the part.
-/// `deviation_mm` is that of the outline.
+/// `deviation_mm` is the deviation of the outline.
 GearSheet on_page(const SheetPage& page, double deviation_mm,
                   const std::function<std::unique_ptr<SheetViews>(double)>& views_at);
 

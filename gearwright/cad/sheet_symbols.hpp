@@ -26,12 +26,12 @@ inline constexpr double kDatumHalf = kFrameHeight / 2;
 /// rack.
 inline constexpr const char* kDatum = "A";
 
-/// The symbol of a surface texture, such as "MRR Ra 0.8". The first word selects the symbol. MRR
-/// gives a bar (material is removed), and NMR gives a circle (no material is removed). APA, or a
-/// text without any of these words, gives the basic symbol (any process). The selecting word is not
-/// written.
+/// The extent of the symbol of a surface texture, such as "MRR Ra 0.8", to the left and to the
+/// right of its point. The first word of the text selects the symbol. MRR gives a bar (material is
+/// removed), and NMR gives a circle (no material is removed). APA, or a text without any of these
+/// words, gives the basic symbol (any process). The selecting word is not written.
 ///
-/// Units  mm, to the left and to the right of the point of the symbol
+/// Units  mm
 double texture_left();
 double texture_right(std::string_view words);
 /// Draws the symbol with its point at `foot`, upright.

@@ -179,8 +179,8 @@ WallKnots backward(WallKnots knots) {
 
 Error no_spline(std::string_view face, double deviation) {
   return {"", "",
-          fmt::format("the {} cannot be drawn as a spline with a deviation of less than {:.1e} mm; "
-                      "at most {:.0e} mm is allowed",
+          fmt::format("the best spline for the {} deviates by {:.1e} mm, but at most {:.0e} mm is "
+                      "allowed",
                       face, deviation, kSectionMax_mm)};
 }
 

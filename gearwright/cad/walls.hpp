@@ -102,7 +102,7 @@ Result<BodyWalls> make_walls(const ToothedBody& body);
 
 // The layers of a body: the planes that cut its walls, and the path of a section point through one
 // layer. Pole (j, i) of a wall in a slice is h_j c_i at the height z_j, where h_j and z_j belong to
-// the slice and c_i to the wall.
+// the slice, and c_i belongs to the wall.
 
 /// A plane z = const. The section in it is turned by an angle φ, which is τz for a body with one
 /// screw motion.

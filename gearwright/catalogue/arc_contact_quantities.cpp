@@ -85,7 +85,7 @@ void add_arc_contact(Quantities<C>& q) {
   q.number("rack_angle_deg", "normal angle of the racks", "θ", "at the contact",
            at(&ArcContact::theta));
   q.number("nominal_rack_angle_deg", "normal angle at the reference centre distance", "θ_0",
-           "[T7.9]; null if the flanks do not touch there", [](const C& c) {
+           "[T7.9]; null if the flanks do not touch at this distance", [](const C& c) {
              const auto& theta = c.contact->nominal_theta;
              return theta ? Value(theta->deg()) : Value();
            });

@@ -201,7 +201,8 @@ const Quantities<ContactScore>& score_quantities() {
         .unit(Unit::percent)
         .digits(1);
     q.number("edge_share", "positions with an edge in contact", "",
-             "share of the positions of one pitch at which an edge touches, 0 to 1", &S::edge_share)
+             "share of the positions within one pitch at which an edge touches, 0 to 1",
+             &S::edge_share)
         .or_null()
         .unit(Unit::percent)
         .digits(1);

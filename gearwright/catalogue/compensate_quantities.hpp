@@ -40,7 +40,7 @@ struct CompensateView {
   std::vector<AimedLoad> loads{};  ///< results for each torque, if the aim includes load
 };
 
-/// The smallest improvement worth making, as text, for example "0.001 ″".
+/// The smallest improvement for which corrections are made, as text, for example "0.001 ″".
 const char* least_gain(CompensateAim aim);
 
 const Quantities<CompensateView>& compensate_quantities();

@@ -97,7 +97,7 @@ void add_position(Quantities<ContactPoint>& q) {
           "after tooth pair 0",
           touching(&ContactPoint::pair));
   q.term("kind",
-         "kind of contact, which is inside the flanks, along a line or at an edge; `form1` and "
+         "whether the contact is inside the flanks, along a line or at an edge; `form1` and "
          "`form2` are the ends of the usable flanks at the roots, and `ridge` is the start of a "
          "linear relief",
          touching([](const ContactPoint& p) { return to_string(p.kind); }))
@@ -333,15 +333,15 @@ void add_contact_results(Quantities<ContactView>& q) {
       .always();
   q.number("least_play_deg", "minimum angular backlash of gear 2", "",
            "least play over all positions, measured from contact of the working flanks to contact "
-           "of the non-working flanks; negative if the gears jam; null if one of these flanks "
-           "never touches",
+           "of the non-working flanks; negative if the gears jam; null if the working or the "
+           "non-working flanks never touch",
            &ContactView::min_play)
       .when(of_gear)
       .digits(6);
   q.number("least_play_mm", "minimum backlash along the rack", "",
            "least play over all positions, measured from contact of the working flanks to contact "
-           "of the non-working flanks; negative if pinion and rack jam; null if one of these "
-           "flanks never touches",
+           "of the non-working flanks; negative if pinion and rack jam; null if the working or the "
+           "non-working flanks never touch",
            [](const ContactView& v) {
              return v.min_play ? Value(v.driving.rack.of(*v.min_play)) : Value();
            })

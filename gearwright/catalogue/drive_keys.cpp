@@ -88,7 +88,7 @@ std::string set_power(const std::vector<double>& speeds_rpm, double power_kW,
   return "";
 }
 
-// T has the speeds and the torque of the input in a part, which `part` returns.
+// `part` returns the part of T that contains the speeds and the torque of the input.
 template <class T, class Part>
 Key power_key(Part part) {
   const auto set = [part](T& input, double power) {
@@ -134,8 +134,8 @@ Key friction_key(KeyPlace place, std::string_view fallback = "0.05") {
 Key spacing_key(KeyPlace place, std::string_view fallback = "\"nearest\"") {
   return Key::word(
       "spacing", {"nearest", "equal", "equal_clocked", "opposite"}, std::move(place), fallback,
-      "spacing of the planets. `nearest` places the planets at equal pitch if they can be "
-      "assembled there, otherwise at the nearest possible positions; `equal` requires equal pitch; "
+      "spacing of the planets. `nearest` places the planets at equal pitch if this is possible, "
+      "otherwise at the nearest possible positions; `equal` requires equal pitch; "
       "`equal_clocked` requires equal pitch and turns the second gear of each stepped planet so "
       "that it meshes; `opposite` places the planets in opposite pairs");
 }
@@ -248,9 +248,9 @@ Key stage_angle() {
   Key key = formed("angle_deg", "a number, or `\"coaxial\"` in the last stage",
                    "the value of the stage before",
                    "direction from the axis of the first gear of a pair to the axis of the second, "
-                   "counter-clockwise; 0 for the first stage. `\"coaxial\"` is the direction back "
-                   "to the axis of the input; if the angle of the stage before is absent, it is "
-                   "computed so that this is possible");
+                   "counter-clockwise; 0 for the first stage. `\"coaxial\"` computes the direction "
+                   "that leads back to the axis of the input and, if necessary, an absent angle of "
+                   "the stage before");
   key.kind = KeyKind::number;
   key.range = KeyRange::between(-360, 360);
   key.words = {"coaxial"};

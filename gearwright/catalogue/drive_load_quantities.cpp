@@ -30,8 +30,8 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     q.number("mesh_load_factors", "mesh load factor of each mesh", "K_γ",
              "in the order of the loaded meshes; null if all meshes have the same shares",
              [](const V& v) -> Value {
-               // Relative difference of two factors that count as equal. The residual of the
-               // equilibrium changes a factor by far less.
+               // Two factors count as equal if their relative difference is at most kSame. The
+               // residual of the equilibrium changes a factor by far less.
                constexpr double kSame = 1e-6;
                ValueList list;
                bool same = true;
@@ -58,7 +58,7 @@ const Quantities<PlanetSharesView>& planet_share_quantities() {
     q.number("shares", "shares of the planets", "",
              "share of each planet at each position of the period. If the meshes have several "
              "frequencies, the positions are those of the first frequency, and the shares are "
-             "averaged over the others",
+             "averaged over the positions of the other frequencies",
              [](const V& v) {
                return of_planets(*v.shares, [&](std::size_t i) {
                  return ValueList(v.shares->share[i].begin(), v.shares->share[i].end());

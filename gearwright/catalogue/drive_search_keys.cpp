@@ -100,8 +100,8 @@ const KeyTable& drive_search_keys() {
        teeth("sun2_teeth", SetMember::sun2, "12 to 60", "number of teeth of the second sun"),
        teeth("planet_teeth", SetMember::planet, "12 to 60", "number of teeth of the planet"),
        teeth("planet2_teeth", SetMember::planet2,
-             "12 to 60; no second gear for a Wolfrom set, so that one planet gear meshes with both "
-             "rings",
+             "12 to 60. For a Wolfrom set, the planet has no second gear by default: its one gear "
+             "meshes with both rings",
              "number of teeth of the second gear of the planet"),
        teeth("ring_teeth", SetMember::ring, "30 to 150",
              "number of teeth of the ring, without sign"),

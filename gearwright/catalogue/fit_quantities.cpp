@@ -54,7 +54,8 @@ const Quantities<FitView>& fit_quantities() {
     q.under("Nearest");
     q.record<nearest_quantities>(
         "nearest",
-        "nearest values for which a solution exists; null if there are solutions or no such values",
+        "nearest values for which a solution exists; null if there is a solution, or if there are "
+        "no such values",
         [](const V& v) {
           const bool near = v.fit.nearest_distance || v.fit.nearest_shaft_angle;
           return v.branches.empty() && near ? &v.fit : nullptr;

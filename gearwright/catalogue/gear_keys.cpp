@@ -185,7 +185,8 @@ const KeyTable& gear_keys() {
                  "shaft and bearings; their deflection changes the contact under load (verb "
                  "`load`) and determines K_Hβ (verb `rate`)"),
        Key::part("bore", bore_keys, &GearInput::bore,
-                 "bore and keyway of the CAD files; for an internal gear the outside of the rim"),
+                 "bore and keyway of the CAD files; for an internal gear, the bore is the outside "
+                 "of the rim"),
        Key::part("double_helical", double_helical_keys, &GearInput::double_helical,
                  "two halves of opposite hands on one body"),
        Key::part("measure", measure_keys, &GearInput::measure,
@@ -212,8 +213,8 @@ const KeyTable& cutter_keys() {
                                       "shaft", "form", "double_helical"});
     t.name = "cutter";
     t.meaning =
-        "A pinion cutter; its module and angles are needed only if they differ from the values of "
-        "the gear and its mating gear";
+        "A pinion cutter; a module or an angle that it omits is taken from the gear or, if the "
+        "gear does not give it, from the mating gear";
     return t;
   }();
   return table;

@@ -299,7 +299,7 @@ void add_fillets_and_body(Quantities<Gear>& q) {
       .when();
   of_bulge
       .number("tip_bulge_from_mm", "diameter at which the tip begins to project", "",
-              "diameter on the gear up to which the flank of the cutter reached",
+              "the flank of the cutter cuts the tooth only as far as this diameter",
               &TipBulge::from_diameter)
       .when();
   q.number("neck_thickness_mm", "root thickness at the neck (chord)", "",

@@ -38,9 +38,9 @@ const Quantities<G>& drawing_quantities() {
            [](const G& g) { return g.rack.empty() ? Value() : Value(g.rack); })
         .one_of({"ISO53-A", "ISO53-D", "AGMA-14.5", "AGMA-20", "AGMA-25", "AGMA-stub"});
     q.term("profile_shift",
-           "x of the equation x_E = x + E_sn/(2 m_n tan α_n) [T10.34]; it is 0 if x = 0 gives a "
-           "usual allowance and agrees with the tip. Otherwise, it is the profile shift computed "
-           "from the tip, or x_E if the tip does not determine x",
+           "x in x_E = x + E_sn/(2 m_n tan α_n) [T10.34]. The value 0 is chosen if it gives a "
+           "usual allowance and agrees with the tip. Otherwise, x is computed from the tip; if "
+           "the tip does not determine x, x = x_E",
            &G::profile_shift);
     q.term("thickness_allowance_mm",
            "allowance of the normal tooth thickness, including wear of the flanks",
@@ -84,11 +84,10 @@ void add_candidate(Quantities<G>& q) {
            "profile shift of the actual teeth, including the thickness allowance",
            &G::generating_shift);
   q.term("generating_profile_shift", "equal to `profile_shift`", &G::generating_shift).doors(kJson);
-  q.term(
-      "tip_diameter_mm",
-      "the measured value if the tip is longer than the nominal tip of `drawing`, or if its radius "
-      "is shorter by more than 0.1 m_n; otherwise the nominal tip, because wear shortens a tip",
-      &G::tip_diameter);
+  q.term("tip_diameter_mm",
+         "the nominal tip of `drawing` if the tip was not measured, or if it is shorter by at most "
+         "0.1 m_n in radius, which is attributed to wear; otherwise the measured value",
+         &G::tip_diameter);
   q.number("profile_shift_of_tip", "profile shift by the tip", "x",
            "profile shift computed from the measured tip and the rack of `drawing`; too low if the "
            "tip is worn; null if the tip was not measured",

@@ -126,8 +126,8 @@ struct Key {
   Words also{};  ///< other names that users may try: "module", "dp"
   KeyAlias alias{};
 
-  /// A key for a number, for a whole number if its KeyPlace is a member of type int, or for numbers
-  /// by name.
+  /// A key for a number or for numbers by name. If its KeyPlace is a member of type int, the number
+  /// must be a whole number.
   static Key number(std::string_view key, std::string_view symbol, KeyRange range, KeyPlace place,
                     std::string_view fallback, std::string_view meaning);
   static Key positive(std::string_view key, std::string_view symbol, KeyPlace place,

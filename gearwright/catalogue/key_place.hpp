@@ -29,8 +29,9 @@ namespace gearwright {
 /// Numbers by name, for example { sun = 10, planet = -10 }.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-/// A value as a file gives it: a number, a whole number or the index of a word in its list, a flag,
-/// a text, a list of numbers, of words or of texts, or numbers by name.
+/// A value as a file gives it, in the order of the types: a number; a whole number, or the index of
+/// a word in its list; a flag; a text; a list of numbers; a list of words; a list of texts; numbers
+/// by name.
 using KeyValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>,
                               std::vector<std::string>, NamedNumbers>;
 
@@ -112,7 +113,7 @@ class KeyPlace {
   template <class T>
   KeyPlace or_ends(std::optional<std::array<double, 2>> T::*ends) const;
 
-  /// This place, except that the word which a key allows in place of its number calls set(T&).
+  /// The same place for a key that allows a word in place of its number. The word calls set(T&).
   template <class T, class F>
   KeyPlace or_word(F set) const;
 
@@ -120,13 +121,13 @@ class KeyPlace {
   KeyKind kind() const { return kind_; }
   bool is_angle() const { return angle_; }
   bool is_member() const { return same_ != nullptr; }
-  /// The permitted names, if the value consists of numbers by name.
+  /// The permitted names, if the value is a table of named numbers.
   const std::vector<std::string>& names() const { return names_; }
   /// Stores the value. Returns a sentence with the reason if the value is impossible.
   std::string put(KeyTarget input, const KeyValue& value) const { return put_(input, value); }
-  /// Returns the struct in which a sub-table is stored. For a list of sub-tables, this is a new
-  /// element at the end of the list. The struct has its default values, unless the member itself is
-  /// the struct. If the struct has a member `given`, this member is set to true.
+  /// Returns the struct in which a sub-table is stored: a new element at the end of a list, a new
+  /// struct in an optional member, or the member itself. If the struct has a member `given`, this
+  /// member is set to true.
   KeyTarget part(KeyTarget input) const { return part_(input); }
   /// True if the member has the same value in both structs.
   ///

@@ -14,8 +14,8 @@ constexpr const char* kLoad = "Teeth under load";
 
 template <Unit unit>
 void add_stiffness(Quantities<S>& q) {
-  q.number("mean", "mesh stiffness", "",
-           "mesh stiffness at the approach that is averaged over the positions", &S::mean)
+  q.number("mean", "mesh stiffness", "", "mesh stiffness at the mean approach over the positions",
+           &S::mean)
       .or_null()
       .unit(unit);
   q.number("min", "least mesh stiffness", "", "", &S::min).or_null().unit(unit);
@@ -66,10 +66,11 @@ void add_load_position(Quantities<P>& q) {
            "the axes when the shafts deflect",
            [](const P& p) { return p.position->approach * kUmPerMm; })
       .or_null();
-  q.number("share", "load shares", "",
-           "share of each loaded tooth pair; the pair that is nearest to the end of its contact is "
-           "the last. For point contact, the share of each point",
-           [](const P& p) { return shares(*p.position); });
+  q.number(
+      "share", "load shares", "",
+      "share of each loaded tooth pair, beginning with the pair that came into contact last. For "
+      "point contact, the share of each contact point",
+      [](const P& p) { return shares(*p.position); });
   of_position.term("max_pressure_MPa", "Hertz pressure; a lower bound if `kind` is an edge",
                    &LoadedPosition::max_pressure);
   of_position

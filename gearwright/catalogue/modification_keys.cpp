@@ -143,8 +143,8 @@ const KeyTable& modification_keys() {
           {.key = kept(name + std::string(m.reach)),
            .range = KeyRange::positive(),
            .fallback = length ? std::string_view()
-                              : "start of a short relief, so that the reliefs of both gears leave "
-                                "one base pitch of the path of contact unmodified",
+                              : "start of a short relief; short reliefs on both gears leave one "
+                                "base pitch of the path of contact unmodified",
            .meaning =
                length ? "length l, from b/1000 to b/2" : "start diameter, on the usable flank",
            .fields = {name + ".reach"}},

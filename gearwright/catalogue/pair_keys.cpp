@@ -145,10 +145,10 @@ const KeyTable& fit_keys() {
                     "least chord of the tooth space at the start of the flanks, for both gears"),
        of_few_teeth("clearance_mm", "", &FitInput::clearance, "0.2 m_n + 0.05",
                     "tip clearance of both gears without backlash; a backlash makes it greater"),
-       of_few_teeth("backlash_mm", "", &FitInput::backlash, "0",
-                    "circumferential backlash, which determines the centre distance to first "
-                    "order; `backlash_mm` of `[pair]` differs from it, because it is measured in "
-                    "the normal section"),
+       of_few_teeth(
+           "backlash_mm", "", &FitInput::backlash, "0",
+           "circumferential backlash, which determines the centre distance to first "
+           "order; `backlash_mm` of `[pair]`, in contrast, is the backlash in the normal section"),
        of_few_teeth("contact_ratio", "ε_γ", &FitInput::contact_ratio, "1.2",
                     "required total contact ratio, which determines the face width")}};
   return table;

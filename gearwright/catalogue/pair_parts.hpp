@@ -72,8 +72,8 @@ void add_efficiency(Quantities<S>& q, const Efficiency* (*get)(const S&)) {
 const Quantities<CrossedPlace>& place_quantities();
 const Quantities<CrossedPlaces>& places_quantities();
 
-/// The length of the line of action of any pair, and the two ends of each line of action: the line
-/// of the leading flanks and the line of the trailing flanks.
+/// The path of contact of any pair: its length, and its ends on the line of action of the leading
+/// flanks and on that of the trailing flanks.
 struct LineView {
   double length;
   std::array<Vec3, 2> leading, trailing;

@@ -122,7 +122,7 @@ void add_mounting(Quantities<Pair>& q) {
       .when(has_speed);
   of_involutes
       .number("pitch_plane_distance_mm", "distance of the pitch planes", "X",
-              "distance as mounted, including backlash; 0 on parallel axes",
+              "from the centre distance as mounted, including any backlash; 0 on parallel axes",
               [](const InvolutePair& p) { return p.mesh.pitch_plane_distance; })
       .shown(is<CrossedPair>);
 }

@@ -47,9 +47,9 @@ Key face_load_factor() {
   Key key = factor(
       "face_load_factor", "K_Hβ", &RatingInput::face_load_factor,
       "from `[rating.mounting]` or the shafts of the gears; a search without these values uses 1.4",
-      "face load factor of the flank, which replaces the value by formula; `\"computed\"` takes "
-      "K_Hβ from the load along the teeth, with their modifications and shafts (takes a few "
-      "seconds)");
+      "face load factor of the flank, which replaces the value by formula; with `\"computed\"`, "
+      "K_Hβ is computed from the load along the teeth, with their modifications and shafts, "
+      "which takes a few seconds");
   key.place = key.place.or_word<RatingTable>(
       [](RatingTable& rating) { rating.input.face_load_computed = true; });
   key.words = {"computed"};
@@ -241,12 +241,10 @@ const KeyTable& rating_keys() {
               "computed by formula",
               "transverse load factor of the root, which replaces the computed value"),
        Key::positive("safety_flank_min", "S_Hmin", &RatingTable::safety_flank_min,
-                     "no value is required, and 1 is used where a value is needed",
-                     "required safety of the flanks")
+                     "none; results that need a value use 1", "required safety of the flanks")
            .with_also({"sh_min", "safety_flank"}),
        Key::positive("safety_root_min", "S_Fmin", &RatingTable::safety_root_min,
-                     "no value is required, and 1 is used where a value is needed",
-                     "required safety of the roots")
+                     "none; results that need a value use 1", "required safety of the roots")
            .with_also({"sf_min", "safety_root"}),
        Key::flag("tooth_contact", &RatingTable::tooth_contact, "false",
                  "if true, Hertz pressure and root stress of the teeth under T_1 K_A K_γ K_v are "

@@ -30,7 +30,7 @@ const std::array<ScatterEntry, kScatterQuantities>& scatter_entries() {
         "mean position of the contact along the profile [T8.24]; null for involute pairs"},
        Q::along_profile},
       {{"edge_share", "positions with an edge in contact", Unit::none, 4,
-        "share of the positions of one pitch at which an edge touches, 0 to 1"},
+        "share of the positions within one pitch at which an edge touches, 0 to 1"},
        Q::edge_share},
       {{"least_play_deg", "least play of gear 2", Unit::deg, 5,
         "least play of gear 2 from contact on one flank to contact on the other flank; < 0 if the "

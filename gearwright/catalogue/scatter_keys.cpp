@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kRange =
     "[least, greatest] for a uniform distribution, or a table with `range` and `distribution`";
 
-// A key for a toleranced number of the struct T, which may be a list or a table. `reach` returns its
-// member, an optional distribution.
+// A key for a toleranced number, which a spec gives as a list or as a table. `reach` returns the
+// member of the struct T in which the number is stored, an optional distribution.
 template <class T, class F>
 Key toleranced(std::string_view key, std::string_view symbol, const KeyRange& range, F reach,
                std::string_view meaning) {
@@ -80,8 +80,8 @@ std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
   const auto [lo, hi] = *r.range;
   if (lo <= 0.0 && hi >= 0.0 && lo < hi) return std::nullopt;
   return KeyFault{"range",
-                  "must contain 0 and another value, for example [0, 20], because the result "
-                  "without corrections must be possible"};
+                  "must contain 0, which stands for no correction, and another value, for example "
+                  "[0, 20]"};
 }
 
 }  // namespace
@@ -89,9 +89,9 @@ std::optional<KeyFault> check_robust(ScatterRobust& r, const KeyGiven&) {
 const KeyTable& scatter_keys() {
   static const KeyTable table{
       "scatter",
-      "Effect of tolerances on the pair; the values of every range are added to the value in the "
-      "spec. The tooth thickness and the centre distance vary within the tolerances of [gearN] and "
-      "[pair], unless [scatter] gives a range",
+      "Effect of tolerances on the pair; each range gives deviations, which are added to the "
+      "nominal value in the spec. The tooth thickness and the centre distance vary within the "
+      "tolerances of [gearN] and [pair], unless [scatter] gives a range",
       {Key::number("samples", "n", KeyRange::between(1, kMaxScatterSamples), &ScatterInput::samples,
                    "1024", "number of samples of each replicate, a power of two"),
        Key::number("replicates", "R", KeyRange::between(1, 1024), &ScatterInput::replicates, "8",
@@ -261,12 +261,13 @@ const KeyTable& scatter_correlation_keys() {
                 "\"errors.intersecting_deg\"]",
         .place = &ScatterInput::Correlation::between,
         .required = true,
-        .meaning = "two inputs. The position of a bore can be correlated with the position of the "
-                   "other bore. One coordinate of a bore, such as `bearings.bore_a.x_mm`, can be "
-                   "correlated with an input that is a number. The score of pitch deviations is "
-                   "that of their share of F_pT, or of `gear1.pitch.eccentric`. The score of waves "
-                   "is that of their number. Phases cannot be correlated. With `indices`, both "
-                   "inputs must be in the same group of `groups`"},
+        .meaning =
+            "two inputs. The position of a bore can be correlated with the position of the "
+            "other bore. One coordinate of a bore, such as `bearings.bore_a.x_mm`, can be "
+            "correlated with an input that is a number. For pitch deviations, the correlated "
+            "number is their share of F_pT or, with the name `gear1.pitch.eccentric`, the "
+            "eccentric part. For waves, it is the number of waves. Phases cannot be "
+            "correlated. With `indices`, both inputs must be in the same group of `groups`"},
        {.key = "value",
         .symbol = "ρ",
         .kind = KeyKind::number,
@@ -274,8 +275,8 @@ const KeyTable& scatter_correlation_keys() {
         .place = &ScatterInput::Correlation::value,
         .required = true,
         .meaning = "correlation of the normal scores of the inputs; the normal score of a value is "
-                   "the standard normal value of the same probability. The rank correlation of the "
-                   "inputs is 6/π asin(ρ/2)"}},
+                   "the quantile of the standard normal distribution at the cumulative probability "
+                   "of that value. The rank correlation of the inputs is 6/π asin(ρ/2)"}},
       check_correlation};
   return table;
 }

@@ -52,7 +52,7 @@ const Quantities<IndexEstimates>& index_quantities() {
     list("total_error", "standard error of the total index", "", true, true);
     q.number("linear_share", "linear share of the variance", "Var(g·x)/Var f",
              "share of the variance that is explained by the derivatives at the nominal values "
-             "[T14.28]; null if the quantity has no derivative there",
+             "[T14.28]; null if the quantity has no derivative at these values",
              &I::linear_share);
   });
 }
@@ -154,11 +154,12 @@ const Quantities<LooseningView>& loosening_change_quantities() {
   using L = LooseningView;
   return define("scatter.loosening input", [](Quantities<L>& q) {
     q.text("input", "name of the tolerance", [](const L& l) { return *l.input; });
-    q.number("factor",
-             "factor by which the tolerance can grow until the percentile has grown by 5 %", "",
-             "null if the percentile grows by less than 5 % for every factor up to 8 for which the "
-             "teeth can exist",
-             [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
+    q.number(
+        "factor", "factor by which the tolerance can grow until the percentile has grown by 5 %",
+        "",
+        "null if the percentile grows by at most 5 % for every factor up to 8 at which the teeth "
+        "can exist",
+        [](const L& l) { return l.change->factor ? Value(*l.change->factor) : Value(); });
     q.number("halved_arcsec", "percentile with half the tolerance", "", "", [](const L& l) {
        return Angle::radians(l.change->halved).arcsec();
      }).or_null();

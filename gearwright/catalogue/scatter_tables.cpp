@@ -167,10 +167,10 @@ TextTable loosening_table(const ScatterView& view, UnitSystem units) {
   const SpreadEntry& te = scatter_entries()[0];
   const auto arcsec = [&](double rad) { return fixed_decimals(te.shown(rad), te.digits); };
   TextTable table{
-      fmt::format("Factor on a single tolerance that increases the {} % point of the peak-to-peak "
-                  "transmission error of the first {} samples ({} ″) by {:g} %",
-                  format_number(l.percent), view.task->samples, arcsec(l.percentile),
-                  100 * kLooser),
+      fmt::format(
+          "Factor by which a single tolerance can grow until the {} % point of the "
+          "peak-to-peak transmission error of the first {} samples ({} ″) has grown by {:g} %",
+          format_number(l.percent), view.task->samples, arcsec(l.percentile), 100 * kLooser),
       {"factor", "point if halved"}};
   table.units = {"", std::string(unit_text(te.unit))};
   for (std::size_t i = 0; i < l.by_tolerance.size(); ++i) {

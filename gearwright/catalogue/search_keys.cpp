@@ -68,8 +68,8 @@ constexpr std::array kCoarsePitches{2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 10.0, 12
 constexpr std::array kFinePitches{20.0, 24.0, 32.0,  40.0,  48.0, 64.0,
                                   80.0, 96.0, 120.0, 150.0, 200.0};
 
-// The numbers of a series, in ascending order. If `name` is `one`, they are the numbers of the
-// first series; if it is `two`, of the second series; if it is `both`, of the two series together.
+// The numbers of one series or of two, in ascending order. The name `one` selects the first series,
+// `two` selects the second series, and `both` selects the two series together.
 template <class First, class Second>
 std::vector<double> numbers_of(std::string_view name, const First& first, std::string_view one,
                                const Second& second, std::string_view two, std::string_view both) {
@@ -366,8 +366,8 @@ std::vector<Key> design_keys() {
                 "criterion of the ranking: `contact_ratio` (greatest effective contact ratio), "
                 "`ratio` (nearest to `target_ratio`), `size` (least m²(z1² + z2²)), `shift` (least "
                 "|Σx|), `area` (largest region), `sliding` (least |ζ|), `formula_contact_ratio` "
-                "(greatest contact ratio by Eq. 10), `mass` (least mass), `safety` (greatest "
-                "value of the lesser of S_H and S_F, each divided by its required value; needs "
+                "(greatest contact ratio by Eq. 10), `mass` (least mass), `safety` (S_H and S_F "
+                "are divided by their required values, and the lower ratio is greatest; needs "
                 "`[rating]`), `efficiency` (greatest efficiency with gear 1 driving), `balance` "
                 "(load reserves of flanks and roots nearest to each other; needs `[rating]`), "
                 "`cost` (least mass times (b/d_1)^`cost_exponent`) or `noise` (least estimated "

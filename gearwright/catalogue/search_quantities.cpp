@@ -145,8 +145,8 @@ void add_search(Quantities<SearchView>& q) {
          [](const S& s) { return s.answer.pareto; })
       .doors(kJson);
   q.record<design_quantities>("designs",
-                              "feasible designs, the best first; the list has at most 100 000 "
-                              "designs, or at most as many as `--top` gives",
+                              "feasible designs, the best first; at most the number that `--top` "
+                              "gives, by default 100 000",
                               [](const S&) { return ValueList(); });
 }
 

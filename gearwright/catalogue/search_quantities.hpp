@@ -33,7 +33,7 @@ struct SearchView {
 };
 const Quantities<SearchView>& search_quantities();
 
-/// The quantities of a point of the grid of profile shifts. They occur only as columns of tables.
+/// The quantities of one point in the grid of profile shifts. They occur only as columns of tables.
 const Quantities<ShiftPoint>& point_quantities();
 
 /// A change of the spec, with its key and its two values as the spec writes them. An example is

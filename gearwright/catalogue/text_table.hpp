@@ -1,5 +1,5 @@
-// Tables for users as values. An answer makes its tables once, in the words and units of its spec;
-// the terminal (job/listing.hpp) and the report (report/table_builder.hpp) write them.
+// Tables for users, stored as texts. An answer makes each table once, in the words and units of its
+// spec. The terminal (job/listing.hpp) and the report (report/table_builder.hpp) print this table.
 #pragma once
 
 #include <initializer_list>

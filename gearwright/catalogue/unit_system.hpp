@@ -46,8 +46,8 @@ struct KeyUnit {
   double to_metric(double inch_value) const;
 };
 
-/// The unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3", if the key
-/// has a unit of length. Null for other keys, whose unit is the same in both systems.
+/// The unit of a key or of a path of keys, for example of "gear1.measured.span_mm.3". Null if this
+/// is not a unit of length, because other units are the same in both systems.
 const KeyUnit* metric_unit(std::string_view key);
 /// The unit of a key in an inch spec, for example of "gear1.face_width_in". Null for keys whose
 /// unit is the same in both systems.

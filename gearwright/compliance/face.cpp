@@ -45,9 +45,9 @@ double lagrange_slope(int i, double x) {
 }
 
 // A range of columns, begin … begin + count − 1. All columns of a matrix of loads outside the range
-// are zero. The range consists of whole panels of kPanel columns and has more than one column. In a
-// narrower range, Eigen would add up the terms of a product in another order, so that the rounding
-// of one column would depend on zeros in other columns.
+// are zero. The range consists of whole panels of kPanel columns and has more than one column. In
+// other ranges, Eigen would add up the terms of a product in another order, and zeros in other
+// columns would change the rounding of a column.
 struct LoadedColumns {
   Index begin = 0, count = 0;
 

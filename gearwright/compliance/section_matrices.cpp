@@ -219,7 +219,8 @@ StripSolver<Scalar>::StripSolver(const SectionMesh& mesh, const SectionMatrices&
       place[3 * static_cast<std::size_t>(i) + c] = static_cast<int>(parts_->free.size());
       parts_->free.push_back(3 * i + c);
     }
-  // All three matrices have an entry for every two degrees of freedom that share an element.
+  // Each of the three matrices has an entry for every pair of degrees of freedom that share an
+  // element.
   const Sparse back = matrices.ab.transpose();
   const std::array<const Sparse*, 3> from{&matrices.aa, &matrices.ab, &matrices.bb};
   const auto size = static_cast<Eigen::Index>(parts_->free.size());

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kTableElement = 0.5;  // modules: length of an element along the face
-// Modules. Farther from the end of the face than this, the mirror images of bump and strip cause
+// Modules: at greater distances from the end of the face, the mirror images of bump and strip cause
 // equal displacements.
 constexpr double kImageReach = 2.0;
 // The slice at −z if slice j is at z. For a spur gear, both slices have the same coefficients.

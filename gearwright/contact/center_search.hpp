@@ -1,9 +1,10 @@
-// Minimises a function that is slow to compute. A model replaces the function in the search. Each
+// Minimises a function that is slow to compute. The search replaces the function by models. Each
 // model is exact at one point, its center, and quick to evaluate everywhere.
 //
-// The first model is searched within all bounds. If the function is less at the lowest point of the
-// model than at the center, this point becomes the next center. Otherwise, the same model is
-// searched again within a smaller reach.
+// A search covers the part of the bounds within a reach of the center, which is a fraction of the
+// distance between the bounds. The first search covers the whole range. If the function is less at
+// the lowest point of the model than at the center, this point becomes the center of the next
+// model. Otherwise, the same model is searched again within a smaller reach.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace gearwright::detail {
 
 inline constexpr int kMostCenters = 6;  // greatest number of centers in a search
-// Greatest reach of all searches after the first, as a fraction of the distance between the bounds.
+// Greatest reach of all searches after the first.
 inline constexpr double kNextReach = 0.25;
 inline constexpr double kLastReach = 1e-3;  // the search ends below this reach
 
@@ -31,9 +32,9 @@ inline std::vector<Correction> around(const std::vector<Correction>& bounds, dou
   return box;
 }
 
-/// Returns the center at which the function is least. The first center is `center`. The search
-/// ends if a model promises a gain of at most `gain`, after kMostCenters models, or if the
-/// reach is below kLastReach.
+/// Returns the center at which the function is least. The first center is `center`. The search ends
+/// after kMostCenters models, if a model promises a gain of at most `gain`, or if the reach is
+/// below kLastReach.
 ///
 ///   model_at(center)               the model that is exact at the center
 ///   value(model, v)                the value of the model at v

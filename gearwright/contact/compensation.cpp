@@ -22,12 +22,12 @@ constexpr double kLastGain_rad = 1e-5 * kRadPerArcsec;
 // The value of f if contact is lost, rad. It is far above all other values, but finite, because the
 // optimiser requires finite values.
 constexpr double kLost = 1e3;
-// If a task has an aim, kLastGain_rad and kLost are replaced by these numbers multiplied by
+// If a task has an aim, kLastGain_rad and kLost are replaced by these two numbers times
 // CompensationAim::same.
 constexpr double kAimLastGain = 0.01, kAimLost = 1e9;
-// The cost per radian by which the peak to peak exceeds its limit. Above the limit, the cost of the
-// pattern without corrections is added as well. Corrections that exceed the limit are therefore
-// never better than no corrections, and f still decreases as the peak to peak approaches the limit.
+// Cost of each radian of peak to peak above its limit. Above the limit, the cost of the pattern
+// without corrections is added as well. Corrections that exceed the limit are therefore never
+// better than no corrections, and f still decreases as the peak to peak approaches the limit.
 constexpr double kOverLimit = 100.0;
 
 // Evaluates f, or the aim if there is one, with a given number of positions per pitch.
@@ -68,7 +68,7 @@ class Judge {
     return [this, center, all = std::move(all)](std::vector<double> v) {
       count_step(task_.progress);
       // The estimate is finite even if teeth with these corrections do not exist. Whether they
-      // exist does not depend on the scenario, so scenario 0 decides.
+      // exist does not depend on the scenario, so only scenario 0 is checked.
       if (!task_.pair_at(v, 0)) return kInfinity;
       for (std::size_t k = 0; k < v.size(); ++k) v[k] -= center[k];
       double worst = 0.0;
@@ -221,7 +221,8 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   Best best(judge, zero);
   if (best.least < judge.same()) return zero;
   const int n = static_cast<int>(zero.size());
-  // TE curves take most of the time, so their total number is limited for any number of scenarios.
+  // TE curves take most of the time, so their total number is limited. The limit does not increase
+  // with the number of scenarios.
   const int budget = std::clamp(task.curves / task.scenarios, 1, 400 * n);
   std::vector<std::vector<double>> starts = task.starts;
   starts.push_back(zero);
@@ -241,7 +242,7 @@ std::vector<double> searched(const CompensationTask& task, Judge& judge) {
   return best.v;
 }
 
-// Like searched(), but if the aim has an estimate, all trials use it. The search is then
+// Like searched(), but if the aim has an estimate, all trials use the estimate. The search is then
 // repeated around the best corrections, with the estimate that is exact for these corrections.
 // If the value without corrections is not finite, no estimate is used.
 std::vector<double> searched_nearby(const CompensationTask& task, Judge& judge) {
@@ -298,8 +299,8 @@ std::vector<double> settled(const CompensationTask& task, Judge& fine,
   }
   fine.use({});
   if (!fine.has_near()) return best.v;
-  // The last steps used estimates. Exact values now decide between the result of these steps,
-  // the result of the search, and no corrections.
+  // The last steps used estimates. The exact values of three cases are therefore compared: the
+  // result of these steps, the result of the search, and no corrections.
   const std::vector<double> written = as_written(task.corrections, found, 1e4);
   const double refined = fine.value(best.v), searched = fine.value(written);
   if (!(std::min(refined, searched) < none - same)) return zero;
@@ -347,8 +348,8 @@ std::vector<double> fewest(const CompensationTask& task, Judge& coarse, Judge& f
   return found;
 }
 
-// Moves each bound at which no teeth exist towards 0 until teeth exist there with all other
-// corrections at 0. With wider bounds, no teeth would exist for most trials of the search.
+// If no teeth exist at a bound with all other corrections at 0, moves this bound towards 0 until
+// teeth exist there. Otherwise, most trials of the search would be corrections without teeth.
 CompensationTask within_teeth(CompensationTask task) {
   constexpr int kHalvings = 12;
   for (std::size_t k = 0; k < task.corrections.size(); ++k) {

@@ -4,8 +4,9 @@
 //   v   corrections, in the caller's units          S   scenarios: sets of errors
 //   f(v) = max_S peak to peak TE + w · max_S (q² + p²)      [T8.24] of docs/theory/08-contact.md
 //
-//   TE  the continuous curve, because the peak to peak of the values at the computed positions
-//       depends on where the handovers lie between these positions
+//   TE  transmission error as a continuous curve. The peak to peak of its values at the computed
+//       positions alone would depend on where one tooth pair takes over from another between the
+//       positions
 //   q   mean position of the contact pattern along the face, −1 to 1
 //   p   mean position of the contact along the profile; 0 if this position has no target. For
 //       circular-arc teeth, the target is the pressure angle of their racks
@@ -48,7 +49,8 @@ struct CompensationAim {
   /// by `change`. The estimate is exact if `change` is 0. `near` is empty if there is no estimate.
   using Nearby = std::function<double(const std::vector<double>& change)>;
   std::function<Nearby(const ContactPair&, int)> near{};
-  double same = 0.0;  ///< smallest improvement worth making, in the unit of the quantity, > 0
+  /// Smallest improvement for which corrections are made, in the unit of the quantity, > 0.
+  double same = 0.0;
 };
 
 struct CompensationTask {
@@ -116,7 +118,8 @@ constexpr Angle kSameError = Angle::arcseconds(0.001);
 constexpr Angle kQuiet = Angle::arcseconds(0.01);
 
 /// The default of w: a tenth of the peak to peak without corrections, but at least 0.1 arcsec. TE
-/// then dominates f, and the pattern decides between two pairs with about the same small TE.
+/// then dominates f. The position of the pattern matters only between pairs with about the same
+/// small TE.
 Angle default_centering(Angle peak_to_peak);
 
 /// Rounds the values for a drawing. Each result is a multiple of step/parts of its correction, lies

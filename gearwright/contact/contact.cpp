@@ -98,8 +98,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
   std::vector<PairTouch> touches;
   std::vector<Angle> rotations = request.rotations;
   const int n = request.positions;
-  // Finding a touch counts as one step. At every position, the description of the touch counts
-  // as one step, and so does each influence.
+  // At each position, finding the touch counts as one step of progress, describing the touch as
+  // another step, and each influence as one more step.
   const auto wanted =
       static_cast<std::int64_t>(rotations.size()) *
           static_cast<std::int64_t>(2 + request.influences.size()) +
@@ -112,7 +112,7 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
                                   : "computing the positions",
               wanted);
   if (rotations.empty()) {
-    // Errors of mounting do not rotate with the gears, so every pitch repeats the first one,
+    // Errors of mounting do not rotate with the gears. All pitches therefore have the same touches,
     // but the number of the tooth pair increases by one per pitch.
     const double first = -0.5 * request.pitches * pair.pitch();
     const std::vector<PairTouch> once = one_pitch(transmission, first, n);

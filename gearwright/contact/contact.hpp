@@ -58,10 +58,10 @@ std::optional<Angle> least_play(const ContactResult& working, const ContactResul
 /// smaller overlap may result from rounding of the centre distance or of the profile shifts.
 /// `moved` is gear 2, or the pinion if gear 2 is a rack.
 ///
-/// Formula   the product of play and r cos β is the backlash in the normal section at the reference
-///           cylinder, j_n cos α_wn/cos α_n. It is compared with the limit as if it were j_n: for
-///           α_n = 20° and α_wn from 15° to 30°, it differs from j_n by 8 % at most. The limit does
-///           not apply to j_bn, for which the product would have to be multiplied by cos α_n
+/// Formula   the product of play and r cos β is the normal backlash at the reference cylinder,
+///           which is j_n cos α_wn/cos α_n. It is compared with a limit for j_n, because it differs
+///           from j_n by at most 8 % (α_n = 20°, α_wn from 15° to 30°). The base circle backlash
+///           j_bn is the product times cos α_n, so this limit is not a limit of j_bn
 bool jams(Angle least_play, const Gear& moved);
 
 /// The touches at n positions over one pitch. At position i, the rotation of gear 1 in the

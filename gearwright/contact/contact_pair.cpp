@@ -15,8 +15,9 @@ namespace {
 using End = FlankPatch::End;
 using Cell = RemovalField::Cell;
 
-// The type of a border of a cell: ridge or seam. If `of_u`, the border is an end of the range of u,
-// otherwise of z. If `below`, it is the lower end, otherwise the upper end.
+// The type of a border of a cell: ridge or seam. The border is an end of the range of u if `of_u`
+// is true, and otherwise an end of the range of z. If `below` is true, it is the lower end, and
+// otherwise the upper end.
 End border(const RemovalField& field, const Cell& cell, bool of_u, bool below) {
   for (const Cell& other : field.pieces()) {
     const bool across = of_u ? other.z_lo == cell.z_lo &&

@@ -48,7 +48,8 @@ struct ContactGear {
 
 struct ContactMount {
   double center_distance = 0.0;  ///< a  mm, without errors
-  /// σ Σ, where σ = −1 if gear 2 is internal, else 1. Axis 2 has the direction (0, sin σΣ, cos σΣ).
+  /// σ Σ, where σ is −1 if gear 2 is internal, otherwise 1. Axis 2 has the direction (0, sin σΣ,
+  /// cos σΣ).
   Angle axis_angle{};
   bool gear2_drives = false;
   ContactErrors errors;
@@ -105,13 +106,13 @@ class ContactPair {
   Vec3 tilted(const Vec3& direction) const;
   /// Rotates vectors from the frame of gear 1, before mounting, to the frame N.
   const LinearMap<World, Axis1>& tilt() const { return tilt_; }
-  /// −1 for an internal pair, whose frame N is mirrored (−y), and else 1: σ of ContactMount.
+  /// σ of ContactMount: −1 for an internal pair, whose frame N is mirrored (−y), otherwise 1.
   double mirror() const { return internal_ ? -1.0 : 1.0; }
-  /// −1 if z in the frame N is −z in the housing, and else 1.
+  /// −1 if z in the frame N is −z in the housing, otherwise 1.
   double turned() const { return place_.gear2_drives ? -1.0 : 1.0; }
   /// z of the middle of a face in the frame N, mm.
   double middle(int gear) const { return turned() * place_.middle[gear - 1]; }
-  /// Radius of the end of the root fillet, mm; none without a fillet or ContactMount::fillets.
+  /// Radius of the end of the root fillet, mm; none without a fillet, or if `fillets` is false.
   std::optional<double> root_end(int gear) const { return root_end_[gear - 1]; }
   /// κ in the frame N, rad/mm, for f_Hβ = 1 mm on the reference cylinder over the face width.
   double twist_per_slope(int gear) const { return slope_unit_[gear - 1]; }

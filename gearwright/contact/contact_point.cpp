@@ -52,8 +52,8 @@ struct Place {
   double s, z;
 };
 
-// A straight line through the touch, in the direction in which T has the least curvature, as far as
-// the flanks stay in contact.
+// The part of a straight line through the touch on which the flanks stay in contact. The line has
+// the direction in which T has the least curvature.
 class LineWalk {
  public:
   LineWalk(Transmission& transmission, const PairTouch& touch)
@@ -135,7 +135,8 @@ class LineWalk {
       const auto c = bounds(at(sense * x));
       return x == 0.0 || (x < kMost && *std::min_element(c.begin(), c.end()) >= 0.0);
     };
-    // A bracket of one step around t grows until it contains the border of D, and is then bisected.
+    // The bracket begins with one step around t. It grows until it contains the border of D, and is
+    // then bisected.
     double lo = kStep * std::floor(t / kStep), hi = lo + kStep;
     for (double step = kStep; !inside(lo); step *= 2) lo = std::max(0.0, (hi = lo) - step);
     for (double step = kStep; inside(hi); step *= 2) hi = (lo = hi) + step;

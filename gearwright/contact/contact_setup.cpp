@@ -205,12 +205,12 @@ std::optional<Error> check_cutter_lead(const Gear& gear, int which, Angle change
   if (gear.twist() == 0.0)
     return refused(
         field, delta,
-        "cannot be used for a spur gear, which has no lead; give the gear a helix angle");
+        "cannot be used for a spur gear, because it has no lead; give the gear a helix angle");
   if (gear.cut_by)
     return refused(
         field, delta,
-        fmt::format("cannot be used for a gear cut by a pinion cutter, whose guide determines the "
-                    "lead; give `errors.helix_twist[{}]` to change the lead",
+        fmt::format("cannot be used for a gear cut by a pinion cutter, because the guide of the "
+                    "cutter determines the lead; give `errors.helix_twist[{}]` to change the lead",
                     which - 1));
   const double lambda = 90.0 - std::abs(gear.spec.helix_angle.deg()) + delta;
   if (lambda > kMinLead.deg() && lambda < kMaxLead.deg()) return std::nullopt;

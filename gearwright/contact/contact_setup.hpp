@@ -60,7 +60,7 @@ class ContactSetup {
   /// The setup after this change; an error if no teeth with this change exist.
   Result<ContactSetup> changed(const SetupChange& change) const;
   const PairModifications& modifications() const { return modifications_; }
-  /// The setup with these modifications instead of its own.
+  /// This setup, but with these modifications.
   ///
   /// Errors    `gearN.modifications.…` as make_removal_field
   Result<ContactSetup> with_modifications(const PairModifications& modifications) const;
@@ -105,7 +105,7 @@ FlankExtent flank_extent(const Gear& gear);
 
 /// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
 /// for example tips that do not reach each other. The second function makes the error for a pair
-/// under `errors`, which are within [compensate.range] and have the name `name`.
+/// under `errors`, a scenario of [compensate.range] that is called `name`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

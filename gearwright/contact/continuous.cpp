@@ -13,11 +13,11 @@ namespace gearwright {
 namespace {
 
 constexpr int kHalvings = 16;    // bisections that find the end of a branch to 1.5e-5 of a step
-constexpr double kSame = 1e-13;  // rad: values of TE that differ by less are equal
+constexpr double kSame = 1e-13;  // rad: values of TE that differ by less than this are equal
 constexpr double kFlat = 1e-12;  // rad: accuracy of TE at a handover or an extreme
 constexpr int kMaxSteps = 30;    // limit of a search for a handover or an extreme; five are usual
 constexpr int kDivisions = 6;    // limit of nested divisions of a step on wavy flanks
-// As a fraction of the patch; touches farther apart are on different crests.
+// Touches that are farther apart than this fraction of the patch are on different crests.
 constexpr double kNear = 0.08;
 // The curve of TE between the positions, computed from the branches that lead at the positions.
 class Branches {
@@ -36,7 +36,8 @@ class Branches {
     return touches_[static_cast<std::size_t>((i % n + n) % n)];
   }
 
-  // The rotation of gear 1 at a touch. For a position outside the pitch, whole pitches are missing.
+  // The rotation of gear 1 at a touch. For a position outside the pitch, at() returns the touch of
+  // the same position within the pitch, so the result is the rotation at that position.
   double rotation(const PairTouch& touch) const {
     return touch.phi + touch.pair * transmission_.pair().pitch();
   }
@@ -64,7 +65,7 @@ class Branches {
            std::abs(b.touch.z - a.touch.z) < kNear * (one.z_hi - one.z_lo);
   }
 
-  // The fraction of the rotation `way`, in steps, over which the branch of `touch` continues.
+  // The fraction of the rotation `way` (in steps) over which the branch of `touch` continues.
   double reach(const PairTouch& touch, double way) const {
     if (moved(touch, way).found()) return 1.0;
     PairTouch last = touch;
@@ -265,8 +266,8 @@ CurveExtremes continuous_extremes(Transmission& transmission,
       if (const auto both = curve.handover(i)) take_bottom((*both)[0], (*both)[1]);
     }
     if (!before.found()) continue;
-    // Within a step of this position, the curve may exceed e.greatest or fall below e.least if
-    // the straight line through this position and a neighbouring position does.
+    // The curve is assumed to change by at most `reach` within a step of this position. If TE ±
+    // `reach` lies beyond e.greatest or e.least, the extreme of the branch is computed.
     const double reach =
         std::max(std::abs(here.te() - before.te()), std::abs(after.te() - here.te()));
     // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,

@@ -60,7 +60,7 @@ std::optional<Angle> continuous_span(const ContactPair& pair, int positions);
 /// Domain    as sensitivity() (contract)
 /// Accuracy  rounding if the extremes are unique. At a jump, the motion of the end of the branch is
 ///           neglected, and only the slope of the branch is used
-/// Laws      (3) the result is the limit of differences of span()
+/// Laws      (3) the result is the limit of difference quotients of span()
 double span_slope(Transmission& transmission, const CurveExtremes& extremes,
                   const Influence& influence);
 

@@ -45,8 +45,8 @@ std::vector<WorkshopCorrection> usual_corrections(const ContactSetup& setup);
 SetupChange change_of(const std::vector<WorkshopCorrection>& corrections,
                       const std::vector<double>& value, bool gear2_drives);
 
-/// The influence with which the derivatives with respect to a correction are computed. None for a
-/// tool setting or a cutter lead, because these corrections do not remove material from the flanks.
+/// The influence that corresponds to a correction, for derivatives with respect to the correction.
+/// None for a tool setting or a cutter lead, because they do not remove material from the flanks.
 std::optional<Influence> influence_of(const WorkshopCorrection& correction);
 
 /// The influences of all corrections; none if influence_of() returns none for one of them.

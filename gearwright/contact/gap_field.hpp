@@ -49,7 +49,7 @@ struct FlankPatch {
   RemovalField::Piece piece = {};
   double removal_z = 1.0;
   /// The kind of border at each end of a patch. At a ridge, the next patch continues with another
-  /// slope, and at a seam with the same slope. At a border of any other kind, the flank ends.
+  /// slope. At a seam, it continues with the same slope. At any other border, the flank ends.
   enum class End { tip, form, seam, ridge, face };
   End s_lo_end = End::form, s_hi_end = End::tip, z_lo_end = End::face, z_hi_end = End::face;
   /// The part of the profile that the patch uses: its range of s, and its range of u = ln ρ.

@@ -91,9 +91,11 @@ void add_whole(const HalvesMesh& mesh, int per_pitch, HalvesContact& found) {
   if (per_pitch > 0 && !whole.contact_lost) whole.harmonics = harmonics_of(whole, per_pitch);
 }
 
-// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions,
-// the TE of a half is the greatest of the branches that lead at these positions. If the same
-// branch leads at both, it is followed from the nearer position.
+// The mean of the TE of both halves, rad; NaN if a half does not touch. Between two positions, a
+// half has two candidates for its TE: the branch that leads at the preceding position and the
+// branch that leads at the following position. Both branches are followed to the point between the
+// positions, and the greater TE is used. If the same branch leads at both positions, it is followed
+// from the nearer position only.
 class MeanError {
  public:
   MeanError(const HalvesMesh& mesh, int positions)

@@ -1,9 +1,9 @@
-// Laws: (1) an in-plane deviation δ displaces a half at height z like a change z sin δ of the
-// centre distance and z (1 − cos δ) of the axial position, exactly   (2) an out-of-plane deviation
-// turns the centre line of a half, which does not change the span   (3) derivatives are the limits
-// of differences   (4) a stagger multiplies harmonic k by |cos πks|   (5) an axial displacement of
-// a floating gear does not change TE.   Oracle for (2): the same axis, seen from the turned centre
-// line.
+// Laws: (1) for a half at height z, an in-plane deviation δ has exactly the effect of a change of
+// the centre distance by z sin δ and of the axial position by z (1 − cos δ)   (2) an out-of-plane
+// deviation turns the centre line of a half and does not change the span   (3) derivatives are the
+// limits of differences   (4) a stagger multiplies harmonic k by |cos πks|   (5) an axial
+// displacement of a floating gear does not change TE.   Oracle for (2): the same axis, seen from
+// the turned centre line.
 #include "gearwright/contact/halves.hpp"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,8 @@ namespace {
 constexpr double kFlatLane = 1e-12;
 // Steps: the search for a handover ends at this distance from it. T is then extrapolated.
 constexpr double kLastStep = 1e-6;
-// rad: a third tooth pair may lead at a handover if its T is lower by less than this angle.
+// rad: at a handover, a third tooth pair may lead if its T is less than this angle below T of the
+// two tooth pairs.
 constexpr double kClose = 1e-7;
 constexpr int kMostRounds = 30;  // two are usual
 constexpr int kNewton = 5;       // rounds with Newton steps; later rounds use within()

@@ -14,8 +14,8 @@ constexpr double kRough = 1e-7;  // rad, margin for the comparison of T of two t
 
 }  // namespace
 
-// The line of contact of involutes on parallel axes, with no other error than that of the centre
-// distance. At a fixed z, its parameter s changes by the angle by which gear 1 turns.
+// The line of contact of involutes on parallel axes, if the centre distance is the only error. At a
+// fixed z, its parameter s changes by the angle by which gear 1 turns.
 struct LaneTrack::Path {
   double phi_w, s_w, phi_s, phi_z;  // φ = φ_w + φ_s (s − s_w) + φ_z z
   double s_lo, s_hi, z_lo, z_hi;    // part of flank 1 that faces flank 2

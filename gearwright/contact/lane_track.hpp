@@ -1,9 +1,9 @@
 // The transmission error over a pitch. The touches at many positions are searched at once, one in
 // each SIMD lane (touch_lanes.hpp).
 //
-//   m    position of tooth pair 0, at the rotation first + m·pitch/n. Its touch there is
+//   m    position of tooth pair 0, at the rotation first + m·pitch/n. The touch of pair 0 at m is
 //        the touch of pair (i − m)/n at position i = m mod n of the pitch
-//                                    theory: docs/theory/14-scatter.md, section 14.4
+//                                              theory: docs/theory/14-scatter.md, section 14.4
 //
 // The touches at positions an eighth of a pitch apart are computed first. Each of these searches
 // starts in the middle of the line of contact. The searches at the positions between them start
@@ -27,8 +27,8 @@ class LaneTrack {
 
   /// The same touches as Transmission::over_a_pitch() computes.
   const std::vector<PairTouch>& touches() const { return best_; }
-  /// The same extremes as continuous_extremes() computes. None if a branch begins or ends where it
-  /// leads, or if a search does not converge.
+  /// The same extremes as continuous_extremes() computes. None if a branch begins or ends at a
+  /// rotation at which its T is the greatest, or if a search does not converge.
   std::optional<CurveExtremes> extremes() const;
 
  private:

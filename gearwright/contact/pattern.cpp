@@ -201,7 +201,7 @@ class Rasterer {
     const Vec2 b = p[2] - p[0];
     const double det = a.x() * b.y() - a.y() * b.x();
     if (det == 0.0) return;
-    // Relative to a cell: margin so that no node between two cells is missed.
+    // Margin, relative to a cell, so that no node between two cells is missed.
     constexpr double kSlack = 1e-6;
     const auto first = [](double lo) {
       return std::max(0, static_cast<int>(std::ceil(lo - kSlack)));

@@ -96,7 +96,7 @@ class Profile {
   };
   using Piece = std::variant<InvolutePiece, TrochoidPiece, RadialPiece, RackFlank>;
 
-  // at_radius() between the ends of each kind of piece.
+  // Implements at_radius() for one kind of piece, between the ends of the piece.
   RadialJet between_ends(const InvolutePiece& piece, double u, double& s) const;
   RadialJet between_ends(const TrochoidPiece& piece, double u, double& s) const;
   RadialJet between_ends(const RadialPiece& piece, double u, double& s) const;

@@ -10,7 +10,7 @@ namespace gearwright {
 
 namespace {
 
-// A pair together with its pinion and its fields of removed material, to which the pair points.
+// A pair, and the pinion and the fields of removed material to which the pair points.
 struct Held {
   Gear pinion;
   std::array<std::shared_ptr<const RemovalField>, 2> removal;

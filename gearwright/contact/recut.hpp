@@ -22,7 +22,7 @@ double with_cutter_lead(double twist, double pitch_radius, double delta_lambda);
 Arc recut(const Arc& arc, const Gear& gear, double delta_lambda);
 /// The whole half tooth that the gear's rack cuts with the changed lead angle, with root
 /// fillet, tip and new ends of the flank. None if no tooth is left, if a pinion cutter cut the
-/// gear, or if the root or the tip has a circular fillet, which no rack cuts.
+/// gear, or if the root or the tip has a circular fillet, because no rack cuts such a fillet.
 std::optional<Outline> recut_outline(const Gear& gear, double delta_lambda);
 
 }  // namespace gearwright

@@ -7,8 +7,8 @@ namespace gearwright {
 
 namespace {
 
-// The derivatives with respect to e at a fixed point (s, z) of flank 1, and the derivatives of
-// these with respect to s and z.
+// The derivatives of φ2*, u and Z with respect to e at a fixed point (s, z) of flank 1. p_s and so
+// on are the derivatives of these derivatives with respect to s and z.
 struct Change {
   double p = 0.0, p_s = 0.0, p_z = 0.0;     // ∂φ2*/∂e
   double du = 0.0, du_s = 0.0, du_z = 0.0;  // ∂u/∂e, u = ln ρ on gear 2

@@ -15,7 +15,7 @@ constexpr double kLongestStep = 0.6;  // greatest step, relative to half the pat
 constexpr double kFlatTouch = 1e-14;  // rad, scaled: smaller slopes are rounding errors
 constexpr double kTinyBend = -1e-15;  // replaces a curvature of 0
 constexpr int kMaxTouchSteps = 80;
-constexpr double kBroken = 1e-9;       // scaled; a touch is invalid if it violates a bound by more
+constexpr double kBroken = 1e-9;       // scaled; greatest violation of a bound by a valid touch
 constexpr double kWorse = 1e-13;       // rad; rounding error of T and of the merit
 constexpr double kTinySquare = 1e-12;  // square of a scaled length; shorter steps are not halved
 constexpr double kMinPrice = 1e-3;     // rad per scaled length; least penalty of a violated bound
@@ -269,10 +269,10 @@ bool TouchSearch::uneven() const {
   return has(field_.one()) || has(field_.two());
 }
 
-// T varies slowly along the line of contact and rapidly across it. In each section, which is a line
-// of constant z, the maxima of T are therefore computed first. The Newton steps along the profile
-// start at every row, which is a line of constant s, with a greater T than its neighbours. A search
-// then starts from each of these maxima that no neighbouring section exceeds.
+// T varies slowly along the line of contact and rapidly across it. The maxima of T are therefore
+// first computed in each section (a line of constant z) by Newton steps along the profile. These
+// steps start at every row (a line of constant s) whose T exceeds T of both neighbouring rows. A
+// search then starts from each of these maxima that no neighbouring section exceeds.
 std::vector<std::array<double, 3>> TouchSearch::crests(double z_lo, double z_hi) const {
   constexpr int kFine = 25;   // sections, eight for each of three waves over the face
   constexpr int kAcross = 7;  // rows

@@ -47,7 +47,8 @@ bool reaches_beyond_action(const ContactPair& pair) {
 }
 
 // The number of the patch beyond an end of p, or −1 if there is none. Ends 0 and 1 are the lower
-// and the upper end in s (in u if `of_u`), and ends 2 and 3 are the lower and the upper end in z.
+// and the upper end of the range of u if `of_u` is true, and of the range of s otherwise. Ends 2
+// and 3 are the lower and the upper end of the range of z.
 int patch_across(const std::vector<FlankPatch>& flank, const FlankPatch& p, int end, bool of_u) {
   const bool lower = (end % 2 == 0) == (end >= 2 || of_u || p.profile.grows());
   const auto is_next = [&](const FlankPatch& o) {

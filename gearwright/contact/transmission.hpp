@@ -78,7 +78,8 @@ class Transmission {
   /// Sets the field to the rotation of the touch, and returns the field and its derivatives at
   /// (s, z). The parameter on flank 2 is exact to rounding.
   GapJet jet_at(const PairTouch& t, double s, double z);
-  /// True if form waves give T many maxima, which are found in closed form at every position.
+  /// True if T has many maxima because of form waves. They are found in closed form at every
+  /// position.
   bool wavy() const { return !crests_.empty(); }
   int farthest_pair() const { return farthest_pair_; }  ///< greatest |k| of a pair that can touch
   TouchCount count() const;

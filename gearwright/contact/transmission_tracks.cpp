@@ -185,8 +185,8 @@ void Transmission::follow_one(double first, int n, std::vector<PairTouch>& best)
   }
 }
 
-// Follows the maxima of T for one pair of patches, on flanks on which T may have several maxima
-// and which may touch in several intervals of rotation. Searches of the whole flank at regular
+// Follows the maxima of T for one pair of patches. T on these flanks may have several maxima, and
+// the flanks may touch in several intervals of rotation. Searches of the whole flank at regular
 // positions find the maxima. Each maximum is followed until it meets another track. On uneven
 // flanks, the whole flank is searched at every position, because a crest may touch only for a
 // small part of a pitch.

@@ -69,7 +69,7 @@ WaveCrests::Node WaveCrests::node(double phi, double z, double along_face, doubl
   const double step = (std::min(hi, start + reach) - first) / (kAcross - 1);
   const int places = step > 0.0 ? kAcross : 1;
   // At equal steps of s, the phase of the wave of flank 1 advances by a constant angle, and the
-  // phase of the wave of flank 2 by an angle that grows linearly.
+  // phase of the wave of flank 2 advances by an angle that grows linearly.
   double d = first - ridge;
   std::array<Phasor, 2> waves;
   if (wave_[0].height > 0.0)

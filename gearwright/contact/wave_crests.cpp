@@ -104,9 +104,9 @@ std::optional<WaveCrests::Ridge> WaveCrests::solve(GapField& field, double s, do
 }
 
 std::optional<WaveCrests::Path> WaveCrests::nominal_path(const ContactPair& pair) {
-  // Without errors other than that of the centre distance, L_1 + L_2 (L_2 − L_1 for an internal
-  // gear) is `action`, the distance between the two points at which the line of action touches
-  // the base circles. The pitch point is the point of flank 1 with the roll angle s_w.
+  // `action` is the distance between the two points at which the line of action touches the base
+  // circles. If the centre distance is the only error, L_1 + L_2 (L_2 − L_1 for an internal gear)
+  // equals `action`. The pitch point is the point of flank 1 with the roll angle s_w.
   const double r_b1 = base_radius(one_), r_b2 = base_radius(two_);
   const double a = pair.place().center_distance + pair.place().errors.center_distance;
   const double sign = pair.mirror();

@@ -27,9 +27,10 @@ namespace gearwright::detail {
 
 class WaveCrests {
  public:
-  /// None if there is no wave, or if the quadratic functions are not valid. They are valid for
-  /// involutes without topography on parallel axes, if all exact ridges can be computed, and if the
-  /// error half way between the ridges is at most a hundredth of the amplitude of the waves.
+  /// None if there is no wave, or if the quadratic functions are not valid. They are valid if the
+  /// flanks are involutes without topography, the axes are parallel, all exact ridges can be
+  /// computed, and the error half way between the ridges is at most a hundredth of the amplitude of
+  /// the waves.
   static std::optional<WaveCrests> of(const ContactPair& pair, const FlankPatch& one,
                                       const FlankPatch& two);
 

@@ -67,9 +67,9 @@ void evaluate_scalar(const CandidateConstants& constants, CandidateBatch& batch)
 /// Distance from a limit, modules, within which the vector result is not used.
 inline constexpr double kSieveDoubt = 1e-10;
 /// Verdicts of the filter for a trial. The first three name the limit that certainly rejects the
-/// trial. kSievePass means that the point with the longest path meets these three limits. kSieveAsk
-/// means that the filter cannot decide. After kSievePass or kSieveAsk, the s1–s2 graph of the trial
-/// decides (design/shift_graph.hpp).
+/// trial. kSievePass means that the profile shifts with the longest path of contact meet these
+/// three limits. kSieveAsk means that the filter cannot decide. After kSievePass or kSieveAsk, the
+/// s1–s2 graph of the trial decides (design/shift_graph.hpp).
 inline constexpr double kSieveShiftLimits = 0.0, kSieveCenterDistance = 1.0,
                         kSieveContactRatio = 2.0, kSievePass = 3.0, kSieveAsk = 4.0;
 

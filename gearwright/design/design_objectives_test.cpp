@@ -1,10 +1,10 @@
 // Objectives of designs. Laws: (1) the efficiency is that of the mounted pair; (2) the loss of a
-// spur design is the loss that a count of its tooth pairs along the path gives; (3) the balance is
-// 1 if load reserves are equal, and a limit moves it as the safety factors do; (4) the cost with
-// the exponent 0 is the mass, and grows with the width beyond the mass otherwise; (5) the noise is
-// the spread of the deflection over the counted contact lines, and a whole overlap ratio has none;
-// (6) designs rank by each objective, and the front of three contains exactly the designs that no
-// other design dominates.
+// spur design agrees with a count of its tooth pairs in contact along the path; (3) the balance is
+// 1 if the load reserves are equal, and the safety factors are divided by their limits; (4) the
+// cost is the mass times a power of the relative width, and is the mass if the exponent is 0; (5)
+// the noise is the spread of the deflection over the counted contact lines, and it is 0 if the
+// overlap ratio is a whole number; (6) designs rank by each objective, and the front of three
+// contains exactly the designs that no other design dominates.
 #include "gearwright/design/design_objectives.hpp"
 
 #include <gtest/gtest.h>

@@ -176,9 +176,9 @@ Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region) {
   const Vec2 inside{x1, sum - x1};
   const Vec2 middle = (region.lo + region.hi) / 2.0;
   const bool runs = graph.problem().limits.avoid_interference;
-  // `middle` is used if its distance from the borders is at least half the distance of
-  // `inside`. The tolerance is subtracted because, if the slice at one end of the region is a
-  // point, the distance of `middle` is exactly half.
+  // `middle` is used if its distance from the borders is at least half the distance of `inside`
+  // from the borders. If the slice at one end of the region is a point, the distance of `middle` is
+  // exactly half. A tolerance is therefore subtracted.
   const double enough =
       (runs ? std::max(0.0, graph.wall_distance(inside[0], inside[1]) / 2.0) : 0.0) - kTouching;
   const bool one = region.sums.size() == 1;

@@ -181,8 +181,8 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, RegionDetail detail
       if (row.runs) return row;
     }
   }
-  // OffWalls::none means that no point away from the borders exists. If designs are drawn, such a
-  // point may exist, because the code above may have rejected the point only for its drawing.
+  // OffWalls::none means that no point away from the borders exists. It is not used if designs are
+  // drawn, because the code above may then have rejected an existing point for its drawing.
   const bool none = point && !graph.problem().draw;
   const auto region = shift_region(graph, detail, none ? OffWalls::none : OffWalls::sought);
   return region ? design_row(graph, *region) : std::nullopt;

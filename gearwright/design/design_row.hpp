@@ -75,7 +75,7 @@ std::optional<DesignRow> design_row(const ShiftGraph& graph, const ShiftRegion& 
 /// region at which the tips do not cut into the fillets. If designs are rated, the design must also
 /// meet the limits of the safety factors. If designs are drawn, the verdict must accept the design.
 bool has_design(const ShiftGraph& graph);
-/// The row at any point of the graph.   Domain: a working angle exists there (contract)
+/// The row at any point of the graph at which a working angle exists (contract).
 DesignRow row_at(const ShiftGraph& graph, const Vec2& shifts);
 /// The cost of a design for one objective; a smaller cost is better. Only rows on the line of
 /// balanced strength have costs. All other rows are ranked last.

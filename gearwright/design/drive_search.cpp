@@ -21,8 +21,8 @@ constexpr std::size_t kCarrier = kSetMembers;  // index of the carrier, after th
                                                // members
 constexpr std::size_t at(M m) { return static_cast<std::size_t>(m); }
 
-// The speed of a body divided by the speed of the planet. Both speeds are relative to the carrier,
-// and the result is a fraction p/q.
+// The speed of a body divided by the speed of the planet, as a fraction p/q. Both speeds are
+// relative to the carrier.
 struct Share {
   long long p, q;
 };
@@ -406,7 +406,7 @@ PerMember member_face_widths(const DriveCandidate& candidate) {
     auto& rider = widths.each[at(rider_of(candidate.teeth, meshes.members[m]))];
     rider = std::max(rider.value_or(0.0), width);
   }
-  // A planet with one gear that meshes with two suns or with two rings spans both of them.
+  // A planet gear that meshes with two suns or with two rings is as wide as both together.
   if (candidate.teeth[at(M::planet2)] == 0)
     for (const auto& [one, two] : {std::pair{M::sun, M::sun2}, std::pair{M::ring, M::ring2}})
       if (const auto& a = widths.each[at(one)], &b = widths.each[at(two)]; a && b)

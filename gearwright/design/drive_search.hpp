@@ -186,7 +186,8 @@ DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate tr
 /// The candidate with the greatest face widths that the band of face widths and the greatest b/d
 /// permit. If the search does not size the faces, the candidate is unchanged.
 DriveCandidate widest(const DriveSearchProblem& problem, DriveCandidate candidate);
-/// b of the gears of a set, by member. Empty for a train, or if the search does not size the faces.
+/// The face widths b of the gears of a set, by member. Empty for a train, or if the search does not
+/// size the faces.
 PerMember member_face_widths(const DriveCandidate& candidate);
 
 /// The number by which candidates are ranked for an objective; a smaller number is better.

@@ -24,8 +24,8 @@ constexpr double kMinTipFillet = 0.1;  // least radius of the pinion's tip fille
                                        // cutter has the same fillet and would overheat if the
                                        // radius were smaller
 constexpr double kSameRatio = 0.02;
-// Sums of shifts count as equal if they differ by less than this, modules. The grid has steps of
-// 0.001.
+// Sums of shifts count as equal if they differ by less than this value, modules. The grid has steps
+// of 0.001.
 constexpr double kSameGivenSum = 1e-6;
 // Helix angles are rounded to 1/kHelixSteps of a degree, so that drawings show them exactly.
 constexpr double kHelixSteps = 1e9;

@@ -58,8 +58,8 @@ struct FewTeethDesign {
 
 struct FewTeethAnswer {
   std::optional<FewTeethDesign> design;
-  /// If there is no design, this is the condition that rejected the candidate that passed the most
-  /// checks.
+  /// If there is no design, the condition that rejected the best candidate, which is the candidate
+  /// that passed the most checks.
   std::string limit;
   int candidates = 0;  ///< number of candidates tried
 };

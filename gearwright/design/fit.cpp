@@ -47,7 +47,8 @@ Error one_condition_too_many() {
           "overdetermines the pair; leave out this value or another given value"};
 }
 
-// The position of known gears on parallel axes. Only one centre distance is backlash-free.
+// The position of known gears on parallel axes. They are free of backlash at only one centre
+// distance.
 Fit place_on_parallel_axes(const FitProblem& p, const BasePair<double>& gears,
                            const std::array<double, 2>& shift) {
   Fit result;

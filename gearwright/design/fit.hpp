@@ -9,8 +9,8 @@
 // H is convex, so H = T has at most two solutions. If the gears are known, their position is
 // computed. If the position is known, the gears are computed. If a helix angle is unknown, only
 // designs at their minimum centre distance are considered. The pitch planes of these designs
-// coincide (X = 0), so an error of Σ has no first-order effect. On parallel axes, every
-// backlash-free pair is at its minimum centre distance.
+// coincide (X = 0), so a small error of Σ changes the backlash-free centre distance only to second
+// order. On parallel axes, every backlash-free pair is at its minimum centre distance.
 #pragma once
 
 #include <array>

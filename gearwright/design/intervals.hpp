@@ -149,8 +149,8 @@ Superlevel superlevel(const F& f, double a, double b, int nodes = kIntervalNodes
     at.insert(at.begin() + static_cast<std::ptrdiff_t>(top > at[i].x ? i + 1 : i), {top, value});
     ++i;
   }
-  // A node with f = 0 is a root, for example at a corner of the shift limits. If f has a positive
-  // maximum between this node and a negative neighbour, the node is not the end of the interval.
+  // A node with f = 0 is a root, for example at a corner of the shift limits. If f becomes positive
+  // between this node and a neighbour with f < 0, the interval continues beyond the node.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
     const double l = at[i].value;
     const double r = at[i + 1].value;
@@ -198,9 +198,9 @@ template <class F>
 std::vector<Interval> where_not_negative_or_touching(const F& f, double a, double b, double touch,
                                                      const Hump& hump = {}) {
   Superlevel exactly = superlevel(f, a, b, kIntervalNodes, hump);
-  // A maximum that is zero except for rounding counts as an interval. If there are no intervals,
-  // the condition f ≥ −touch is therefore used. If there are intervals, this condition would change
-  // their ends.
+  // If f ≥ 0 gives no interval, a maximum that is zero except for rounding counts as one, so the
+  // condition f ≥ −touch is used. If there are intervals, this condition would only move their
+  // ends.
   if (!exactly.pieces.empty() || exactly.highest < hump.below) return std::move(exactly.pieces);
   return where_not_negative([&](double x) { return f(x) + touch; }, a, b, kIntervalNodes, hump);
 }

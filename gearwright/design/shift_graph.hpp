@@ -55,7 +55,7 @@ std::string_view name(ShiftEdge edge);
 /// Tolerance, modules, within which two limits count as touching. The tolerance is needed because a
 /// centre distance divided by a module has a rounding error.
 inline constexpr double kTouching = 1e-11;
-/// Bounds of x1 that differ by less than this, modules, count as equal. Otherwise, rounding
+/// Bounds of x1 count as equal if they differ by less than this value, modules. Otherwise, rounding
 /// errors would determine which limit is named.
 inline constexpr double kOneBound = 1e-12;
 /// The interval of x1 on a line Σ = const, which is empty if lo > hi + kTouching.
@@ -108,7 +108,7 @@ class ShiftGraph {
   double overlap_of(double face) const;  ///< ε_β of a face width in modules; 0 on crossed axes
   /// The values that depend on Σ alone.   Domain: within sums() (contract: a working angle exists)
   SumPlace place(double sum) const;
-  /// The range of Σ that is left by those of the first `limits` limits that depend on Σ alone.
+  /// The range of Σ that the first `limits` limits permit. Limits that depend on x1 are ignored.
   struct Sums {
     double lo, hi;
     ShiftEdge lo_edge, hi_edge;
@@ -117,8 +117,8 @@ class ShiftGraph {
     return limits == kRegionLimits ? region_sums_ : all_sums(limits);
   }
 
-  /// The smallest margin, in units of Σ, of those limits that depend on Σ alone but have no
-  /// closed form for the range of Σ. These limits are met if the margin is ≥ 0.
+  /// The smallest margin, in units of Σ, of the limits that depend on Σ alone and whose range of Σ
+  /// has no closed form. These limits are met if the margin is ≥ 0.
   struct SumMargin {
     double value;
     ShiftEdge edge;
@@ -149,7 +149,8 @@ class ShiftGraph {
   /// True if feasible_sums() would find a sum. In this case, this function is usually faster
   /// than feasible_sums().
   bool has_feasible_sums(int limits = kRegionLimits) const;
-  /// The first limit with which no region is left; absent if a region exists.
+  /// The limits are applied in the order of the enum Limit. This is the first limit that leaves no
+  /// region. Empty if a region remains.
   std::optional<Limit> what_kills() const;
   /// The smallest margin of all limits at a point, modules, computed from the same bounds as
   /// the slices. The point is inside the region if the margin is ≥ 0. If Σ lies outside sums(),

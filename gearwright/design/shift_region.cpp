@@ -27,7 +27,8 @@ bool is_straight(ShiftEdge edge, const SearchProblem& problem) {
   }
 }
 
-// A side of the region consists of the lower or of the upper ends x1 of all slices.
+// A slice of the region is an interval of x1. The lower ends of all slices form one side of the
+// region, and the upper ends form the other side.
 using Side = LineSide;
 ShiftEdge edge_of(const ShiftSlice& s, Side side) {
   return side == Side::lo ? s.lo_edge : s.hi_edge;
@@ -52,8 +53,8 @@ double difference(const ShiftGraph& graph, Side side, ShiftEdge a, ShiftEdge b, 
   return at(a) - at(b);
 }
 
-// Greatest number of corners of a side. Only if two bounds are equal except for rounding, more
-// corners are found.
+// Greatest number of corners of a side. More corners are found only if two bounds are equal except
+// for rounding.
 constexpr std::size_t kMaxChanges = 40;
 // Relative difference of two sums that have no double between them.
 constexpr double kSameSum = 4e-16;
@@ -141,7 +142,7 @@ double sum_at(double from, double to, double theta) {
 // square root, three bisections add seven correct digits.
 constexpr unsigned kBisections = 10;
 constexpr double kAreaTolerance = 1e-12;  // modules², for the area under one stretch of a side
-// Rounding error of a bound of x1, relative to the radii whose difference the bound is. With a
+// Rounding error of a bound of x1, relative to the two radii whose difference is the bound. With a
 // smaller tolerance of the integral, rounding errors would cause repeated bisections.
 constexpr double kAreaRounding = 1e-13;
 
@@ -187,7 +188,7 @@ ShiftSlice end_slice(const ShiftGraph& graph, double sum) {
   return s;
 }
 
-// The smallest margin of the bounds of x1 and of the path length at a point. The sum Σ of the point
+// The smallest margin at a point, over the bounds of x1 and the path length. The sum Σ of the point
 // must lie within the range of a piece.
 double margin_on_line(const ShiftGraph& graph, const Vec2& p) {
   const double sum = p[0] + p[1];

@@ -74,7 +74,8 @@ std::vector<std::vector<RegionEdge>> region_boundary(const ShiftGraph& graph,
 /// middle_point().
 Vec2 chosen_point(const ShiftGraph& graph, const ShiftRegion& region);
 /// Returns the middle between lo and hi if the region is one piece and this middle is far enough
-/// from the borders. Otherwise, returns the middle of the slice at the mean Σ of the longest piece.
+/// from the borders. Otherwise, takes the longest piece of the region and returns the middle of its
+/// slice at its mean Σ.
 Vec2 middle_point(const ShiftGraph& graph, const ShiftRegion& region);
 
 /// The point on the line of balanced strength (Eq. 11) with the given sum Σ.

@@ -49,7 +49,7 @@ class TrainStrength {
   ///
   /// `candidate`  with the greatest face widths, if the search chooses them
   /// Laws         (1) a train of the fits that has the required safeties is not hopeless
-  ///              (2) a train that is not hopeless is not hopeless for lower safeties either
+  ///              (2) a hopeless train is also hopeless for higher required safeties
   bool is_hopeless(const DriveCandidate& candidate, const Safeties& required) const;
 
  private:

@@ -38,8 +38,8 @@ std::vector<RatedTrain> law_trains(std::mt19937& random, double scatter_range) {
   return trains;
 }
 
-// The greatest common factor of the required safeties that the estimate does not rule out is 1 in
-// the law without scatter, apart from the margins.
+// Without scatter, the estimate gives exactly the safeties of the law. It therefore rules out a
+// train if and only if a required safety exceeds the safety of the train by more than the margin.
 TEST(TrainStrengthTest, LeavesOutTrainsBeyondTheMargins) {
   std::mt19937 random(7);
   const TrainStrength strength(law_trains(random, 0.0));

@@ -75,8 +75,9 @@ long long places_of(std::vector<Row> rows, std::size_t riders) {
 }
 
 // Lists the numbers of teeth of single gears with which an equal pitch is possible, for example
-// "ring 68 or 72, sun 18". For each gear, only the smallest change is listed, in both directions
-// if both are possible, and only if it is at most kMostTeethChanged.
+// "ring 68 or 72, sun 18". For each gear, only the smallest change is listed. If this change is
+// possible in both directions, both numbers are listed. Changes above kMostTeethChanged are not
+// tried.
 std::string teeth_that_assemble(const DriveGraph& graph, const PlanetGroup& group) {
   std::vector<std::size_t> gears;
   for (const std::size_t m : group.meshes)

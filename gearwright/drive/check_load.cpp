@@ -21,21 +21,21 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
         "mesh as a pair with drive --take");
   if (!drive.motion.redundant.empty())
     return not_loaded(
-        "does not apply to a drive with a closed loop of meshes, whose torques depend on the "
-        "compliance of shafts");
+        "does not apply to a drive with a closed loop of meshes, because the torques in the loop "
+        "depend on the compliance of shafts");
   if (!drive.geometry.faults.empty())
     return not_loaded("does not apply to gears that do not fit: " +
                       drive.geometry.faults.front().message);
   for (std::size_t m = 0; m < graph.meshes.size(); ++m)
     if (const auto& pair = drive.geometry.pairs[m]; pair && pair->arcs())
       return not_loaded(
-          "does not apply to circular-arc teeth, whose loaded contact is not computed",
+          "does not apply to circular-arc teeth, because their loaded contact is not computed",
           graph.meshes[m].name);
   if (!drive.flow)
     return not_loaded(
         "needs the torques of all meshes; give a normal module or the efficiencies of the meshes");
   if (drive.flow->self_locking())
-    return not_loaded("does not apply to a self-locking drive, which transmits no power");
+    return not_loaded("does not apply to a self-locking drive, because it transmits no power");
   if (!(load.torque > 0.0)) return Error{"load.torques", "0", "must be greater than 0"};
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     if (drive.flow->driver[m] < 0) continue;
@@ -43,7 +43,8 @@ std::optional<Error> not_made_for(const Drive& drive, const DriveLoadCase& load)
     const DriveGear &a = graph.gear(mesh, 0), &b = graph.gear(mesh, 1);
     if (a.rack || b.rack)
       return not_loaded(
-          "does not apply to a drive with a rack, whose loaded contact is not computed", mesh.name);
+          "does not apply to a drive with a rack, because its loaded contact is not computed",
+          mesh.name);
     if (a.double_helical || b.double_helical)
       return not_loaded(
           "does not apply to drives with double-helical gears; extract the mesh as a pair with "

@@ -147,8 +147,8 @@ std::string names_of(const DriveGraph& graph, const std::vector<std::size_t>& me
   return list;
 }
 
-// In a drive with several inputs, the torque of the first input determines all other torques, so that
-// another input may have to brake.
+// In a drive with several inputs, the torque of the first input determines all other torques, so
+// that another input may have to brake.
 void report_power_against_inputs(Drive& drive) {
   const DriveGraph& graph = drive.graph;
   const auto speeds = speeds_of(drive);

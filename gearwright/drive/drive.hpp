@@ -28,8 +28,8 @@ struct PlanetSet {
   std::optional<Neighbours> neighbours;           ///< none for a single planet or without geometry
   std::vector<Rational> sun_phases, ring_phases;  ///< γ_i at the sun, at the ring
   std::optional<double>
-      sun_ring_phase;  ///< γ_rs; none if no planet gear meshes with a sun and a ring, or without
-                       ///< geometry
+      sun_ring_phase;  ///< γ_rs; none without geometry, or if no planet gear meshes with both a
+                       ///< sun and a ring
   Phasing phasing;     ///< phasing of the meshes with the sun, or with the ring if there is no sun
 };
 
@@ -156,8 +156,8 @@ struct Drive {
   /// Mesh frequency |z_a (ω_a − ω_c)| per turn of the first input. [T13.4]
   std::optional<double> frequency_ratio(std::size_t mesh) const;
   /// Play of a body while `held`, which is the input or the output, does not move, rad; for a
-  /// rack, its travel with 2π per pitch. None with several inputs, with redundant meshes, or if
-  /// a mesh between the two bodies has no involute teeth. [T13.20]
+  /// rack, its travel with 2π per pitch. None if there are several inputs or redundant
+  /// meshes, or if a mesh between the two bodies has no involute teeth. [T13.20]
   std::optional<double> play(std::size_t body, std::size_t held) const;
   /// γ_i of the copies of a mesh of planets with a central gear; empty for any other mesh [T13.16].
   std::vector<Rational> phases(std::size_t mesh) const;

@@ -18,7 +18,7 @@ namespace {
 using detail::MeshPhase;
 using Wave = std::complex<double>;
 constexpr int kMostHarmonics = kErrorPositions / 2 - 1;
-/// rad; a curve that varies by less contains only rounding errors, as in contact_curve()
+/// rad; the variation of a curve below this limit is a rounding error, as in contact_curve()
 constexpr double kRounding = Angle::arcseconds(1e-9).rad();
 
 Wave phasor(double turns) { return std::polar(1.0, kTurn * turns); }

@@ -38,9 +38,9 @@ using MeshErrors = std::function<ContactErrors(std::size_t mesh)>;
 /// Domain    a drive made by make_drive(), with its flow if there is one. If the drive has
 ///           `contacts`, they must have been computed with the same errors, and are used here.
 ///           harmonics ≥ 1 (contract)
-/// None      if there are several inputs or a redundant mesh. Also if a mesh that moves the output
-///           has no geometry or loses contact, if its rack has several pinions or errors of the
-///           teeth, or if a measured gear is loaded on a flank without readings
+/// None      if there are several inputs or a redundant mesh, if a mesh that moves the output has
+///           no geometry or loses contact, if its rack has several pinions or errors of the teeth,
+///           or if a measured gear is loaded on a flank without readings
 std::optional<DriveError> transmission_error(const Drive& drive, int harmonics,
                                              const MeshErrors& errors = {});
 

@@ -35,8 +35,8 @@ struct BodyForces {
 /// Formula   [T13.29]
 std::optional<MeshForces> mesh_forces(const Drive& drive, std::size_t mesh);
 
-/// The forces on a body. None if the body has no gears, if the forces of one of its meshes are
-/// none, or if the positions of the axes are unknown.
+/// The forces on a body. None if the body has no gears, if mesh_forces() returns none for one of
+/// its meshes, or if the positions of the axes are unknown.
 ///
 /// Formula   [T13.31]
 std::optional<BodyForces> body_forces(const Drive& drive, std::size_t body);

@@ -245,8 +245,8 @@ TEST(DriveLayout, ATrainStandsInLine) {
   EXPECT_LT(worst_mesh(drive, turned(drive, layout, 0.3)), 1e-6);
 }
 
-// The last shaft of a coaxial train lies on the first one. With three stages, the centre distances are
-// the sides of the triangle of the axes, on the left side of the first of them.
+// The last shaft of a coaxial train lies on the first one. With three stages, the centre distances
+// are the sides of the triangle of the axes, on the left side of the first of them.
 TEST(DriveLayout, ACoaxialTrainClosesByItself) {
   std::vector<StageSpec> two{layout_stage(19, 57), layout_stage(16, 60)};
   two.front().pair.direction = Angle::degrees(30);
@@ -290,8 +290,8 @@ TEST(DriveLayout, ACoaxialTrainClosesByItself) {
   }
 }
 
-// The wheel of the first stage covers the axis of the third shaft if its tip radius is greater than the
-// centre distance of the second stage.
+// The wheel of the first stage covers the axis of the third shaft if the tip radius of this wheel
+// is greater than the centre distance of the second stage.
 TEST(DriveLayout, AShaftWithinAGearIsANote) {
   for (const int teeth : {40, 110}) {
     const Drive drive = laid_train({layout_stage(18, teeth), layout_stage(18, 40)});

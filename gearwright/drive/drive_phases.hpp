@@ -48,8 +48,8 @@ bool first_drives(const Drive& drive, std::size_t mesh, double load);
 /// is the direction to the mesh in turns, and `half` is half of the tooth thickness in pitches.
 double passing_time(double turning, int teeth, double theta, bool drives, double half);
 
-/// Sets the delays γ of the copies of a planet, and their sign. The delays of a mesh between
-/// two planets are equal to those of a mesh with a central gear that has the same frequency.
+/// Sets the delays γ of the copies of a planet, and their sign. A mesh between two planets has the
+/// same delays as the mesh of the same frequency between a planet and a central gear.
 void find_delays(const Drive& drive, std::size_t mesh, MeshPhase& phase);
 
 /// The planet set that contains the mesh; null if there is none.
@@ -64,9 +64,9 @@ std::optional<std::complex<double>> place_of(const Drive& drive, const PlanetSet
 /// None if place_of() returns none.
 std::optional<double> direction(const Drive& drive, std::size_t mesh, std::size_t gear);
 
-/// The phases of all meshes. None if a load exceeds the range of exact fractions. Also none if a
-/// mesh that moves the output has no involute teeth, has an idler without a possible place, or
-/// shares a rack with another such mesh.
+/// The phases of all meshes. None if a load exceeds the range of exact fractions, or if a mesh that
+/// moves the output has no involute teeth, has an idler without a possible place, or shares a rack
+/// with another such mesh.
 ///
 /// Formula   meshes that share a gear have one frequency, and the angle between them on the
 ///           gear gives their phase [T13.17]

@@ -27,8 +27,9 @@ class Placing {
                                          [&](const DriveMesh& m) { return m.gears[1] == g; });
       if (graph_.gears[g].rack && pinions > 1)
         return Error{"drive.gear", graph_.gears[g].name,
-                     fmt::format("is a rack with {} pinions, whose positions along the rack are "
-                                 "not known; files and pictures support only racks with one pinion",
+                     fmt::format("is a rack with {} pinions, but the positions of the pinions "
+                                 "along the rack are not known; files and pictures support only "
+                                 "racks with one pinion",
                                  pinions)};
     }
     measure();

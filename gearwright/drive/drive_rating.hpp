@@ -36,7 +36,8 @@ using GearMaterials = std::function<Result<Material>(std::size_t gear)>;
 /// Domain    a drive that is not self-locking and has a power flow (contract)
 RatingInput mesh_load(const Drive& drive, std::size_t mesh, const DriveLoad& load);
 
-/// Engagements of one flank of a gear per turn, and whether the other flank carries load too.
+/// The number of engagements of one flank of a gear per turn. `both` is true if the other flank
+/// also carries load.
 struct FlankUse {
   int engagements = 0;
   bool both = false;

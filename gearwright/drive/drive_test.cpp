@@ -383,10 +383,10 @@ TEST(Drive, RackMovesOnePitchPerTooth) {
   EXPECT_NEAR(drive->flow->efficiency, 0.97, 1e-14);
 }
 
-// A wheel drives a pinion of the same shaft as the pinion of a rack. If the rack is held, the wheel
-// can turn by the play of its own mesh and by the travel of the rack between its flanks, divided by
-// the reference radius of the pinion and by the ratio. If the wheel is held, the rack moves by the
-// sum of both along its travel.
+// A wheel drives a pinion on the same shaft as the pinion of a rack. If the rack is held, the
+// rotation of the wheel has two parts: the play of its own mesh, and the play of the rack between
+// its flanks, divided by the reference radius of the pinion and by the ratio. If the wheel is held,
+// the motion of the rack is the sum of both, measured along the rack.
 TEST(Drive, BacklashOfARackIsTheTravelBetweenItsFlanks) {
   for (const bool rack_drives : {false, true}) {
     CylindricalSpec spec;

@@ -214,12 +214,13 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
     if (natural && uncut->touches(m))
       blamed.push_back({m, possible_backlash(given, m, natural->normal)});
   }
-  // If another backlash of a single mesh makes it possible, that mesh is the reason. Otherwise, all
-  // of them are.
+  // A mesh for which another backlash would be possible is the reason. If there is no such mesh,
+  // all meshes in `blamed` are the reason.
   const auto has_limit = [](const Blame& blame) { return !blame.limit.empty(); };
   if (std::any_of(blamed.begin(), blamed.end(), has_limit))
     std::erase_if(blamed, [&](const Blame& blame) { return !has_limit(blame); });
-  // The thinning causes the faults that the teeth do not have without it.
+  // A fault that the teeth do not have without the thinning is caused by the thinning. It is
+  // removed, because the fault of the mesh explains it.
   if (!blamed.empty())
     std::erase_if(made.faults, [&](const GeometryFault& fault) {
       return std::none_of(uncut->faults.begin(), uncut->faults.end(),
@@ -230,8 +231,9 @@ bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeo
     const DriveGear &a = thinned.gear(mesh, 0), &b = thinned.gear(mesh, 1);
     made.faults.push_back(
         {GeometryFault::Kind::no_pair,
-         fmt::format("The mesh {} cannot have a {}backlash of {:g} mm, because it requires "
-                     "thickness allowances of {} mm for {} and {} mm for {}.{}",
+         fmt::format("The mesh {} cannot have a {}backlash of {:g} mm. This backlash would need "
+                     "thickness allowances of {} mm for {} and {} mm for {}, with which the teeth "
+                     "do not mesh.{}",
                      mesh.name, mesh.backlash_is_mean ? "mean " : "", *mesh.backlash,
                      format_number(a.thickness_allowance()), a.name,
                      format_number(b.thickness_allowance()), b.name, limit)});

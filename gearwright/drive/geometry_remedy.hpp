@@ -45,9 +45,9 @@ void add_remedy(const DriveGraph& graph, DriveGeometry& made);
 
 /// Replaces the faults that the teeth have only because a backlash is impossible. The new fault of
 /// such a mesh names its backlash, the thickness allowances that the backlash requires, and the
-/// greatest or least backlash that is possible if the other meshes keep theirs. `given` is the
-/// graph without the allowances of with_backlash(), and `thinned` is the graph with them. False if
-/// no backlash is the reason for a fault.
+/// greatest or least backlash that is possible if the backlash of the other meshes is unchanged.
+/// `given` is the graph without the allowances of with_backlash(), and `thinned` is the graph with
+/// them. False if no backlash is the reason for a fault.
 ///
 /// Accuracy  the limit is possible, and a backlash 0.002 mm beyond it is impossible
 bool blame_backlash(const DriveGraph& given, const DriveGraph& thinned, DriveGeometry& made);

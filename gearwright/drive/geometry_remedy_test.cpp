@@ -158,7 +158,7 @@ TEST(GeometryRemedy, TheMessageNamesTheMeanOfABand) {
       << drive.geometry.faults[0].message;
 }
 
-// At a centre distance that is too great, the teeth would have to be so thick that the spaces close.
+// At too great a centre distance, the teeth would have to be so thick that the spaces close.
 TEST(GeometryRemedy, ABacklashThatIsTooSmallNamesItsMesh) {
   DriveGraph deep = rack_graph(1.6);
   deep.meshes.front().center_distance = 23.2;

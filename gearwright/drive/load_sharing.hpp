@@ -2,7 +2,7 @@
 // their load.
 //
 //   x      unknown displacements, mm     y = c·x + y_0   approach of a spring's bodies, mm
-//   F(δ)   force of a spring, δ = y + e, 0 where its bodies do not touch
+//   F(δ)   force of a spring at the approach δ = y + e; F = 0 where its bodies do not touch
 //   Σ w F c = Q                                                        [T13.25]
 //                                              theory: docs/theory/13-drives.md
 //

@@ -31,25 +31,26 @@ struct DriveLoadCase {
 /// Checks, before any mesh is computed, whether the drive can be computed under this load. If
 /// not, the result is the reason.
 ///
-/// Errors    `load` for kinds of drives without loaded contact; `load.torques` of 0;
-///           `load.floating` if the floating body is not the carrier or a central gear of a
-///           single set, or if the set has only one planet; `load.pin_errors` if there is not
-///           exactly one set of planets, or if the number of pin errors differs from the number
-///           of pins
+/// Errors    `load` if the loaded contact is not computed for this kind of drive; `load.torques` if
+///           the torque is not greater than 0; `load.floating` if the floating body is not the
+///           carrier or a central gear of a single set, or if the set has only one planet;
+///           `load.pin_errors` if there is not exactly one set of planets, or if the number of pin
+///           errors differs from the number of pins
 std::optional<Error> check_load(const Drive& drive, const DriveLoadCase& load);
 
 /// Computes the load shares of all planets and the transmission error of the drive under load.
 ///
 /// Formula   at each position, all planets are in equilibrium, [T13.25]. If the meshes of a set
 ///           have several frequencies, this applies to all combinations of their positions,
-///           [T13.26b]. The peaks of frequencies of different sets are added as in
-///           transmission_error()
+///           [T13.26b]. Frequencies of different sets are not combined; their peak-to-peak
+///           values are added, as in transmission_error()
 /// Laws      equal planets at equal phases share equally; the shares of a mesh add up to 1;
 ///           three planets with a floating sun share equally for any errors of their pins
 /// Domain    one request for each mesh (contract)
-/// Errors    as check_load(); `load.positions` if there are too many combinations of positions;
-///           `load` if a mesh has no usable flanks; `load.floating`, or `load` without a floating
-///           body, if there is no equilibrium; as mesh_springs(), with the name of the mesh
+/// Errors    the errors of check_load(); `load.positions` if there are too many combinations of
+///           positions; `load` if a mesh has no usable flanks; `load.floating` if a body of the set
+///           floats and there is no equilibrium; `load` if no body of the set floats and there is
+///           no equilibrium; the errors of mesh_springs(), with the name of the mesh
 Result<LoadedDrive> loaded_drive(const Drive& drive, const DriveLoadCase& load,
                                  Progress* progress = nullptr);
 

@@ -8,8 +8,8 @@ namespace gearwright {
 
 namespace {
 
-// The contact of a mesh on its working flanks. Gear 2 drives if `gear2_drives` is true, and
-// otherwise gear 1. If the pair is not double-helical, only `whole` is set. None if the flanks
+// The contact of a mesh on its working flanks. Gear 2 drives if `gear2_drives` is true, and gear 1
+// drives otherwise. If the pair is not double-helical, only `whole` is set. None if the flanks
 // cannot be computed.
 std::optional<HalvesContact> contact_of(const Drive& drive, std::size_t m,
                                         const ContactErrors& errors, const detail::MeshPhase& phase,

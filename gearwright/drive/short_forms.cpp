@@ -138,8 +138,8 @@ std::optional<Error> add_planet(PlanetarySpec& spec) {
   if (both < 3)
     return refused(
         "planetary.ring", ring,
-        fmt::format("must have at least {} teeth, because the planets are between it and "
-                    "the sun = {}",
+        fmt::format("must have at least {} teeth, because the planets are between the ring and "
+                    "the sun, which has {} teeth",
                     sun + 2, sun));
   return absent_input(
       kField,

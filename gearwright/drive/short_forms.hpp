@@ -103,11 +103,11 @@ struct PairStage {
   std::array<std::optional<DoubleHelical>, 2> double_helical{};
   std::optional<double> efficiency, center_distance, backlash;
   bool backlash_is_mean = false;  ///< true if `backlash` is the mean of a band
-  /// Direction from the axis of the first gear to the axis of the second gear; by default that of the
-  /// stage before.
+  /// Direction from the axis of the first gear to the axis of the second gear; by default that of
+  /// the stage before.
   std::optional<Angle> direction{};
-  /// True if the axis of the second gear is the axis of the input of the train, which determines the
-  /// direction.
+  /// True if the axis of the second gear is the axis of the input of the train, which determines
+  /// the direction.
   bool coaxial = false;
 
   /// Gives both gears teeth. The hand of the second gear fits the first.

@@ -51,8 +51,8 @@ struct StandardTeeth {
 };
 
 /// The variation of Θ of a planetary set whose gears have the given standard teeth. None if there
-/// are several inputs, redundant meshes or no planets. Also none if a mesh that moves the output
-/// loses contact, or if it is not a mesh of a planet with a central gear.
+/// are several inputs, redundant meshes or no planets, or if a mesh that moves the output loses
+/// contact or is not a mesh of a planet with a central gear.
 std::optional<double> windup_variation(const Drive& set, const StandardTeeth& teeth);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
 // Windup. Laws: (1) a single mesh has the variation of its contact lines; (2) the variation is that
 // of a fine sampling of all copies with their delays; (3) it does not depend on a factor of the
-// weights or on a common delay; (4) planets in sequence vary less than planets in phase, and copies
-// of spur gears a pitch over N apart vary as one mesh of N ε_α; (5) a drive without geometry has
-// the value of the same drive with standard teeth.
+// weights or on a common delay; (4) planets in sequence vary less than planets in phase, and N
+// copies of a spur mesh whose delays differ by 1/N of a pitch vary like one mesh with the contact
+// ratio N ε_α; (5) a drive without geometry has the value of the same drive with standard teeth.
 #include "gearwright/drive/windup.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,8 @@ TEST(Windup, SequenceSmoothsTheRotation) {  // (4)
   const double in_phase = *windup_variation({mesh});
   EXPECT_NEAR(in_phase, 1.55 * 0.5, 1e-12);
   mesh.delays = {0.0, 1.0 / 3, 2.0 / 3};
-  // Three copies have 4 or 5 pairs in contact, of which 1 or 2 in double contact: 3 ε_α = 4.65.
+  // In total, 4 or 5 tooth pairs are in contact (3 ε_α = 4.65), because 1 or 2 of the three copies
+  // are in double contact.
   EXPECT_NEAR(*windup_variation({mesh}), 1.55 * 0.5 / 3, 1e-12);
 }
 

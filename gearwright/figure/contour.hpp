@@ -2,8 +2,8 @@
 //
 // The nodes of a raster are (column, row). The value is linear between two nodes. An infinite node
 // is above every level. The border of a region runs halfway between such a node and its finite
-// neighbour. The edge of the raster closes every region. Steps of values are shown in ten shades
-// from dark (low) to bright (high).
+// neighbour. A region that reaches the edge of the raster ends there. Steps of values are shown in
+// ten shades from dark (low) to bright (high).
 #pragma once
 
 #include <cstddef>

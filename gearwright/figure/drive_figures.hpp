@@ -38,8 +38,8 @@ std::optional<Figure> displacement_figure(const Drive& drive, std::size_t set);
 /// Domain    a drive under load, index of one of its curves (contract)
 Figure loaded_output_figure(const Drive& drive, std::size_t curve);
 
-/// All figures of a drive under load: shares and displacements of the sets with several planets, and
-/// the transmission errors of the output. Empty without a load.
+/// All figures of a drive under load: shares and displacements of the sets with several planets,
+/// and the transmission errors of the output. Empty without a load.
 std::vector<Figure> drive_load_figures(const Drive& drive);
 
 }  // namespace gearwright

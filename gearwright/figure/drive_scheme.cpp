@@ -197,8 +197,8 @@ class Scheme {
     }
   }
 
-  // A rack in section across its travel: its teeth at the datum line, and its body behind them. The
-  // words of its body are beyond its back.
+  // Draws the section of a rack perpendicular to its travel, with the teeth at the datum line and
+  // the body behind them. The name of the body is written beyond its back.
   void draw_rack(std::size_t g, double from, double to) {
     const DriveGear& gear = graph_.gears[g];
     const auto mesh = std::find_if(graph_.meshes.begin(), graph_.meshes.end(),
@@ -404,7 +404,7 @@ class Scheme {
   std::vector<double> radii_;             // radius of each gear, in units of the picture
   std::vector<std::vector<Rise>> rises_;  // rises of each body
   std::vector<std::pair<double, double>>
-      beyond_;  // height, and px of words above (> 0) or below it
+      beyond_;  // of some words: their height, and their px above (> 0) or below it
   double left_ = 0.0, right_ = 0.0, top_ = 0.0, bottom_ = 0.0;
   double left_most_ = 0.0, right_most_ = 0.0;
 };

@@ -1,5 +1,5 @@
-// The words at the inputs, the output and the fixed bodies of a drive in its scheme. Internal to the
-// room figure.
+// The words at the inputs, the output and the fixed bodies of a drive in its scheme. Internal to
+// the room figure.
 #pragma once
 
 #include <string>

@@ -220,8 +220,8 @@ std::string gear_definition(const Gear& gear, const std::string& name) {
       text += fmt::format("<circle stroke=\"none\" r=\"{}\"/>", r_f);
     }
   } else {
-    // The tooth of an internal gear is attached to the rim. Its fill is closed within the rim, and
-    // its stroke stays open.
+    // The tooth of an internal gear is attached to the rim. The fill of the tooth is closed within
+    // the rim, but the stroke stays open.
     const long rim = units(drawn_radius(gear));
     const double inside = 0.5 * (gear.tooth->root_radius + drawn_radius(gear));
     const Vec2 end =

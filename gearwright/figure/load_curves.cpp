@@ -144,9 +144,9 @@ std::optional<Figure> pair_share_figure(const LoadScene& scene) {
       .title = "Load shares of the tooth pairs",
       .description = "Load shares of all tooth pairs in mesh over the rotation of gear 1.",
       .caption = fmt::format(
-          " at {}. The shaded pitch is repeated. Each tooth pair has a colour, a width of its "
-          "curve and a number, counted from the pair nearest to the centre line. The sum of the "
-          "curves is 1.",
+          " at {}. The shaded pitch is repeated. The curves of neighbouring tooth pairs differ in "
+          "colour and line width. The tooth pairs are numbered, starting with 0 for the pair "
+          "nearest to the centre line. The sum of the curves is 1.",
           torque_words(t)),
       .x = {"rotation of gear 1", "°", -pitch, pitch},
       .y = {"share of the load", "", 0.0, 1.06}};

@@ -126,8 +126,8 @@ FlankRaster pressure_raster(const LoadScene& scene, std::size_t which) {
     slices.push_back(samples_of(scene, which, static_cast<std::size_t>(j)));
   for (const double d : raster.diameter) {
     for (const double z : raster.height) {
-      // Between the middle of an outermost slice and the end of the face, the value of this slice
-      // is used.
+      // The value of an outermost slice is used from the middle of this slice to the end of the
+      // face.
       const double place = std::clamp((z - s.middle(0)) / s.width(), 0.0, s.count - 1.0);
       const auto j = std::min(static_cast<std::size_t>(place), slices.size() - 2);
       const double to_next = place - static_cast<double>(j);

@@ -172,9 +172,10 @@ std::optional<Figure> transmission_error_figure(const ContactScene& scene,
                   unit.words),
       fmt::format(
           ", relative to the middle of its range, {}. The shaded pitch has {} positions and "
-          "is repeated. Each tooth pair has a colour, a width of its curve and a number, counted "
-          "from the pair nearest to the centre line. A dashed curve means that an edge touches. "
-          "A dotted vertical line marks the change from one tooth pair to the next.",
+          "is repeated. The curves of neighbouring tooth pairs differ in colour and line width. "
+          "The tooth pairs are numbered, starting with 0 for the pair nearest to the centre line. "
+          "A dashed curve means that an edge touches. A dotted vertical line marks the change from "
+          "one tooth pair to the next.",
           unit.text(Angle::radians(middle)), result.positions.size()),
       {"rotation of gear 1", "°", -pitch, pitch},
       {"transmission error", unit.words, -half, half},

@@ -1,14 +1,16 @@
 // Turns the gears of figures. Without the script, and on paper, a figure shows its first position.
 //
-//   t   rotation of gear 1 from the drawn position, in pitches. After one pitch, the next tooth takes
-//       the place of the first, and the figure repeats. For a drive, t is a part of its period.
+//   t   rotation of gear 1 from the drawn position, in pitches. After one pitch, the next tooth
+//       takes the place of the first, and the figure repeats. For a drive, t is a part of its
+//       period.
 //
 //   figureTurn(scope)   Returns a function of t that turns and moves the shapes, moves the contact
 //                       points and shows the frames inside an element.
 //   figureDrive(button, slider, seconds, changed, sways)   The button starts and stops a motion of
 //                       one pitch in `seconds`. `changed` is called with t, in the range of the
-//                       slider, and with the number of completed pitches. If `sways`, the motion
-//                       goes to and fro, by half a pitch to either side. Returns {stop, reset}.
+//                       slider, and with the number of completed pitches. If `sways` is true, the
+//                       motion goes to and fro, by half a pitch to either side. Returns
+//                       {stop, reset}.
 (function () {
   'use strict';
   function list(nodes) { return Array.prototype.slice.call(nodes); }

@@ -51,8 +51,8 @@
       return {x: box.x + box.w / 2, y: box.y + box.h / 2};
     }
 
-    // If the user scrolls the page and a picture comes under the pointer, the page must not stop
-    // there. The wheel controls the picture only after the pointer itself has moved on it.
+    // If a picture comes under the pointer while the user scrolls the page, the page must continue
+    // to scroll. The wheel controls the picture only after the pointer itself has moved on it.
     window.addEventListener('scroll', function () { armed = false; }, {passive: true});
     holder.addEventListener('pointerleave', function () { armed = false; });
     holder.addEventListener('wheel', function (event) {

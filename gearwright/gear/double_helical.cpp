@@ -45,7 +45,8 @@ std::optional<Error> mates_error(const std::array<std::optional<DoubleHelical>, 
   return refused(gear_field(2, "double_helical.gap"), two->gap,
                  fmt::format("the halves are not opposite each other, because only {:.6g} mm of "
                              "the narrower half ({:.6g} mm wide) overlap with the mating half; the "
-                             "wider gap must be on the narrower gear",
+                             "gear with the narrower halves must have the wider gap between its "
+                             "halves",
                              common, narrower));
 }
 

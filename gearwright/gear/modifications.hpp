@@ -236,10 +236,11 @@ class RemovalField {
 
 /// Makes the field, if the modifications fit the flank.
 ///
-/// Errors    the member of FlankModifications, such as `tip_relief.reach`: a start off the usable
-///           flank, a relief without a reach or steeper than 1 in 5 (a chamfer), an amount greater
-///           than a tenth of the flank's depth, a negative relief, wave height or number of
-///           waves, or a grid that does not cover the flank
+/// Errors    the member of FlankModifications that has a fault, such as `tip_relief.reach`. The
+///           faults are: a relief that does not start on the usable flank; a relief without a
+///           reach; a relief steeper than 1 in 5 (a chamfer); an amount greater than a tenth of the
+///           flank's depth; a relief, a wave height or a number of waves that is negative; a grid
+///           that does not cover the flank
 /// Domain    0 ≤ r0 ≤ both form radii, which differ; face_width > 0; is_grid() of the topography
 ///           (contract)
 Result<RemovalField> make_removal_field(const FlankModifications& modifications,

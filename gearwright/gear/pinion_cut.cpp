@@ -61,7 +61,8 @@ std::optional<Error> check_cutter(const Gear& cutter, int teeth) {
   if (teeth < 0 && -teeth <= z_0) {
     return refused("teeth", teeth,
                    fmt::format("the cutter with {} teeth does not fit into the internal gear; the "
-                               "internal gear needs at least {} teeth, or the cutter at most {}",
+                               "internal gear needs at least {} teeth, or the cutter may have at "
+                               "most {}",
                                z_0, -(z_0 + 1), -teeth - 1));
   }
   return std::nullopt;

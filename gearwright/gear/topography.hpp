@@ -3,7 +3,7 @@
 //
 //   d, z   diameter and height from the middle of the face, mm         s(d, z)   removed, mm
 //
-// The surface is a tensor product of cubic splines with not-a-knot ends, and twice continuously
+// The surface is a tensor product of cubic splines with not-a-knot ends. It is twice continuously
 // differentiable. Its error is of fourth order in the grid step up to the edges of the flank. The
 // error of a natural spline would be of second order at the edges, because a natural spline has no
 // curvature at its ends. Two or three points along a side give the line or the parabola through

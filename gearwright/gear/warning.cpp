@@ -21,8 +21,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the root fillets of both sides meet below the tip, so the gear has no outline",
      "the teeth are cut off at their roots"},
     {C::no_body, "no_body", kProblem,
-     "the bore or its keyway reaches the roots or the groove of a double-helical gear, or the rim "
-     "of an internal gear does not enclose its roots",
+     "the bore or its keyway reaches the roots (or the groove of a double-helical gear), or the "
+     "rim of an internal gear does not enclose its roots",
      "a bore leaves no gear body"},
     {C::no_flank, "no_flank", kProblem, "no usable involute is left between root fillet and tip",
      "a gear has no usable flank"},
@@ -38,7 +38,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the teeth are too thick for the centre distance",
      "the teeth are too thick for this centre distance"},
     {C::contact_ratio, "contact_ratio", kProblem,
-     "ε_γ of the part of the path on the usable flanks (on crossed axes, AE/p_bn) is below 1",
+     "ε_γ (on crossed axes, AE/p_bn) is below 1 for the part of the path on the usable flanks",
      "contact is not continuous"},
     {C::load_unfinished, "load_unfinished", kProblem,
      "at some positions the forces do not converge (verbs `load` and `compensate`); these "
@@ -119,7 +119,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "a tip has no clearance to the mating gear's root, because one gear has cut the other",
      "a tip without clearance to the root of the mating gear"},
     {C::beyond_hertz, "beyond_hertz", kCaution,
-     "the contact is wider than a tenth of the radius of curvature there (verb `load`)",
+     "the half width of the contact is more than a tenth of the radius of relative curvature (verb "
+     "`load`)",
      "the contact is outside the range of Hertz’ formulas"},
     {C::nearly_parallel, "nearly_parallel", kCaution,
      "the axes cross at less than 1°; the message gives the helix angle that parallel axes need",
@@ -249,10 +250,11 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "if the lead of the cutter is changed, contact of tips with circular root fillets, or with "
      "roots cut by a pinion cutter, is not checked (verb `contact`)"},
     {C::transverse_contact_ratio, "transverse_contact_ratio", kNote,
-     "ε_α of the part of the path on the usable flanks is below 1, and the overlap compensates for "
-     "it; the message gives the least face width"},
+     "ε_α is below 1 for the part of the path on the usable flanks, and the overlap compensates "
+     "for this; the message gives the least face width"},
     {C::self_locking, "self_locking", kNote,
-     "with this friction, the gear that the message names (in a drive, the output) cannot drive"},
+     "with this friction, the gear named in the message cannot be the driving gear; in a drive, "
+     "the output cannot be the driving member"},
     {C::full_radius_root, "full_radius_root", kNote,
      "the root radius of a named rack does not fit; the full radius is used"},
     {C::tip_cut_by_rack, "tip_cut_by_rack", kNote,
@@ -279,7 +281,8 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
     {C::no_span, "no_span", kNote,
      "no span touches the usable flank, and no number of teeth is given (verb `measure`)"},
     {C::no_balls, "no_balls", kNote,
-     "no ball diameter is given, and balls of no size touch the usable flanks (verb `measure`)"},
+     "no ball diameter is given, and no ball of any size touches the usable flanks (verb "
+     "`measure`)"},
     {C::span_off_flank, "span_off_flank", kNote,
      "the contacts of the given span are not on the usable flank (verb `measure`)"},
     {C::span_off_face, "span_off_face", kNote,
@@ -347,7 +350,7 @@ constexpr std::array<WarningMeaning, kWarningCodes> kRows{{
      "the axis of a shaft is within the tip circle of a gear on another shaft, so the shaft must "
      "end before this gear (verb `drive`)"},
     {C::rating_quality, "rating_quality", kCaution,
-     "`quality` of [rating] differs from `quality` of a gear, which the drawing contains",
+     "`quality` of [rating] differs from the accuracy grade of a gear on the drawing",
      "a rating with an accuracy grade that differs from the drawing",
      "Leave out quality in [rating]; the rating then uses the grades of the gears."},
     {C::tolerance_editions, "tolerance_editions", kNote,

@@ -132,7 +132,7 @@ enum class WarningCode {
   default_rack,
   // A shaft of a drive that would pass through a gear.
   shaft_through_gear,
-  // A rating whose accuracy is not the accuracy of the drawing.
+  // The accuracy grade of the rating differs from the grade of the drawing.
   rating_quality,
   tolerance_editions,
   // The safety factors of a load spectrum, which the verdict does not contain.

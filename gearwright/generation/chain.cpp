@@ -9,8 +9,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The transition of the outline from `last` to `next`: at a height, or none because one of the two
-// branches is hidden.
+// The transition of the outline from `last` to `next`. It lies at a height, or there is none
+// because one of the two branches is hidden.
 struct Joint {
   enum Kind { at_height, last_hidden, next_hidden } kind;
   double height = 0.0;
@@ -40,10 +40,9 @@ double crossing(const Branch& last, const Branch& next, double lo, double hi) {
 }
 
 // Returns the transition from `last` to `next`. The lower envelope of the half angles is
-// continuous. If the height ranges of the two branches only touch, or if one branch ends before
-// it crosses the other, the two branches share this end within rounding. This happens if
-// undercut begins at the end of a branch, or if a corner of the cutter's edge lies on the pitch
-// line.
+// continuous. If the height ranges of the two branches only touch, or if one branch ends before it
+// crosses the other, the two branches have a common end within rounding. This happens if undercut
+// begins at the end of a branch, or if a corner of the cutter's edge lies on the pitch line.
 Joint joint(const Branch& last, const Branch& next) {
   if (!(next.height_lo < next.height_hi)) return {Joint::next_hidden};  // `next` has no extent
   const double lo = std::max(last.height_lo, next.height_lo);
@@ -58,8 +57,8 @@ Joint joint(const Branch& last, const Branch& next) {
     return {Joint::last_hidden};
   }
   if (std::isinf(hi)) {
-    // Both curves are involutes. At large heights, the smaller base circle gives the smaller angle.
-    // The search ends at this multiple of `lo`, which no tooth reaches.
+    // Both curves are involutes. At large heights, the involute with the smaller base circle has
+    // the smaller half angle. The search ends at this multiple of `lo`, which no tooth reaches.
     constexpr double kFarOut = 1e6;
     hi = 2.0 * lo;
     while (gap(hi) < 0.0 && hi < kFarOut * lo) hi *= 2.0;

@@ -11,9 +11,9 @@
 //                                              theory: docs/theory/06-few-teeth.md
 //
 // All arcs are tangent to the flank, so the centre of each arc lies on a normal of the flank. The
-// centre of the root fillet also lies on the centre line of the space, and the centre of the tip
-// fillet on the centre line of the tooth. The centre of a rounded tip corner lies one radius of the
-// corner inside the tip circle.
+// centre of the root fillet also lies on the centre line of the space. The centre of the tip fillet
+// also lies on the centre line of the tooth. The centre of a rounded tip corner lies one radius of
+// the corner inside the tip circle.
 #pragma once
 
 #include <optional>

@@ -41,8 +41,8 @@ double slope(const F& f, double x) {
   return (f(x + h) - f(x - h)) / (2 * h);
 }
 
-// [T6.2]: the circle about D∠π/z passes through C with the tangent of the flank, and meets the
-// middle of the space at `end`, a span of σ before C.
+// [T6.2]: the circle about D∠π/z passes through C, where it is tangent to the flank. It meets the
+// middle of the space at `end`. The arc from `end` to C has the angle σ.
 TEST(RootFillet, touches_the_flank_and_is_centred_in_the_space) {
   int arcs = 0;
   for (const Tooth& tooth : teeth()) {

@@ -121,8 +121,8 @@ class Cutting {
     if (!cut) return;
     const double a = cut->roll(arc.begin);
     const double b = cut->roll(arc.end);
-    // Only one side of the cusp is kept. On an external gear this is ξ < 0, and on an internal gear
-    // ξ > 0.
+    // Only one side of the cusp is kept: the side ξ < 0 on an external gear, and the side ξ > 0 on
+    // an internal gear.
     const double side = motion_.side();
     const double t_lo = side > 0.0 ? std::min(a, 0.0) : std::max(a, 0.0);
     const double t_hi = side > 0.0 ? std::min(b, 0.0) : std::max(b, 0.0);

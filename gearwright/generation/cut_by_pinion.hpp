@@ -1,9 +1,10 @@
 // Computes the gear that the whole outline of a pinion cutter generates. The cutter is given by its
 // finished tooth.
 //
-// As for the edge of a rack, every arc of the cutter gives branches, and so does every corner with
-// its range of normals. The tip of the cutter cuts the root of the gear, and the root of the cutter
-// cuts the tip of the gear. The concave root of the cutter may cut cusps on the tip of the gear.
+// Every arc of the cutter gives branches, just as with the edge of a rack. Every convex corner also
+// gives branches, with its range of normals. The tip of the cutter cuts the root of the gear, and
+// the root of the cutter cuts the tip of the gear. The concave root of the cutter may cut cusps on
+// the tip of the gear.
 //                                              theory: docs/theory/06-few-teeth.md, [T6.8]…[T6.13]
 #pragma once
 

@@ -57,7 +57,7 @@ enum class Walk { forward, backward };
 enum class Meeting { ahead, behind };
 
 /// The envelope as a function of the parameter of the cutter's curve. σ is the arc length of this
-/// curve, and k its curvature.
+/// curve, and k is its curvature.
 ///
 /// Laws  (1) dW/dσ = i G e^{i(κ−mϑ)} with G = 1 + (1+m) λ (1 − k λ)/w; a zero of G is a cusp [T6.9]
 ///       (2) d|W|²/dσ = −2 (r_g/r_p) s G, so the radius is monotone between cusps

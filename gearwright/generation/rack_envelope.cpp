@@ -63,7 +63,7 @@ std::vector<double> RackTrochoid::cusp_polynomial() const {
 }
 
 std::vector<double> RackTrochoid::neck_angles(double tau_lo, double tau_hi) const {
-  // r sin²τ_t + x = 0, multiplied by (s² + cos²β c²).
+  // r sin²τ_t + x = 0, multiplied by s² + cos²β (1 − s²), is a polynomial in s = sin τ.
   const double cos2 = motion_.cos_beta * motion_.cos_beta;
   const double sin2 = 1.0 - cos2;
   const double q = circle_.q;

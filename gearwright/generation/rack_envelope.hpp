@@ -53,9 +53,9 @@ RackCut<T> rack_cut(const RackCircle<T>& e, const T& s, const T& c) {
   return {x, k, (y - k) / e.r};
 }
 
-/// Computes W = (r + x + ik) e^{iφ} and its derivatives by τ. In the code, x is the height of the
-/// circle's centre, so the point of the cutter has the height x + q sin τ. Because these two terms
-/// are kept apart, nothing is divided by more than sin² τ. [T8.6]
+/// Computes W = (r + x + ik) e^{iφ} and its derivatives with respect to τ. In the code, x is the
+/// height of the circle's centre, so the point of the cutter has the height x + q sin τ. Because
+/// these two terms are kept apart, no divisor contains a higher power than sin² τ. [T8.6]
 template <class T>
 CurveJet<T> trochoid_jet(const RackCircle<T>& e, const T& tau) {
   using std::cos;
@@ -97,10 +97,10 @@ class RackTrochoid final : public Curve {
   Vec2 point(double tau) const override;
   CurvePoint at(double tau) const override;
   double polar_angle(double tau) const override;
-  /// The point W and its first two derivatives by τ, in polar form. [T8.6]
+  /// The point W and its first two derivatives with respect to τ, in polar form. [T8.6]
   PolarJet polar_jet(double tau) const;
-  /// Returns ln |W| and its derivative by τ. This is the only part of polar_jet() that a search for
-  /// a radius needs.
+  /// ln |W| and its derivative with respect to τ. A search for a radius needs only this part of
+  /// polar_jet().
   struct LogRadius {
     double u, slope;
   };
@@ -135,8 +135,9 @@ inline PolarJet RackTrochoid::polar_jet(double tau) const {
 /// The involute that a straight piece cuts. [T3.8]
 Involute rack_involute(const RackMotion& motion, const EdgeLine& line);
 
-/// Returns the roll angle ξ of the involute point that the line cuts with its point at the height
-/// x. x includes e.
+/// The point of the line at the height x cuts one point of the involute. This function returns the
+/// roll angle ξ of that involute point. The height x is measured from the pitch circle, so it
+/// includes e.
 double rack_involute_roll(const RackMotion& motion, const EdgeLine& line, double x);
 
 }  // namespace gearwright

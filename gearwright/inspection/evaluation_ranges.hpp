@@ -42,7 +42,7 @@ struct UsableFlank {
 
 /// The usable flank of a gear; none if no flank is left or the teeth are not involutes.
 std::optional<UsableFlank> usable_flank(const Gear& gear);
-/// The usable flank, on which a tool with the input `field` = `value` measures.
+/// The usable flank, for a measuring tool whose input `field` has the value `value`.
 ///
 /// Errors    `field` if the teeth are not involutes or no flank is left
 Result<UsableFlank> measurable_flank(const Gear& gear, const char* field, double value);

@@ -147,10 +147,10 @@ struct Identification {
   std::optional<NextMeasurement> next;         ///< none if there is only one candidate, or if no
                                                ///< measurement distinguishes the candidates
   std::string reason;                          ///< the reason if there is no candidate
-  std::optional<Alternative> alternative{};    ///< present if the readings do not agree with the
-                                               ///< first candidate, or if it is nonstandard or
-                                               ///< implausible, and if the correction of one
-                                               ///< input gives a gear that agrees
+  std::optional<Alternative> alternative{};    ///< present if the correction of one input gives
+                                               ///< a gear that agrees, and if the first candidate
+                                               ///< disagrees with the readings, is nonstandard or
+                                               ///< is implausible
 };
 inline constexpr int kMostCandidates = 8;
 /// Errors    `teeth` if missing or fewer than 3; `measured` if no reading determines the size

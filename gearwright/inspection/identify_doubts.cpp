@@ -62,7 +62,7 @@ Identification without_contradiction(const IdentifyProblem& problem) {
   IdentifyProblem others = problem;
   (contradiction->reading == Reading::tip_diameter ? others.tip : others.root).value.reset();
   answer = detail::identify_readings(others, detail::LeaveOut::one);
-  // The expected value is the value of the gear that the other readings give.
+  // The other readings determine a gear. The expected value is the value of this gear.
   auto expected = contradiction;
   if (!answer.candidates.empty()) {
     const IdentifiedGear& gear = answer.candidates.front();

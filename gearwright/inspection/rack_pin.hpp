@@ -35,8 +35,8 @@ struct RackPin {
 std::optional<RackPin> pin_on_rack(const RackGeometry& rack, double diameter);
 
 /// The pin with RackBar::pin_diameter if it is given and can be measured. Otherwise the pin whose
-/// diameter is the size of DIN 3977 nearest to e_n/cos α_n, which touches at the datum line, of all
-/// sizes that can be measured. None if no size can be measured.
+/// diameter is nearest to e_n/cos α_n among the sizes of DIN 3977 that can be measured. A pin of
+/// the diameter e_n/cos α_n touches at the datum line. None if no size can be measured.
 std::optional<RackPin> usual_pin(const RackGeometry& rack);
 
 }  // namespace gearwright

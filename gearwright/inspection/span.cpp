@@ -70,8 +70,8 @@ std::string range_text(const Gear& gear, const UsableFlank& flank) {
 double span_length(const Gear& gear, int k) {
   const ReferenceGeometry<double>& g = gear.reference();
   const double cos_b = std::cos(g.base_helix_angle);
-  // k teeth are k − 1 pitches and a tooth; k tooth spaces of an internal gear are k pitches less a
-  // tooth.
+  // A span over k teeth consists of k − 1 pitches and one tooth. A span over k tooth spaces of an
+  // internal gear is one tooth shorter than k pitches.
   const double side = gear.side();
   const double pitches = k - (1 + side) / 2;
   return cos_b * (pitches * g.base_pitch_transverse + side * g.base_tooth_thickness);

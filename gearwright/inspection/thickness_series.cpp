@@ -169,7 +169,7 @@ Result<std::array<double, 2>> hole_deviations(std::string_view fit, double size)
 
 Result<std::array<double, 2>> tip_deviations(std::string_view fit, double tip_diameter,
                                              double side) {
-  // Two tolerance zones, and words for the message.
+  // The letters of the two permitted tolerance zones, and words for the message.
   using Words = std::array<std::string_view, 4>;
   const auto [one_sided, symmetric, gear, tip] =
       side > 0.0 ? Words{"h", "js", "external", "shaft"} : Words{"H", "JS", "internal", "hole"};

@@ -177,8 +177,8 @@ Result<Verdict> judge_corrected(const Json& corrected, const SolvedJob& job,
   SolvedJob with = std::move(solved).take();
   const auto contact = answer_contact(with);
   if (!contact) return contact.error();
-  // Two kinds of warnings of the job are kept: warnings about the range of errors, because the
-  // range includes the errors of the spec, and warnings about the load.
+  // Two kinds of warnings of the job are kept: those about the load, and those about the range of
+  // errors. The latter still apply, because the range includes the errors of the spec.
   for (const Warning& w : job.warnings) {
     if (w.code == WarningCode::contact_lost || w.code == WarningCode::load_unfinished)
       with.warnings.push_back(w);

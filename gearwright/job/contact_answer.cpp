@@ -56,18 +56,18 @@ void warn_of_fillet(const FilletContact& touch, const ContactSetup& setup, bool 
                    3 - touch.gear, touch.gear, touch.early, other ? "non-working " : "",
                    touch.point.rotation1.deg(), touch.point.diameter[touch.gear - 1],
                    other ? "The backlash is reduced by this amount"
-                         : "The flanks do not determine the transmission error there",
+                         : "The flanks do not determine the transmission error at this position",
                    as_cut),
        touch.gear});
 }
 
 // If the flanks of an internal pair overlap by more than this part of a pitch, the gears jam
-// whatever the fillets do. The fillets are then not examined, because many teeth overlap and their
-// computation can take half a minute.
+// regardless of the fillets. The fillets are then not examined, because many teeth overlap and
+// their computation can take half a minute.
 constexpr double kDeepOverlap = 0.05;
 
-// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors,
-// this depends only on the outlines of the gears, [T2.34] and [T4.33].
+// Warns if, under the errors, a tip meets a root fillet before the flanks meet. Without errors, the
+// comparison of the outlines of the gears finds such a contact, [T2.34] and [T4.33].
 void warn_about_fillets(const ContactAnswer& answer, const ContactInput& input,
                         std::vector<Warning>& warnings, Progress* progress) {
   const Gear& gear_2 = answer.setup->gear(2);

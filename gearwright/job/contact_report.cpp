@@ -289,8 +289,8 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!wants_contact(job)) return std::optional<ContactPart>();
   auto made = answer_contact(job, progress);
   if (!made) {
-    // If nothing touches, the warning states only the rule of the error, because the rule
-    // describes the whole pair. Otherwise, the warning also names the invalid number.
+    // If the teeth of the nominal pair do not touch, no single number is wrong, so the warning
+    // omits the key and the value of the error.
     if (!without_contact(made.error())) return made.error();
     const Error why = spelled(made.error(), job.spec.given);
     const bool whole_pair = made.error().kind == FailureKind::nothing_touches;

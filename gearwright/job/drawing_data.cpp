@@ -225,7 +225,7 @@ std::string amount(const ModificationEntry& entry, const FlankModifications& m, 
          short_decimals(value_in(units, Unit::mm, *(m.*entry.relief).reach), 4);
 }
 
-// The rows describe both halves of a double-helical gear, because one is the other's mirror image.
+// The rows describe both halves of a double-helical gear, because they are mirror images.
 DataGroup modifications(const std::array<FlankModifications, 2>& flanks, bool halves,
                         UnitSystem units) {
   DataGroup group{"Flank modifications, material removed", {}};

@@ -259,7 +259,8 @@ Json gear_table(const DriveJob& job, const Json& expanded, std::size_t gear) {
   const auto& given = job.spec.drive->graph.gears[gear].spec;
   if (solved && solved->spec.thickness_allowance != given->thickness_allowance)
     table["thickness_allowance_mm"] = solved->spec.thickness_allowance;
-  // The mean of a series becomes the series again, so that the drawing has its limits.
+  // An allowance that is the mean of a series is replaced by the name of the series, so that the
+  // drawing has the limits of the series.
   const std::string series =
       solved ? series_of(job.spec.tree->tables, job.drive.graph.gears[gear].name, solved->spec)
              : "";
@@ -281,8 +282,8 @@ struct RatedLoad {
   std::array<FlankUse, 2> use;
 };
 
-// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life and
-// the reversed bending are the more severe ones of the two gears.
+// The table [rating] for one mesh. The load is the load of one copy of the mesh. The life is that
+// of the gear that engages more often. The bending is reversed if it is reversed for one gear.
 Json rating_table(const Json& of_drive, const RatedLoad& load) {
   Json table = of_drive;
   for (const char* key : {"power_kW", "speed_rpm", "mesh_load_factor", "spectrum"})

@@ -69,8 +69,8 @@ bool has_earlier_mesh(const Drive& drive, std::size_t gear, std::size_t mesh) {
   return false;
 }
 
-// If a gear of a mesh has no bore, the computation assumes a diameter at which its body is
-// held. Adds a finding for each such gear that has no earlier mesh.
+// If a gear of a mesh has no bore, the computation assumes a diameter at which its body is held.
+// Adds a finding for each such gear, but only for the first of its meshes.
 void note_held(Drive& drive, std::size_t mesh, const LoadRequest& request,
                const std::vector<Warning>& warnings) {
   for (const Warning& w : warnings) {

@@ -222,8 +222,8 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   DriveSearchProblem& problem = task.problem;
   const bool rated = rates_drives(spec, problem);
   if (auto error = set_densities(spec, problem)) return *error;
-  // Rated trains whose shifts the search chooses have the same limit as rated pairs. In small
-  // planetary sets, no shifts satisfy it.
+  // If the search chooses the shifts of rated trains, their sliding has the same limit as that of
+  // rated pairs. Planetary sets have no such limit, because no shifts of small sets satisfy it.
   const PerMember& shift = problem.base.profile_shift;
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())

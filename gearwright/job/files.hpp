@@ -90,8 +90,8 @@ std::vector<ReportFile> report_files(const std::vector<JobFile>& files);
 /// Writes the files, each completely or not at all.   Throws  IoError
 void write_files(const std::vector<JobFile>& files);
 
-/// Makes the folder and writes the files of a run into it. Also removes the unchanged files of an
-/// earlier run that this run does not write. All other files stay.   Throws  IoError
+/// Makes the folder and writes the files of a run into it. Also removes files of an earlier run, if
+/// they are unchanged and this run does not write them. All other files stay.   Throws  IoError
 void write_run_into(const std::filesystem::path& folder, const std::vector<JobFile>& files,
                     const FileOptions& options);
 

@@ -39,12 +39,12 @@ std::string pair_interval_listing(const SolvedJob& job) {
   // Each limit has a listing of its own, because the values of two gears already need two columns.
   auto [lower, upper] = pair_limits(job);
   const auto both = differing(std::move(lower), std::move(upper));
-  return "\nValues with the thinnest teeth and the most backlash; if another combination gives "
-         "less, the least value\n" +
+  return "\nValues with the thinnest teeth and the most backlash\n" +
          quantity_listing(job.spec.units(), pair_quantities().table(), {both[0]}, {}) +
-         "\nValues with the thickest teeth and the least backlash; if another combination gives "
-         "more, the greatest value\n" +
-         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {});
+         "\nValues with the thickest teeth and the least backlash\n" +
+         quantity_listing(job.spec.units(), pair_quantities().table(), {both[1]}, {}) +
+         "  If another combination gives a value outside these two, the first list has the\n"
+         "  least value of all combinations, and the second list has the greatest value.\n";
 }
 
 }  // namespace
@@ -161,8 +161,8 @@ std::string file_listing(const std::vector<JobFile>& files, UnitSystem units) {
   std::string out = "\n";
   for (const JobFile& f : files) {
     std::string note = f.note;
-    // The deviation is inserted before the first semicolon, after which the note states what
-    // the file omits.
+    // The text after the first semicolon of a note states what the file omits. The deviation is
+    // inserted before this semicolon.
     if (f.deviation_mm)
       note.insert(std::min(note.find(';'), note.size()),
                   fmt::format(", within {:.2g} µm", f.printed_deviation_um()));

@@ -34,8 +34,8 @@ std::vector<ValueRecord> measure_records(const SolvedJob& job);
 /// two records or none. Without tolerances the list is empty.
 std::vector<std::vector<ValueRecord>> measure_end_records(const SolvedJob& job);
 
-/// The record of job_record() in which each of `gears` also has `measure`, with the ranges of the
-/// measurements within tolerances.
+/// The record of job_record(), with a member `measure` added to each of `gears`. It includes the
+/// ranges of the measurements within tolerances.
 Json measures_record(const SolvedJob& job, const std::vector<GearMeasures>& measures);
 
 std::string measure_listing(const SolvedJob& job, const std::vector<GearMeasures>& measures);

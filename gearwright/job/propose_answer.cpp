@@ -112,8 +112,8 @@ std::string arrow(double from, double to, int decimals) {
 // deviation, this is the score at the limits of the deviation.
 const LoadedScore& pressed(const Proposal& p) { return p.at_limits ? *p.at_limits : p.worst; }
 
-// Greatest increase of the pressure, as a factor, that is accepted if it frees the edges at the
-// limits of the helix slopes from load. Because p_H ∝ √F, 10 % more pressure are 21 % more torque.
+// Greatest factor by which the pressure may increase if no edge then carries load at the limits of
+// the helix slopes. Because p_H ∝ √F, 10 % more pressure means 21 % more torque.
 constexpr double kMostPressure = 1.1;
 
 // The result is 2 if an edge carries load, 1 if an edge carries load only at the limits of the

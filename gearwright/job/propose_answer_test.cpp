@@ -147,8 +147,8 @@ TEST(Propose, RecommendsByEdgesThenBySum) {
   EXPECT_EQ(recommended({plain, crowned}), 1u);
 }
 
-// A proposal that frees the edges at the limits is recommended for that only if its pressure without
-// deviations is at most 1.1 times the least pressure. [T12.33]
+// A proposal is preferred because no edge carries load at the limits, but only if its pressure
+// without deviations is at most 1.1 times the least pressure. [T12.33]
 TEST(Propose, DoesNotPayForFreeEdgesWithMuchPressure) {
   for (const double pressure : {900.0, 960.0}) {
     Proposal quiet = with_score(4, 860);

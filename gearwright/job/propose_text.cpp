@@ -17,7 +17,7 @@ std::string propose_listing(const SolvedJob& job, const ProposeAnswer& a) {
   return out + "\n" +
          wrapped(fmt::format("* Recommended: {}, {}. {}", a.recommended + 1,
                              words_of(a.proposals[a.recommended]), sentence_in(units, a.reason))) +
-         "To print the spec of a proposal: --take NUMBER > modified.toml\n";
+         "The option --take NUMBER > modified.toml writes the spec of a proposal.\n";
 }
 
 }  // namespace gearwright

@@ -169,7 +169,7 @@ TEST(RatingFaceLoad, is_rejected_without_its_inputs_and_for_other_specs) {
   const auto read = read_spec_tree(search);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().field, "rating.face_load_factor");
-  EXPECT_NE(read.error().rule.find("a search does not support it"), std::string::npos);
+  EXPECT_NE(read.error().rule.find("is not supported in a search"), std::string::npos);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ void enclose(ValueRecord& lower, ValueRecord& upper, const ValueRecord& other);
 
 // Widens the limits of a value until they enclose the other value.
 void enclose(Value& lower, Value& upper, const Value& other) {
-  // Relative. `other` may be the same number as a limit, but with other rounding errors.
+  // Relative tolerance, because `other` may equal a limit except for rounding errors.
   constexpr double kRounding = 1e-9;
   if (const auto a = lower.number(), b = upper.number(), x = other.number(); a && b && x) {
     const double least = std::min(*a, *b), greatest = std::max(*a, *b);

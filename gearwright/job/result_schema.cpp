@@ -174,8 +174,9 @@ Json result_schema() {
   gear.update(halves);
   properties["pair"] = {{"anyOf", Json{schema.reference(pair_quantities().table()),
                                        schema.reference(rack_pair_quantities().table())}}};
-  // If a result is computed within tolerances, these records also have an interval, in which
-  // each key has two numbers.
+  // If a result is computed within tolerances, each of these records also has the key `interval`.
+  // Its value is an object with two numbers, instead of one, for each key that depends on the
+  // tolerances.
   const Json interval{{"type", "object"},
                       {"description",
                        "numbers that depend on the tolerances; each number has two values, one at "

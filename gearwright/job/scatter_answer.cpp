@@ -424,8 +424,8 @@ Result<ScatterAnswer> answer_scatter(SolvedJob& job, Progress* progress, int thr
     if (robust_under_load) robust.load = std::move(load);
     auto found = robust_corrections(answer.setup, task, robust);
     if (!found) return of_scatter(task, found.error());
-    // `before` and `after` count the samples of this comparison. The warning counts other samples,
-    // so the text calls those of the comparison "other samples".
+    // The warning already counts the samples of the scatter. `before` and `after` count the samples
+    // of the comparison, which the text therefore calls "other samples".
     const Probability &before = found->before.edge, &after = found->after.edge;
     for (Warning& w : job.warnings)
       if (w.code == WarningCode::samples_touch_edges && found->any())

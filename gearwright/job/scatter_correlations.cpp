@@ -34,8 +34,8 @@ std::optional<Error> split_block(const std::vector<ScatterTolerance>& tolerances
 }
 
 // The indices of the coordinates of a sample to which the name in `between` refers. The name of a
-// bore refers to both of its coordinates. Every other name refers to one coordinate, which for
-// pitches is their share, and for a wave is the number of waves.
+// bore refers to both of its coordinates. Every other name refers to one coordinate, the first one
+// of an input with several coordinates.
 std::vector<std::size_t> coordinates_named(const std::string& name,
                                            const std::vector<ScatterTolerance>& tolerances) {
   const std::vector<std::string> names = coordinate_names(tolerances);

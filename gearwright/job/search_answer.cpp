@@ -131,8 +131,7 @@ std::string face_words(const SearchProblem& p) {
 // specs of its designs.
 constexpr const char* kPairTables[] = {"errors", "contact", "load", "compensate", "scatter"};
 
-// A pitch that was computed back from a module, without the rounding error: 3 for
-// 25.4/(25.4/3).
+// A pitch that was computed from a module, without the rounding error: 25.4/(25.4/3) becomes 3.
 double without_rounding(double pitch) {
   return std::strtod(fmt::format("{:.15g}", pitch).c_str(), nullptr);
 }

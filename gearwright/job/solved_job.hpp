@@ -49,9 +49,9 @@ std::optional<Error> two_gears_error(const JobSpec& spec);
 /// single-helical.
 std::optional<Error> one_helix_error(const SolvedJob& job);
 
-/// The verb, "search", "identify" or "fit", that can compute the unknown numbers because of which
-/// solve() rejects the spec with `error`. The text is empty for any other error. `error` may
-/// contain names of members or keys of the file.
+/// The verb that can compute the missing numbers ("search", "identify" or "fit"), if solve() has
+/// rejected the spec with `error` because they are missing. The text is empty for any other error.
+/// `error` may contain names of members or keys of the file.
 std::string_view finder_of(const JobSpec& spec, const Error& error);
 
 }  // namespace gearwright

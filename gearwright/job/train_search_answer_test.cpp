@@ -158,7 +158,8 @@ struct StageSearch {
 };
 
 // Law (3). The second stage has the greatest module. Its own pinion limits its face width, so its
-// safeties do not depend on the module of the first stage, which is the least one that holds.
+// safeties do not depend on the module of the first stage. That module is therefore the least one
+// with the required safeties.
 TEST(TrainSearchAnswerTest, AStageHasItsLeastModuleBesideAStageWithTheGreatestOne) {
   struct Case {
     double power_kW, face_diameters;

@@ -43,8 +43,8 @@ struct Answer {
 /// The answer with its specs and notes in the units of the spec.
 Answer in_units_of(const JobSpec& spec, Answer answer);
 
-/// The record, followed by `warnings` if there are any or if the verb judges gears, and by
-/// `verdict` if it judges gears, in the units of the answer.
+/// The record in the units of the answer. If the verb judges gears, `warnings` and `verdict`
+/// follow. Otherwise `warnings` follow only if there are any.
 Json answer_json(const Answer& answer);
 /// The listing, warnings and verdict.
 std::string answer_text(const Answer& answer);

@@ -36,7 +36,7 @@ SurfaceRequirements textures(const DrawingInput& words, const std::string& flank
           texture(words.face_roughness), texture(words.bore_roughness), "", ""};
 }
 
-// A flank without a texture of its own takes Rz from [rating] if it is given there.
+// If [drawing] has no texture of the flanks but [rating] gives their Rz, this Rz is the texture.
 SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   std::string flank;
   const UnitSystem units = job.spec.units();

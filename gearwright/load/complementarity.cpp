@@ -19,10 +19,10 @@ using Eigen::VectorXd;
 constexpr int kMost = 200;  // greatest number of steps
 // After this many steps, only one place is added or removed per step, to avoid cycles.
 constexpr int kOneByOne = 30;
-constexpr double kStill = 1e-11;     // greatest last step, relative to the greatest load
+constexpr double kStill = 1e-11;     // the steps end below this, relative to the greatest load
 constexpr double kRounding = 1e-14;  // rounding error of a step, relative to the cancelling terms
 constexpr double kRough = 1e-3;  // greatest accepted rounding error, relative to the greatest load
-// Least overlap of an added place, relative to the greatest displacement.
+// A place is added if its overlap exceeds this fraction of the greatest displacement.
 constexpr double kOverlap = 1e-12;
 // Least load p for which ln(a0/a) is computed, relative to the mean load.
 constexpr double kLeastLoad = 1e-9;

@@ -1,6 +1,6 @@
-// The active set is compared with a slow search that shares no code with it, non-negative least
-// squares by Lawson and Hanson on the dual problem, for random positions. The laws of the result
-// are tested too.
+// For random positions, the active set is compared with a slow search that shares no code with it:
+// the dual problem is solved by non-negative least squares (Lawson and Hanson). The laws of the
+// result are tested, too.
 #include "gearwright/load/complementarity.hpp"
 
 #include <gtest/gtest.h>

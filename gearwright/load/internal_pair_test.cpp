@@ -1,5 +1,5 @@
-// Tests of loaded pairs with an internal gear. loaded_contact_test.cpp tests the laws that they share
-// with external pairs, and the oracles are in tests/oracle.
+// Tests of loaded pairs with an internal gear. loaded_contact_test.cpp tests the laws that they
+// share with external pairs, and the oracles are in tests/oracle.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>

@@ -28,8 +28,8 @@ struct LoadedPoint {
   double pressure = 0.0;                       ///< MPa, greatest pressure
   double semi_major = 0.0, semi_minor = 0.0;   ///< mm
   std::array<double, 2> diameter{}, height{};  ///< mm, position of the middle on each gear
-  /// Both semi-axes on the flank of each gear, mm: the step along the face, and the change of
-  /// radius, from the middle of the ellipse to the end of the semi-axis.
+  /// Each semi-axis on the flank of each gear, mm, as two steps from the middle of the ellipse to
+  /// the end of the semi-axis: the step along the face and the step in radius.
   std::array<std::array<Eigen::Vector2d, 2>, 2> half_axis{};
   TouchKind kind = TouchKind::interior;
   int track = 0;        ///< number of the contact path; a tooth with double circular arcs has two
@@ -54,7 +54,7 @@ struct LoadedPosition {
   Angle unloaded_te = Angle::radians(kNoNumber);  ///< TE at which the teeth first touch
   double approach = kNoNumber;                    ///< Θ r_b2  mm; for point contact Θ M2/ΣF
   double force = kNoNumber;                       ///< ΣF  N, normal force, for point contact only
-  double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, with M2/ΣF as r_b2
+  double tangent = kNoNumber;  ///< d(Θ r_b2)/dF_bt  mm/N; for point contact, M2/ΣF replaces r_b2
   /// Line load divided by approach, N/(mm µm); for point contact, force divided by approach, N/µm.
   double stiffness = kNoNumber;
   /// Loaded tooth pairs or contact points, from the start to the end of contact.
@@ -116,8 +116,8 @@ struct LoadedContact {
   LoadRegime regime = LoadRegime::line;
   std::array<FaceSlices, 2> slices;    ///< mm from the middle of the face of each gear
   std::array<double, 2> body_twist{};  ///< twist of each body, mm per N/mm at the base radius
-  /// Points of each gear along the fillet in tension, starting at the root: mm in the section, with
-  /// the centre line of the tooth as x axis and the loaded flank at y > 0.
+  /// Points of each gear along the fillet in tension, starting at the root, mm. In the section, the
+  /// centre line of the tooth is the x axis, and the loaded flank is at y > 0.
   std::array<std::vector<std::complex<double>>, 2> root_points;
   long unfinished = 0;  ///< number of positions without convergence, over all torques
   bool slices_too_fine = false;

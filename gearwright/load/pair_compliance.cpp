@@ -12,7 +12,7 @@ namespace gearwright {
 
 namespace {
 
-constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results by rounding only
+constexpr double kHertzWidth = 0.05;  // a0 in modules; it changes results only by rounding errors
 constexpr double kFairSpur = 0.25, kFairHelical = 0.4;  // modules: least default width of a slice
 // Least width of a slice, in modules. Narrower slices have no solution.
 constexpr double kHopelessSpur = 0.15, kHopelessHelical = 0.2, kHopelessPoints = 0.18;
@@ -49,8 +49,8 @@ double face_of(const std::array<const Gear*, 2>& gears, std::size_t which, LoadR
 
 // The slices of the part of the face that may be loaded, in the frame N, in mm from the middle of
 // the gear's face. For line contact, this part is the narrower of the two faces, because it lies
-// within the wider face. For point contact, it is the part that the reach allows, or the nearest
-// part of the same width on the face.
+// within the wider face. For point contact, it is the part within the reach, which is shifted onto
+// the face if it extends beyond an end.
 FaceSlices slices_of(const std::array<const Gear*, 2>& gears, std::size_t which,
                      const LoadRequest& request) {
   const double face = face_of(gears, which, request.regime, request.reach);

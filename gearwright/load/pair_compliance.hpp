@@ -126,8 +126,8 @@ Result<PairCompliance> pair_compliance(
 Result<std::shared_ptr<const ToothTable>> tooth_compliance(const Gear& gear_1, const Gear& gear_2,
                                                            int which, const LoadRequest& request);
 
-/// True if gear `which` has the same table in the pairs `a` and `b`, because its tooth, face, body,
-/// slices and accuracy are equal to the last bit.
+/// True if gear `which` has the same table in the pairs `a` and `b`. This is the case if its tooth,
+/// face, body, slices and accuracy are equal to the last bit.
 bool same_compliance(const std::array<const Gear*, 2>& a, const LoadRequest& of_a,
                      const std::array<const Gear*, 2>& b, const LoadRequest& of_b, int which);
 

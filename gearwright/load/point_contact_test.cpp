@@ -1,6 +1,6 @@
 // Tests of teeth with point contact under load. The Hertz ellipse is compared with a numerical
-// integral, and load sharing with another solver. Loaded pairs are compared with unloaded contact
-// and with line contact, and their laws are verified.
+// integral. Load sharing is compared with another solver. Loaded pairs are compared with unloaded
+// contact and with line contact, and their laws are verified.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>

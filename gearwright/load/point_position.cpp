@@ -24,7 +24,8 @@ constexpr int kWhole = 10;         // iterations that change the ellipses by ful
 // Limits of the step length after kWhole iterations, relative to a full step.
 constexpr double kLeastPart = 0.1, kMostPart = 5.0;
 constexpr int kHalvings = 40;  // halvings of the interval in which the end of the flank lies
-// A footprint has one node if its half length is smaller, relative to the semi-major axis.
+// The footprint is the part of the major axis that lies on the flanks. It gets only one node if its
+// half length is less than this fraction of the semi-major axis.
 constexpr double kNoLength = 1e-3;
 // Least force for which a footprint is computed, relative to the whole force.
 constexpr double kIdle = 1e-6;

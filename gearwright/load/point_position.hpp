@@ -83,8 +83,8 @@ class PointSolver {
   // x that lies on both flanks.
   double reach(const PointPlace& place, double from, double x);
   Laid lay(const PointPlace& place, double force, const Ellipse& ellipse);
-  // The next ellipse of place i, computed from the displacement of the bodies by `force` along
-  // the major axis of the present ellipse.
+  // The next ellipse of place i, computed from the displacement of the bodies that `force` causes
+  // along the major axis of the present ellipse.
   Ellipse bent(const PointPosition& at, const std::vector<Laid>& laid, const Eigen::VectorXd& force,
                std::size_t i);
 

@@ -17,8 +17,8 @@ struct ToothForces {
 };
 
 /// The index of the tooth of pair `a` in the section, counted counter-clockwise from the tooth of
-/// pair `b`. The section is the mirror image of the frame N. A tooth of gear 1 therefore lies
-/// clockwise of the teeth that come into contact before it in the section, and has a lower index.
+/// pair `b`. In the section, which is the mirror image of the frame N, a tooth of gear 1 has a
+/// lower index than the teeth that come into contact before it.
 inline int teeth_between(int gear, int a, int b) { return gear == 0 ? b - a : a - b; }
 
 /// Extreme stresses along the fillets over several positions, MPa: a row per root point, a column

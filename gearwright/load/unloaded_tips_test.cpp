@@ -88,7 +88,7 @@ TEST(UnloadedTips, AreTheLeastReliefsWithoutLoadOnEdges) {
   constexpr double kTorque = 2e5;
   constexpr double kMore = 0.2 * kMmPerUm;
   // Just before its first point of contact, the tip with a linear relief is nearer to the flank
-  // than at this point by C² R/l², which is some tenths of a micron.
+  // than at this point. The difference is C² R/l², which is some tenths of a micron.
   constexpr double kLess = 1.5 * kMmPerUm;
   for (const TipTeeth& teeth : {TipTeeth{25, 25, 0}, TipTeeth{20, 43, 0}, TipTeeth{23, 41, 14}}) {
     const TipCase c(teeth);

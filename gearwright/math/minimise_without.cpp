@@ -1,4 +1,4 @@
-// The version for builds without NLopt, which have no minimiser.
+// The version for builds without NLopt. These builds have no minimiser.
 #include "gearwright/base/contract.hpp"
 #include "gearwright/math/minimise.hpp"
 

@@ -195,7 +195,7 @@ TEST(Statistics, IndicesOfASum) {
   EXPECT_FALSE(indices_of([](const auto&) { return std::nullopt; }, 64, 0));
 }
 
-// A lost value leaves out its point, not the whole index.
+// If f has no value at a point, only this point is left out, and the indices are still computed.
 TEST(Statistics, IndicesWithoutLostPoints) {
   const auto f = [](const std::array<double, 3>& u) {
     return u[0] > 0.9 ? std::nullopt : std::optional(u[1]);

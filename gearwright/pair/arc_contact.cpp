@@ -82,8 +82,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in) {
   // If the excess is not positive at the first-order angle, that angle is the result. Otherwise the
   // exact angle is slightly greater.
   if (!(excess(first) > 0.0)) return Angle::radians(first);
-  // The first step is short enough for a very small change of the centre distance. Each further
-  // step is four times as long.
+  // If the centre distance changes very little, the exact angle is very close to the first-order
+  // angle. Therefore, the first step is very short. Each further step is four times as long.
   constexpr double kFirstStep = 1e-9;  // rad
   double hi = first;
   for (double step = kFirstStep; hi < kHalfPi; step *= 4) {

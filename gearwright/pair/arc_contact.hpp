@@ -78,8 +78,8 @@ std::optional<Angle> contact_angle(const ArcMeshInput& in);
 ArcContact arc_contact(const ArcMeshInput& in, Angle theta);
 
 // The tool setting b_F, which is the b of the rack that cuts the convex teeth of circular-arc
-// gears. The functions compute the tool setting that restores the contact after a change of the
-// centre distance, and the effect of its change on the tooth thickness.
+// gears. The functions compute the change of the tool setting that restores the contact after a
+// change of the centre distance, and the effect of this change on the tooth thickness.
 //
 //   θ   normal angle at the contact       C   centre distance       C0 = r_F + r_P
 //   w = (ρ_F − ρ_P) sin θ − (b_F − b_P)   distance along the centre line between the points of

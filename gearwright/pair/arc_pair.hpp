@@ -3,7 +3,7 @@
 // A convex flank touches a concave flank in a point that moves along the teeth, parallel to the
 // axes. There is no transverse path of contact, so contact is continuous only if the overlap of the
 // teeth along the face is sufficient. Each side of a tooth has one such point if racks F and P have
-// cut the teeth, and two if the teeth have double arcs.
+// cut the teeth; it has two such points if the teeth have double arcs.
 //                                              theory: docs/theory/07-circular-arc.md, 7.4 to 7.7
 #pragma once
 
@@ -53,7 +53,7 @@ std::vector<WorkingArc> concave_arcs(const Gear& gear);
 /// are corrected to compensate for errors of the housing.
 constexpr double kNearModule = 0.005;              ///< relative difference of the modules
 constexpr Angle kNearHelix = Angle::degrees(0.5);  ///< greatest |β_1 + β_2|
-constexpr double kSameAsWritten = 1e-9;            ///< values that differ by less are equal
+constexpr double kSameAsWritten = 1e-9;            ///< difference of values that count as equal
 constexpr Angle kSamePressureAngle =
     Angle::degrees(0.05);  ///< greatest difference between the given ψ_c and the computed ψ_c
 

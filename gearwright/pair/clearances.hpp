@@ -28,10 +28,9 @@ std::array<double, 2> tip_clearances(const std::array<double, 2>& tip_radius,
 std::array<std::optional<double>, 2> contact_root_radii(const MeshInput<double>& input,
                                                         const Mesh<double>& mesh);
 
-/// The tip diameter with which gear `tip` (1 or 2) touches the mating gear down to a radius
-/// that is `margin` mm greater than the radius at which the usable flank of the mating gear
-/// starts. None if the present tip does not reach past this radius, or if the mating gear has no
-/// usable flank or no outline.
+/// The tip diameter of gear `tip` (1 or 2) with which the contact on the mating gear ends at the
+/// radius of the start of the mating gear's usable flank, plus `margin` mm. None if the present tip
+/// does not reach past this radius, or if the mating gear has no usable flank or no outline.
 std::optional<double> tip_that_clears(const InvolutePair& pair, int tip, double margin = 0.0);
 
 }  // namespace gearwright

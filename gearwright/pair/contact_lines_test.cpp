@@ -1,7 +1,7 @@
 // Contact lines. Laws: (1) λ is the length that a count over thin slices of all teeth gives; (2)
 // its least and greatest value are those of a fine sampling; (3) its mean is ε_α; (4) a whole ε_α
-// or ε_β leaves no variation; (5) the least length is that of AGMA 908, and of narrow helical gears
-// the number of pairs of spur gears.
+// or ε_β leaves no variation; (5) the least length is that of AGMA 908 and, for narrow helical
+// gears, the number of tooth pairs of spur gears.
 #include "gearwright/pair/contact_lines.hpp"
 
 #include <gtest/gtest.h>

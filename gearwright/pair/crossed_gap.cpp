@@ -18,7 +18,8 @@ namespace gearwright::detail {
 
 namespace {
 
-// The frames of gears at rest. Each gear is in turn A, whose tip moves, and its mate B.
+// The frames of gears at rest. A is the gear whose tip moves, and B is its mating gear. Each of the
+// two gears is A once.
 struct Own {};
 struct Tip {};   // A
 struct Mate {};  // B

@@ -27,11 +27,11 @@ Gear filleted(int teeth, double x = 0.0, double fillet = 0.38, double tip = 0.0)
   return testing::taken(make_gear(s));
 }
 
-// Computes the least distance between 2000 points of the fillet of gear `which` and both tip corners
-// of the mating gear, in 1000 positions per pitch. The fillet is on the side y > 0 of its tooth. At
-// rest, a tooth of the mating gear is on the line of centres, in the space above this tooth. The mesh
-// is at +x of the axis of the gear. The pair has no backlash, so both flanks touch and no play is
-// considered.
+// Computes the least distance between 2000 points of the fillet of gear `which` and both tip
+// corners of the mating gear, in 1000 positions per pitch. The fillet is on the side y > 0 of its
+// tooth. At rest, a tooth of the mating gear is on the line of centres, in the space above this
+// tooth. The mesh is at +x of the axis of the gear. The pair has no backlash, so both flanks touch
+// and no play is considered.
 double scanned(const ParallelPair& p, int which) {
   const Gear& gear = p.gears[static_cast<std::size_t>(which - 1)];
   const Gear& mate = p.gears[static_cast<std::size_t>(2 - which)];

@@ -190,10 +190,11 @@ void find_own(CrossedPair& p) {
   p.face_widths = face_widths(p.mesh);
 }
 
-// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth
-// grows with the square of the distance from the contact, and at the distance b/2 it equals the
-// needed lead crowning. The contact lies up to f'/2 from the middle of the face, so this
-// distance is at most (b + f')/2. Higher orders add less than half of the second-order depth.
+// Depth to which the flanks overlap beside the line of action, mm. To second order, the depth grows
+// with the square of the distance from the contact, and at the distance b/2 it equals the needed
+// lead crowning. The contact lies up to f'/2 from the middle of the face, so no point of the face
+// is farther than (b + f')/2 from the contact. Higher orders add less than half of the second-order
+// depth.
 double saddle_depth(const ParallelPair&) { return 0.0; }
 double saddle_depth(const CrossedPair& p) {
   constexpr double kHigherOrders = 1.5;

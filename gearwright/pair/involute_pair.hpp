@@ -138,7 +138,7 @@ Result<CrossedPair> mount_crossed(Gear gear_1, Gear gear_2, const PairPlace& pla
 /// `which` (1, 2), mm. If it is < 0, its magnitude is the depth to which the corner cuts into the
 /// fillet. The path is computed with the flanks in contact on the side of this fillet.
 ///
-/// Formula   [T2.26]; the path is exact, the foot point solved to rounding
+/// Formula   [T2.26]; the path is exact, and the foot point is exact to rounding
 /// None      if the gear is an internal gear without a cutter, or if no corner reaches the depth of
 ///           the fillet
 std::optional<double> fillet_clearance(const ParallelPair& pair, int which);

@@ -5,9 +5,9 @@
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
 // g is evaluated at even steps. Between two neighbouring samples, g is assumed to lie below their
-// chord by at most half of the second difference, which is four times the depth of a parabola. A
-// cell that could contain a value below the least known value is halved or, if H changes its sign
-// there, divided at H = 0.
+// chord by at most half of the second difference. A parabola lies below its chord by an eighth of
+// the second difference. A cell that could contain a value below the least known value is halved
+// or, if H changes its sign there, divided at H = 0.
 #pragma once
 
 #include <algorithm>

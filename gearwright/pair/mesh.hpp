@@ -10,8 +10,8 @@
 //        axes, which meets the middle of the face
 //                                              theory: docs/theory/04-conjugate-action.md
 //
-// The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X from a. On
-// parallel axes, α_n follows from a, and X = 0.
+// The rack's α_n and X describe every pair. On crossed axes, α_n follows from Σ, and X follows from
+// a. On parallel axes, α_n follows from a, and X is 0.
 #pragma once
 
 #include <array>

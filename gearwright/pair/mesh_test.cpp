@@ -43,7 +43,8 @@ TEST(MeshOfParallelAxes, internal_spur_pair) {
 TEST(MeshOfParallelAxes, points_of_the_path_stand_in_order) {
   for (const auto& in : {spur(20, 40), spur(30, 30), spur(20, -60)}) {
     const auto m = mesh_of(in);
-    // One pair is in contact between B and D, and two pairs elsewhere, because 1 < ε_α < 2.
+    // One pair is in contact between B and D, and two pairs are in contact elsewhere, because
+    // 1 < ε_α < 2.
     ASSERT_GT(m.path_ratio, 1.0);
     ASSERT_LT(m.path_ratio, 2.0);
     EXPECT_LT(m.rho1_A, m.rho1_B);

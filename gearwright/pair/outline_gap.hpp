@@ -1,6 +1,6 @@
 // The play of two finished outlines on parallel axes. At every rotation of the pair, gear 2 is
 // turned from the middle of its play until a point of one tooth touches the other gear. In this
-// way, every part that projects too far is found, even a part that has no name.
+// way, every part of the outlines that projects too far is found.
 //
 //   φ      rotation of the pair            a    centre distance, mm
 //   g      gap, as the turn of gear 2 that closes it, rad; < 0 if the outlines overlap

@@ -107,8 +107,8 @@ Cause cause_of(const MountedGears& p, const OutlineTouch& touch) {
   return {CollisionCause::outline, 0};
 }
 
-// The sentence of a message about a tip that projects beyond its involute; empty if this is not the
-// cause of the collision.
+// The sentence of a message about a tip that projects beyond its involute; empty if the collision
+// has another cause.
 std::string bulge(const MountedGears& p, const Cause& cause) {
   if (cause.what != CollisionCause::tip_bulge) return "";
   const Gear& gear = p.gears[static_cast<std::size_t>(cause.gear - 1)];

@@ -85,7 +85,8 @@ struct RackPair {
   double true_contact_ratio() const;        ///< ε_α on the usable flanks
   /// The parts of true_contact_ratio() before and after the pitch point.
   std::array<double, 2> approach_and_recess() const;
-  /// g at the start of contact, mm: the start of the usable flank if the pinion is undercut, else A.
+  /// g at the start of contact, mm. If the pinion is undercut, contact starts at the start of its
+  /// usable flank, otherwise at A.
   double contact_start() const;
   double normal_backlash() const;  ///< j_n  mm
   StatedBacklash stated_backlash() const;

@@ -4,7 +4,7 @@
 //
 //   η     angle between the generators (straight lines) of the two flanks, in the tangent plane
 //   λ_i   distance of the contact from base tangent point i along the line of action,
-//         λ_2 = λ_1 + L; flank i has the curvature 1/λ_i across its generator, and 0 along it
+//         λ_2 = λ_1 + L; flank i is curved by 1/λ_i across its generator and straight along it
 //   K_i   = 8 C_βi cos² β_bi/b_i²  1/mm: curvature of the lead crowning C_βi along the generator
 //                                              theory: docs/theory/04-conjugate-action.md, 4.11
 #pragma once

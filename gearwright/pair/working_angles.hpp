@@ -206,9 +206,9 @@ std::optional<T> transverse_angle_at_min_distance(const BasePair<T>& gears) {
   return root.x;
 }
 
-/// The α at which the sum of the pitch radii of an external pair is a. If the teeth have no
-/// backlash there (X = 0), a is the least distance of the pair. None if a does not exceed the
-/// sum of the base radii.
+/// The α at which the pitch radii of an external pair add up to the centre distance `a`, so that
+/// X = 0. If the teeth have no backlash at this α, `a` is the least centre distance of the pair.
+/// None if `a` does not exceed the sum of the base radii.
 ///
 /// Formula   Σ r_b cos β_b/u = a; [T4.29]
 template <class T>

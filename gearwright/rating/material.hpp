@@ -110,9 +110,9 @@ std::optional<Material> material_named(std::string_view name,
 
 struct Life {
   Factor factor;     ///< Z_NT or Y_NT
-  double reference;  ///< exponent to which factors at the reference number of cycles, such as Z_L,
-                     ///< are raised: 0 for static stress, 1 from the reference number of cycles,
-                     ///< linear in log N between them
+  double reference;  ///< exponent of factors such as Z_L, which apply to the reference number of
+                     ///< cycles: 0 for static stress, 1 from the reference number of cycles on,
+                     ///< linear in log N between the two
 };
 
 struct LifeChoice {

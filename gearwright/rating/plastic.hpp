@@ -5,8 +5,9 @@
 //   k_ϑ           heat transfer of the teeth, K (m/s)^0.75 mm^1.75/W
 //   R_λG, A_G     thermal resistance, K m²/W, and surface, m², of the housing
 //   ED            relative duty
+//                                              theory: docs/theory/11-rating.md
 //
-// Wear, deformation of the teeth and static peaks are not covered. theory: docs/theory/11-rating.md
+// Wear, deformation of the teeth and static peaks are not covered.
 #pragma once
 
 #include <array>

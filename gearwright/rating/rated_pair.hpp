@@ -97,7 +97,7 @@ Result<RatedPair> rated_pair(const Pair& pair);
 //   f_pt, f_pb    single pitch deviation and base pitch deviation, µm; f_pb = f_pt cos α_t
 //   f_fα, f_Hβ    profile form and helix slope deviation, µm
 //
-// ISO 6336 of 2006 is used with ISO 1328-1:1995, and ISO 6336 of 2019 with ISO 1328-1:2013.
+// ISO 6336:2006 refers to ISO 1328-1:1995, and ISO 6336:2019 refers to ISO 1328-1:2013.
 
 constexpr int kBestGrade = 0, kWorstGrade = 12;
 

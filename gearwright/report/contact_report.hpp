@@ -43,8 +43,8 @@ struct ContactReport : ContactScene {
 inline constexpr double kConjugate = 1e-6;
 
 /// The result of tooth contact in one or two sentences of plain text, for all interfaces. The text
-/// contains the transmission error, and whether the flanks touch along lines, at points or at
-/// edges. `span` is the peak to peak of the continuous transmission error, if it was computed.
+/// states the transmission error, and whether the flanks touch along lines, at points or at edges.
+/// `span` is the peak to peak of the continuous transmission error, if it was computed.
 std::string contact_words(const ContactResult& contact, std::optional<Angle> span = {});
 
 }  // namespace gearwright

@@ -58,15 +58,15 @@ std::string facts(const ContactReport& report, UnitSystem units) {
     return r.harmonics.empty() ? std::string(kNoValue) : shown(r.harmonics[0]);
   };
   t.row("Amplitude at the mesh frequency", "", symbol, {wave(a), wave(b)});
-  t.row("Rotation with contact inside the flanks", "", "%",
+  t.row("Share of the rotation with contact inside the flanks", "", "%",
         {percent(share(a, inside)), percent(share(b, inside))});
   if (share(a, at_ridge) > 0.0 || share(b, at_ridge) > 0.0)
-    t.row("Rotation with contact at the start of a relief", "", "%",
+    t.row("Share of the rotation with contact at the start of a relief", "", "%",
           {percent(share(a, at_ridge)), percent(share(b, at_ridge))});
-  t.row("Rotation with an edge in contact", "", "%",
+  t.row("Share of the rotation with an edge in contact", "", "%",
         {percent(share(a, is_edge)), percent(share(b, is_edge))});
   if (a.contact_lost || b.contact_lost)
-    t.row("Rotation without contact", "", "%",
+    t.row("Share of the rotation without contact", "", "%",
           {percent(share(a, nowhere)), percent(share(b, nowhere))});
   if (report.min_play && a.rack) {
     t.common("Minimum backlash along the rack", "", unit_text(units, Unit::mm),

@@ -62,8 +62,8 @@ Vec2 lines_extent(const InvolutePair& pair) {
   return half;
 }
 
-// Half the width and height of a picture, mm. The picture contains `half` with a margin. Its ratio
-// of width to height is `aspect`.
+// Half the width and height, mm, of a picture that contains `half` with a margin. `aspect` is the
+// ratio of width to height of the picture.
 Vec2 window(const Vec2& half, double aspect) {
   const double wide = std::max(1.17 * half.x(), 1.2 * aspect * half.y());
   return {wide, wide / aspect};
@@ -88,7 +88,7 @@ void add_axes(Figure& f, const InvolutePair& pair, double width) {
     const double room = std::min((half.x() - 34 * px) / std::max(std::abs(along.x()), 1e-9),
                                  (half.y() - 16 * px) / std::max(std::abs(along.y()), 1e-9));
     // If the axes are nearly parallel, both reach the border of the picture at the same point. The
-    // name of gear 1 is therefore to the left of both axes, and the name of gear 2 to the right.
+    // name of axis 1 is therefore to the left of both axes, and the name of axis 2 is to the right.
     const Vec2 aside = std::abs(along.y()) > std::abs(along.x()) ? Vec2(i == 0 ? -24.0 : 24.0, 5.0)
                                                                  : Vec2(0.0, -8.0);
     f.text(room * along, fmt::format("axis {}", i + 1), Anchor::middle,

@@ -89,13 +89,14 @@ class Pictures {
       if (const double pitches = std::abs(ratio(body_of(p))); pitches > 0.0)
         turns = std::min(*turns, rack->rack.teeth / (2 * pitches));
     }
-    // With several inputs without speeds, no rack has a speed ratio, so no length limits the turns.
+    // If there are several inputs without speeds, the speed ratios of the racks are unknown, and
+    // the lengths of the racks do not limit the turns.
     if (turns && !std::isfinite(*turns)) turns = 1.0;
     return turns;
   }
 
-  // Covers a rack during its whole motion, which goes to both sides of its drawn position. The ends
-  // of a long rack are outside the picture.
+  // Extends `all` to contain a rack during its whole motion, which goes to both sides of its drawn
+  // position. The ends of a long rack stay outside.
   void cover_bar(const RackPair& rack, const PlacedGear& p, Bounds& all) const {
     const Vec2 along = along_rack(p), up(along.y(), -along.x());
     const Vec2 foot = layout_.places.axes[body_of(p)];

@@ -1,5 +1,5 @@
-// Laws: (1) in the section of a drive, the drawn shapes of rack and pinion overlap at no position of
-// the control; (2) they overlap if the rack moves 2 % further than drawn.
+// Laws: (1) in the section of a drive, the drawn shapes of rack and pinion overlap at no position
+// of the control; (2) they overlap if the rack moves 2 % further than drawn.
 #include "gearwright/report/drive_report.hpp"
 
 #include <gtest/gtest.h>

@@ -91,8 +91,9 @@ bool shift_is_worth_a_picture(const Gear& gear);
 /// Domain    shift_is_worth_a_picture (contract)
 std::vector<ShiftedTooth> shifted_teeth(const Gear& gear);
 
-/// The teeth of shifted_teeth(), with the root cut by the rack and with a circular root fillet, at
-/// the same scale. Empty if shift_is_worth_a_picture() is false.
+/// Pictures of the teeth of shifted_teeth(), all at the same scale. Each picture shows the root as
+/// the rack cuts it and, if a circular root fillet fits, the root with this fillet. Empty if
+/// shift_is_worth_a_picture() is false.
 std::string shift_figures(const Gear& gear, const std::string& shape, const std::string& name);
 
 }  // namespace gearwright

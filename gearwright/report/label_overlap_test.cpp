@@ -1,8 +1,8 @@
 // No two labels of a picture overlap. The test uses 200 random pairs and some difficult ones.
 //
-// Labels are read from the SVG of the page. A letter is assumed to be 0.56 times as wide as its
-// font size, which is near the mean of the fonts in the style, and 0.62 times as high. Labels that
-// overlap by this measure appear to touch.
+// Labels are read from the SVG of the page. The width of a letter is assumed to be 0.56 times the
+// font size, which is near the mean of the fonts in the style. Its height is assumed to be 0.62
+// times the font size. Labels that overlap by this measure appear to touch.
 #include <gtest/gtest.h>
 
 #include <array>

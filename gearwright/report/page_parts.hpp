@@ -17,8 +17,8 @@
 namespace gearwright {
 
 /// The form in which a section shows its figures. It consists of the unit of lengths, a prefix for
-/// the ids of the figures, because ids must be unique in a page, and the ids of the figures at the
-/// head of the page, which sections omit.
+/// the ids of the figures (ids must be unique in a page), and the ids of the figures at the head of
+/// the page. Sections omit those figures.
 struct FigureForm {
   UnitSystem units = UnitSystem::mm;
   std::string prefix;
@@ -65,7 +65,7 @@ struct ReportPage {
   std::string sections;
   std::string spec;  ///< the spec, verbatim; omitted if empty
   std::string foot;  ///< from the sentence after the version to the end of the last paragraph
-  std::string_view style{}, script;  ///< in addition to those of all pages
+  std::string_view style{}, script;  ///< in addition to the style and the script of all pages
 };
 std::string page_html(const ReportPage& page);
 

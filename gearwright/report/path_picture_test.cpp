@@ -55,8 +55,8 @@ TEST(RatioFigure, NoValueLiesAcrossTheLineAtOne) {
   EXPECT_GT(label_x(figure, "1.453"), label_x(figure, "1"));
 }
 
-// The axis of a great total contact ratio has ticks only at multiples of five, and the tick and
-// line at 1.
+// If the total contact ratio is great, the axis has ticks only at multiples of five and at 1, where
+// there is also a line.
 TEST(RatioFigure, ManyPairsInContact) {
   const std::string figure =
       figure_html(ratio_figure(testing::two_and_sixty(150.0)), 420.0);  // ε_γ 14.3

@@ -101,7 +101,7 @@ constexpr int kZoomSteps = 80;
 // is 1e-11 µm.
 constexpr double kWorthShowing = 1e-6;
 
-constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; angles that differ by less count as equal
+constexpr double kSameAngle = 1e-9;  // rad, 0.0002″; difference of angles that count as equal
 
 // The centre distance at the angle α_wn (degrees) minus the least centre distance, µm.
 double above_min(const CrossedPair& pair, double degrees) {

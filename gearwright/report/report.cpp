@@ -173,7 +173,7 @@ std::vector<Figure> deciding_figures(const ReportInput& input) {
     }
   }
   if (!of_pair.empty()) add(of_pair.front());
-  // The figures of a double-helical pair that belong to one half remain under its heading.
+  // A figure of one half of a double-helical pair remains under the heading of this half.
   if (input.load) {
     const LoadScene& load = *input.load;
     add(loaded_te_figure(load));

@@ -34,7 +34,7 @@ struct ReportInput {
   std::string title;               ///< if empty, a title is made from the tooth numbers
   DrawingInput drawing;            ///< the title block; may be empty
   std::vector<const Gear*> gears;  ///< one or two; if there is a pair, its gears
-  /// If a gear is double-helical, its halves. `gears` then contains one of the halves.
+  /// The halves of each double-helical gear. `gears` then contains one of its halves.
   std::array<std::optional<Halves>, 2> halves{};
   std::optional<Pair> pair;        ///< none if the gears are not mounted
   const RackPair* rack = nullptr;  ///< null if there is none; else its pinion is the only gear

@@ -103,8 +103,8 @@ std::vector<Figure> scatter_figures(const ScatterView& view);
 /// Strength: inputs, factors, stresses and safety factors with their clauses of the standard.
 std::string rating_section(const RatingAnswer& view, UnitSystem units);
 
-/// The definitions of the shapes of gears and of a rack, which is null if there is none, for the
-/// pictures of a page. The rack is the shape after that of its pinion. Empty without shapes.
+/// The SVG definitions to which the pictures of a page refer: the shape of each gear and, if `rack`
+/// is not null, the shape of the rack, whose name is shapes[1]. Empty if there are no shapes.
 std::string shape_definitions(const std::vector<const Gear*>& gears, const RackPair* rack,
                               const std::array<std::string, 2>& shapes);
 

@@ -164,7 +164,8 @@ std::string toleranced(const SearchAllowances& allowances) {
   return distance ? "the centre distance" : "";
 }
 
-// What the numbers of the designs include.
+// Sentences about the load, the strength and the tolerances that the numbers of the designs
+// include.
 std::string included(const SearchProblem& problem) {
   const std::string with = toleranced(problem.allowances);
   if (with.empty() && !problem.rating)
@@ -177,10 +178,11 @@ std::string included(const SearchProblem& problem) {
                     problem.ranks_by(Objective::noise) ? " and in the estimate of the noise" : "");
   }
   if (with.empty()) return text + " The geometry includes no manufacturing deviations.";
-  return text + fmt::format(
-                    " The numbers of a design apply to the mean of the tolerances of {}, and its "
-                    "backlash to their ends. No other manufacturing deviations are included.",
-                    with);
+  return text +
+         fmt::format(
+             " The backlash of a design is given at the ends of the tolerances of {}, and all "
+             "other numbers for their mean. No other manufacturing deviations are included.",
+             with);
 }
 
 std::string foot(const SearchProblem& problem, UnitSystem units) {

@@ -123,7 +123,7 @@ TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
                     "Strength is rated by ISO 6336:2006. Load is considered only in this rating "
                     "and in the estimate of the noise."),
                 rated);
-      EXPECT_EQ(has(page, "the mean of the tolerances of the tooth thicknesses, and"), toleranced);
+      EXPECT_EQ(has(page, "the ends of the tolerances of the tooth thicknesses, and"), toleranced);
       EXPECT_EQ(has(page, "includes no manufacturing deviations."), rated && !toleranced);
     }
   }

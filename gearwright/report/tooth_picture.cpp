@@ -83,7 +83,7 @@ std::string why_no_outline(const Gear& gear) {
 
 constexpr int kMaxTeeth = 8;
 constexpr std::array<double, 5> kShifts{0.3, 0.5, 0.7, 0.9, 1.0};
-constexpr double kSameShift = 1e-6;  // shifts are equal if they differ by less
+constexpr double kSameShift = 1e-6;  // greatest difference of shifts that count as equal
 constexpr double kSmallWidth = 240.0;
 constexpr double kSmallAspect = 240.0 / 230.0;
 // Margin at the sides and at the top, as a fraction of width and height.

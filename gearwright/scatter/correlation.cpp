@@ -64,8 +64,8 @@ Matrix with_last(const Matrix& r, std::size_t first, std::size_t second) {
 std::optional<std::array<double, 2>> range_of(const Matrix& r, const ToleranceCorrelation& c) {
   Matrix m = with_last(r, c.first, c.second);
   const std::size_t n = m.size();
-  // If all other inputs are given, the covariance of the two inputs is c − `middle`, and `half` is
-  // the product of their standard deviations, which the magnitude of the covariance cannot exceed.
+  // For given values of all other inputs, the covariance of the two inputs is c − `middle`. Its
+  // magnitude cannot exceed `half`, which is the product of their standard deviations.
   const auto without = [&](std::size_t last) {
     Matrix part(n - 1, std::vector<double>(n - 1));
     const auto at = [&](std::size_t i) { return i + 2 == n ? last : i; };

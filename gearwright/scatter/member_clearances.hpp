@@ -23,10 +23,9 @@ struct MemberClearances {
 ///
 /// Formula   [T14.31]
 /// None      if the nominal axes cross, if the teeth are not involutes, or if there is no
-///           working pressure angle. After a change of the thickness, also if a pinion cutter
-///           has cut the teeth, if their root fillet is circular, or if the cutter determines
-///           their tip. The form clearance is also absent after a change of the thickness if
-///           the tooth is undercut
+///           working pressure angle. If the thickness is changed: none if a pinion cutter has cut
+///           the teeth, if their root fillet is circular, or if the cutter determines their tip;
+///           no form clearance if the tooth is undercut
 /// Laws      (1) the clearances are equal to those of a new pair with this centre distance and
 ///           these thicknesses
 MemberClearances clearances_of(const ContactSetup& setup, const Deviation& deviation);

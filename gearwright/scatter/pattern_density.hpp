@@ -5,8 +5,8 @@
 //                                    theory: docs/theory/14-scatter.md, [T14.27]
 //
 // A sample covers a place if the gap at this place is at most δ at some position of the mesh.
-// Marking compound of the thickness δ would show there after a full mesh of this pair. The gap is
-// the exact gap of contact_pattern() at each place, not an approximation by ellipses.
+// After a full mesh of this pair, marking compound of the thickness δ would show at this place. The
+// gap is the exact gap of contact_pattern() at each place, not an approximation by ellipses.
 #pragma once
 
 #include <array>

@@ -77,7 +77,7 @@ std::vector<double> rigid_corrections(const ContactSetup& setup, const ScatterTa
   const RigidFamily fine(setup, task, robust, samples);
   // This estimate covers two descents of about ten steps, the search of the box, and the final
   // local search.
-  begin_stage(task.progress, "searching for corrections of the percentile",
+  begin_stage(task.progress, "searching for corrections that reduce the percentile",
               static_cast<std::int64_t>(robust.corrections.size()) *
                   (40 * std::min(samples, kCoarseSamples) + 55 * samples));
   constexpr double kGain = 1e-4 * kRadPerArcsec;

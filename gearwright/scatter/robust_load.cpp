@@ -27,8 +27,9 @@ bool exact_trials(const LoadedFamily& load, const RobustTask& robust) {
 }
 
 // The family with corrections near a center. If the contact is line contact and every correction
-// has an influence, the contact is computed only at the center. Each trial then recomputes only the
-// forces with changed gaps. In all other cases, each trial repeats the whole contact computation.
+// has an influence, the contact is computed only at the center. Each trial then changes the gaps
+// and recomputes only the forces. In all other cases, each trial repeats the whole contact
+// computation.
 class LoadedTrials final : public CorrectedFamily {
  public:
   LoadedTrials(const ContactSetup& setup, const ScatterTask& task, const RobustTask& robust,
@@ -160,7 +161,7 @@ std::vector<double> corrections_under_load(const ContactSetup& setup, const Scat
   const std::size_t n = robust.corrections.size();
   const LoadSearch search(setup, task, robust);
   const auto places = SamplePoints(task).first(0, std::min(task.samples, kFineLoaded));
-  begin_stage(task.progress, "searching for corrections of the percentile under load",
+  begin_stage(task.progress, "searching for corrections that reduce the percentile under load",
               static_cast<std::int64_t>(n * places.size()) * 200);
   const std::vector<double> zero(n, 0.0);
   const auto drawn = static_cast<std::size_t>(coordinates_of(task.tolerances));

@@ -58,7 +58,7 @@ std::vector<ScatterSample> members_of(const ContactSetup& setup, const ScatterTa
   return samples;
 }
 
-// The point `a`, with the coordinates of the tolerances in a group taken from `b`.
+// The point `a`, except that the coordinates for the tolerances of `group` are those of `b`.
 std::vector<double> mixed(const ScatterTask& task, const ToleranceGroup& group,
                           std::vector<double> a, const std::vector<double>& b) {
   std::size_t from = 0;

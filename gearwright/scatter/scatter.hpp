@@ -123,8 +123,8 @@ struct WorstMember {
 /// The effect of each tolerance on the highest percentile of the peak-to-peak TE. One tolerance
 /// becomes wider or narrower about the nominal value, and all others stay the same.
 struct Loosening {
-  /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak to peak at this
-  /// percentile, rad, in the first replicate with unchanged tolerances.
+  /// `percent` is the highest of ScatterTask::percentiles. `percentile` is the peak-to-peak value
+  /// at `percent`, in rad. It is taken from the first replicate, with the tolerances unchanged.
   double percent, percentile;
   struct Change {
     /// Greatest factor at which the percentile exceeds `percentile` by at most the fraction

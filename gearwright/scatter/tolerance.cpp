@@ -156,8 +156,9 @@ std::optional<Error> check_ends(const ContactSetup& setup,
       for (FlankModifications flank : setup.modifications()[static_cast<std::size_t>(w->gear - 1)])
         if (wave_of(flank, *w).waves > 0)
           return Error{t.name, "",
-                       "cannot vary, because a flank has at most one wave in this direction, and "
-                       "the modifications of the gear contain one; leave out one of the two waves"};
+                       "cannot vary, because a flank can have only one wave in this direction, and "
+                       "the modifications of the gear already contain one; leave out either this "
+                       "tolerance or that wave"};
     for (const double end : t.side(0)) {
       Deviation d = as_drawn(setup);
       add(d, setup, t, std::array{end, 0.0, 0.0});

@@ -83,20 +83,20 @@ struct ScatterTolerance {
   /// its own; otherwise empty.
   const char* of_grade() const;
   bool bore() const { return std::holds_alternative<VaryingBore>(of); }
-  /// True if the flanks change their place or their shape, and with them the peak to peak. Tooth
-  /// thickness and pitches do not change it.
+  /// True if the tolerance changes the position or the shape of the flanks, and therefore the peak
+  /// to peak. Tooth thickness and pitches do not change the peak to peak.
   bool moves_flanks() const {
     return !std::holds_alternative<VaryingThickness>(of) &&
            !std::holds_alternative<VaryingPitch>(of);
   }
   /// Number of coordinates of x: 2 for a bore or a wave, 3 for a pitch, else 1.
   int coordinates() const;
-  /// The coordinates of x, in the user's units, computed from as many values in (0, 1).
+  /// The coordinates of x, in the user's units. `u` has as many values, which lie in (0, 1).
   std::array<double, 3> at(std::span<const double> u) const;
   /// Least and greatest value of this coordinate of x, in the user's unit.
   std::array<double, 2> side(int coordinate) const;
   /// True if this coordinate has a normal score, by which it can be correlated. A phase has no
-  /// score, and neither has a number of waves that does not vary.
+  /// score. A number of waves has a score only if it varies.
   bool has_score(int coordinate) const;
 };
 

@@ -111,7 +111,8 @@ class Box {
     return true;
   }
 
-  // The same member as x, with the whole numbers of waves to which the member rounds.
+  // The point x with rounded numbers of waves. It describes the same member as x, because a member
+  // rounds these numbers too.
   std::vector<double> with_whole_waves(std::vector<double> x) const {
     std::size_t at = 0;
     for (const ScatterTolerance& t : task_.tolerances) {

@@ -69,7 +69,8 @@ DriveSearchProblem read_drive_search(const Json& search) {
   t.finish();
   if (p.modules.empty() && p.size_max < kInfinity)
     t.fail("size_max_mm",
-           "needs normal_module_mm, because without a module all sizes are in modules");
+           "is a length and needs normal_module_mm; without this key, all sizes are multiples of "
+           "the module");
   if (p.modules.empty() && p.asks(DriveObjective::mass))
     t.fail("objective",
            "contains mass, which needs normal_module_mm, because without a module all sizes are in "

@@ -126,8 +126,8 @@ TEST(ReadForms, a_planet_follows_from_sun_and_ring) {
       "number. Give planet = 29 or 30, for which the profile shifts follow from the common centre "
       "distance, or give ring = 78 or 80");
   EXPECT_EQ(refused_form("[planetary]\nsun = 20\nring = 21\n"),
-            "planetary.ring = 21: must have at least 22 teeth, because the planets are between it "
-            "and the sun = 20");
+            "planetary.ring = 21: must have at least 22 teeth, because the planets are between the "
+            "ring and the sun, which has 20 teeth");
   EXPECT_NE(refused_form("[planetary]\nsun = 20\nring2 = 80\n").find("planet = 20"),
             std::string::npos);
 }

@@ -79,8 +79,8 @@ void read_kept_keys(const Json& gear, const std::string& path, IdentifyProblem& 
     p.thickness_allowance = kept.cylindrical.thickness_allowance;
   if (p.profile_shift && p.thickness_allowance)
     t.fail("thickness_allowance_mm",
-           "cannot be combined with profile_shift for an unknown gear, because each of the two "
-           "keys is computed from the readings and the other key; leave out one of them");
+           "cannot be combined with profile_shift for an unknown gear: if one of these two keys is "
+           "given, the other is computed from it and the readings; leave out one of them");
 }
 
 }  // namespace

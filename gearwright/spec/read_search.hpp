@@ -52,10 +52,11 @@ void read_search_rating(const Json& tree, JobSpec& spec);
 /// The default series of thickness allowances for a search.
 inline constexpr const char* kUsualSeries = "cd25";
 
-/// Makes a search check its designs as drawings. Designs are not checked in four cases: on
-/// crossed axes, on a grid of profile shifts, if designs with interference are also listed, or
-/// if the search gives `mounting` but neither allowances nor face widths to choose. `search` is
-/// the table [search]. read_search_rating() must be called before.
+/// Sets up a search so that each design is judged by its drawing, which adds the tolerances of
+/// tooth thickness and centre distance to the nominal gears. Designs are not judged in this way in
+/// four cases: on crossed axes, on a grid of profile shifts, if designs with interference are also
+/// listed, or if the search has the key `mounting` but has no key of tolerances and does not choose
+/// face widths. `search` is the table [search]. read_search_rating() must be called before.
 void read_search_drawing(const Json& search, SearchProblem& problem);
 
 // Reads a [search] for drives, which is a table [search] with the key `kind`.

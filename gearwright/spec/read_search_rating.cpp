@@ -69,8 +69,8 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
       given_of(t, {"face_width_mm", "face_width_modules", "face_width_diameters"});
   if (p.crossed())
     t.fail(key,
-           "must be a single number on crossed axes, because a search does not choose the face "
-           "width there");
+           "must be a single number on crossed axes, because a search chooses face widths only on "
+           "parallel axes");
   if (p.shift_step)
     t.fail(key,
            "must be a single number if shift_step is given, because the points of its grid are not "

@@ -292,8 +292,7 @@ Result<RexsModel> read_rexs(std::string_view file) {
     return no_rexs(fmt::format("the file is not XML, because line {} has an error: {}", e.line(),
                                e.message()));
   } catch (const Json::parse_error& e) {
-    return no_rexs(
-        fmt::format("the file is not JSON, because byte {} is not allowed there", e.byte));
+    return no_rexs(fmt::format("the file is not JSON, because it has an error at byte {}", e.byte));
   } catch (const Json::out_of_range&) {
     return no_rexs("the file has a number that is too large");
   }

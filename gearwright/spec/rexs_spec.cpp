@@ -140,9 +140,9 @@ class Reader {
     return table;
   }
 
-  // The thickness allowance, computed from the generating profile shift. If a series is given,
-  // the result is empty for a pair, and the mean allowance of the series for a drive, which has
-  // no tolerances.
+  // The thickness allowance, computed from the generating profile shift. If a series is given for
+  // a pair, the result is empty. If a series is given for a drive, the result is the mean
+  // allowance of the series, because a drive has no tolerances.
   std::optional<double> allowance_of(const Component& gear,
                                      const std::optional<std::string>& series,
                                      bool of_drive) const {
@@ -336,7 +336,8 @@ class Reader {
           "value.");
     if (!found.output.empty()) set["output"] = found.output;
     if (found.inputs.empty()) {
-      note("The file states no driving member, so the default of `input` applies.");
+      note(
+          "The file does not state which member drives, so the key `input` has its default value.");
       return;
     }
     Json names, speeds = Json::array();

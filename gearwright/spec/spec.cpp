@@ -193,8 +193,8 @@ void refuse_computed_face_load(const Json& tree, const JobSpec& spec) {
   };
   if (tree.contains("search"))
     refuse(
-        "would take seconds for each design, so a search does not support it; give a number or "
-        "[rating.mounting], and \"computed\" in the spec of the design that --take writes");
+        "is not supported in a search, because it would take seconds for each design; give a "
+        "number or [rating.mounting]. The spec that --take writes can have \"computed\"");
   if (is_drive(tree))
     refuse("is not supported for a drive, whose bodies have no shafts; give a number");
   if (spec.has(1) && spec.gear(1).double_helical)

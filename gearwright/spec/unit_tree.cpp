@@ -43,7 +43,7 @@ const KeyUnit* declared_inch(std::string_view path) {
   throw SpecError{{path, shown(value), std::move(why)}};
 }
 
-// Members whose unit another member gives, for example `value` in { value = 8, unit = "um" }.
+// Members whose unit is given by another member, such as `value` in { value = 8, unit = "um" }.
 struct UnitMember {
   std::string_view member, named_by;
 };

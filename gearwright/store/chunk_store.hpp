@@ -2,7 +2,7 @@
 // each chunk is saved as soon as it is finished.
 //
 //   out/chunks/000123.chunk         a finished chunk: header with its counts, then its bytes
-//   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when it is whole
+//   out/chunks/….part.HOST.PID      a chunk that is being written; it is renamed when complete
 //   out/chunks/….chunk.damaged      a chunk that was found broken; it counts as missing
 //   out/journal.sqlite              tables `campaign` and `chunks`
 //
@@ -81,8 +81,8 @@ class ChunkStore {
   /// The unfinished chunks, ascending.
   std::vector<std::int64_t> missing() const;
 
-  /// Saves a finished chunk, either whole or not at all. An existing chunk is replaced by one with
-  /// the same bytes, because the bytes do not depend on the process that writes the chunk.
+  /// Saves a finished chunk, either whole or not at all. An existing chunk is overwritten. This
+  /// changes nothing, because its bytes do not depend on the process that writes them.
   ///
   /// Throws    IoError. If the error names the journal, the chunk itself is saved, and the next
   ///           open() writes its row

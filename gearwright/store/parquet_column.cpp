@@ -16,10 +16,10 @@ static_assert(std::numeric_limits<double>::is_iec559);
 
 namespace {
 
-// Returns the definition levels, which are 1 for a value and 0 for null. The format encodes the
-// levels as a mixture of runs and bits, after the length of this mixture in bytes. If there are no
-// nulls, or only nulls, one run represents all rows. Otherwise only bits are used, which take at
-// most 8 kB before compression. Runs of equal levels would take up to 16 times as many bytes.
+// Returns the definition levels, which are 1 for a value and 0 for null. In the format, a length in
+// bytes comes first, followed by the levels as a mixture of runs and bits. If there are no nulls,
+// or only nulls, one run represents all rows. Otherwise only bits are used, which take at most 8 kB
+// before compression. Runs of equal levels would take up to 16 times as many bytes.
 std::string definition_levels(const ColumnChunk& chunk, std::size_t rows) {
   std::string hybrid;
   if (chunk.count == 0 || chunk.count == rows) {

@@ -19,8 +19,8 @@ constexpr Row kRows[] = {{2.0, 0.7086, 0.4030, 0.5049, 9 + 25.0 / 60 + 31.0 / 36
                          {12.0, 0.6820, 0.3663, 0.4877, 9 + 0.0 / 60 + 59.0 / 3600, 0.0},
                          {40.0, 0.6455, 0.3520, 0.4858, 8 + 35.0 / 60 + 1.0 / 3600, 0.0}};
 
-// The lengths are printed with four decimals, and the angles to the second. Both were computed from
-// rounded inputs.
+// The lengths are printed with four decimals, and the angles are printed to the second. Both were
+// computed from rounded inputs.
 constexpr double kPrinted = 1.5e-4;
 constexpr double kPrintedAngle = 2e-3;  // degrees
 // If l_f is rounded by 5e-5, the root radius changes by l_f/(ρ_f − x_f − h_f) times as much, which

@@ -86,7 +86,7 @@ std::string running(const ParallelPair& p) {
   if (const auto face = face_width_needed(p)) {
     return running(p, fmt::format("The pair runs only as a helical gear pair, because the "
                                   "transverse contact ratio is {:.3f} and the total contact ratio "
-                                  "{:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
+                                  "is {:.3f}. The pair needs a face width b ≥ {:.2f} mm. There is",
                                   p.mesh.true_ratio, p.contact_ratio_true(), *face));
   }
   return running(
@@ -125,7 +125,7 @@ std::string standing(const Judged& judged) {
   if (judged.rack && judged.rack->true_contact_ratio() < 1.0)
     return fmt::format(
         "The rack and pinion run only with helical teeth, because the transverse contact ratio is "
-        "{:.3f} and the total contact ratio {:.3f}. There is {}.",
+        "{:.3f} and the total contact ratio is {:.3f}. There is {}.",
         judged.rack->true_contact_ratio(),
         judged.rack->true_contact_ratio() + judged.rack->overlap_ratio,
         backlash_words(judged.rack->stated_backlash()));

@@ -143,8 +143,8 @@ struct PatternPlace {
   /// edge of either half counts.
   double edge_share;
   /// Mean position of the contact points along the face, relative to half of the face width,
-  /// towards +z. The value is that of the gear on which the contact is nearer to an end of the
-  /// face, which is the narrower gear if the widths differ. None if all positions have contact
+  /// towards +z. The value applies to the gear on which the contact is nearer to an end of the
+  /// face. If the widths differ, this is the narrower gear. None if all positions have contact
   /// lines.
   std::optional<double> mean;
 };

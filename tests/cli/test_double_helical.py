@@ -54,7 +54,8 @@ class TwoHalves(unittest.TestCase):
         self.assertAlmostEqual(found["values"]["share"], share, 12)
         run = Run("run", spec, "--only", "report", "--out", "out")
         text = re.sub("<[^>]*>", " ", (run.folder / "out/report.html").read_text())
-        self.assertRegex(text, rf"Rotation with an edge in contact\s+%\s+{100 * share:.0f} ")
+        row = rf"Share of the rotation with an edge in contact\s+%\s+{100 * share:.0f} "
+        self.assertRegex(text, row)
 
     def rated(self, spec, torque):
         steel = '[gear1.material]\nname = "18CrNiMo7-6"\n'

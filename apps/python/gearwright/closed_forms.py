@@ -143,7 +143,7 @@ def backlash(z1: ArrayLike, z2: ArrayLike, x1: ArrayLike, x2: ArrayLike, center_
 def shift_limits(z: ArrayLike, helix_angle: ArrayLike = 0.0, *, tip_thickness: float = 0.2,
                  normal_pressure_angle: float = _ALPHA, addendum: float = 1.0,
                  flank_depth: float = 1.0) -> tuple[Any, Any]:
-    """Returns the least profile shift, which avoids undercut, and the greatest, at which the tip thickness is
+    """Returns the least profile shift without undercut, and the greatest profile shift, at which the tip thickness is
     tip_thickness modules. An internal gear has no undercut, so its least shift is -inf. A limit that does not exist is
     NaN."""
     columns, rows, shape = _columns(z, helix_angle)

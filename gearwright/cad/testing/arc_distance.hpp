@@ -1,5 +1,5 @@
-// Searches for the distance between a point of a drawing and an exact arc. The search shares no code
-// with the osculating circles that the fits use to measure their deviation.
+// Searches for the distance between a point of a drawing and an exact arc. The search shares no
+// code with the osculating circles that the fits use to measure their deviation.
 #pragma once
 
 #include <algorithm>

@@ -21,8 +21,9 @@ struct Drive {
   ContactPair pair() const { return ContactPair({&one, {}}, {&two, {}}, mount); }
 };
 
-/// A pinion with 25 teeth and a wheel with z_2 teeth, mounted without backlash. If z_2 < 0, the wheel
-/// is an internal gear, whose tips are shortened so that they do not reach the root of the pinion.
+/// A pinion with 25 teeth and a wheel with z_2 teeth, mounted without backlash. If z_2 < 0, the
+/// wheel is an internal gear, whose tips are shortened so that they do not reach the root of the
+/// pinion.
 inline Drive steel_drive(int z_2, double helix_deg, double face = 30.0, double module = 3.0) {
   const auto gear = [&](int teeth, double beta_deg) {
     CylindricalSpec s =
@@ -39,8 +40,8 @@ inline Drive steel_drive(int z_2, double helix_deg, double face = 30.0, double m
   return d;
 }
 
-/// A request for draft tables, eight positions and twelve slices. The bodies have a bore of 12 modules
-/// or, for an internal gear, a rim of 2.5 modules.
+/// A request for draft tables, eight positions and twelve slices. The bodies have a bore of 12
+/// modules or, for an internal gear, a rim of 2.5 modules.
 inline LoadRequest steel_request(const Drive& d, double e = kE) {
   const double m = d.one.spec.normal_module;
   LoadRequest r;

@@ -160,7 +160,7 @@ class ChunkFolderTest : public ::testing::Test {
     int status = 0;
     return ::waitpid(pid, &status, 0) == pid && WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
-  // The id of a child process that has ended, which no running process has.
+  // The id of a child process that has ended. No running process has this id.
   pid_t dead_process() const {
     const pid_t pid = child([] {});
     EXPECT_TRUE(went_well(pid));

@@ -46,7 +46,8 @@ export class KeyPanel {
 
   /** Shows the values of the spec. `answered` is the error of the picture, if there is one. An error is
    *  shown at its field. The error of a missing table is shown at the first field of this table. Returns
-   *  the sentence to show in place of the picture, which contains the reason only if no field shows it. */
+   *  the sentence to show in place of the picture. This sentence contains the reason only if no
+   *  field shows the reason. */
   show(answered: Fault | null = this.answered): string {
     this.build();
     this.answered = answered;
