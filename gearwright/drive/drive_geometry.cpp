@@ -171,6 +171,7 @@ std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error
 }
 
 // Mounts the racks. A pinion without a shift has the shift 0.
+  while (error.rule.ends_with('.')) error.rule.pop_back();
 void mount_racks(const DriveGraph& graph, DriveGeometry& made) {
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
     const DriveMesh& mesh = graph.meshes[m];

@@ -99,8 +99,8 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
-  // The members of a gear have the same keys in every table of a drive as in [gear1].
-  for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear1");
+  // The members of a gear or a rack have the same keys in every table of a drive as in [gear2].
+  for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
   return job;
 }

@@ -341,6 +341,13 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             for words in ("drive.gear[2].height_mm", word):
                 self.assertIn(words, run.err)
 
+    def test_a_rack_in_a_drive_has_the_limits_of_a_rack(self):
+        for given, words in (("height_mm = 1", "r: height_mm = 1: must be at least 2.501 mm"),
+                             ("height_mm = 18, face_width_mm = 1e-9", "r: face_width_mm = 1e-09: must lie between 0.002 mm")):
+            drive = Run("drive", self.LIFT.replace("height_mm = 18", given), "--json").json
+            self.assertEqual(drive["verdict"]["level"], "red")
+            self.assertIn(words, drive["verdict"]["headline"])
+
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
         self.assertEqual(run.status, 1)
