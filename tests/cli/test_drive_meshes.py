@@ -341,6 +341,21 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             for words in ("drive.gear[2].height_mm", word):
                 self.assertIn(words, run.err)
 
+    def test_a_rack_has_a_length_or_a_number_of_teeth(self):
+        """Regression: the number of teeth that was used until the length is known counted as given."""
+        bar = 'form = "rack", teeth = 30'
+        pitch = 2 * math.pi / math.cos(math.radians(10))
+        spec = self.LIFT.replace(bar, 'form = "rack", length_mm = 200')
+        taken = Run("drive", spec, "--take", "1")
+        self.assertEqual(taken.status, 0, taken.err)
+        pair = Run("pair", taken.out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertEqual(pair.json["gears"][1]["teeth"], int(200 / pitch))
+        both = Run("drive", self.LIFT.replace(bar, bar + ", length_mm = 200"))
+        self.assertEqual(both.status, 1)
+        for words in ("drive.gear[2].length_mm = 200", "only one of the keys"):
+            self.assertIn(words, both.err)
+
     def test_a_rack_in_a_drive_has_the_limits_of_a_rack(self):
         for given, words in (("height_mm = 1", "r: height_mm = 1: must be at least 2.501 mm"),
                              ("height_mm = 18, face_width_mm = 1e-9", "r: face_width_mm = 1e-09: must lie between 0.002 mm")):

@@ -145,6 +145,11 @@ class ARack(unittest.TestCase):
                 with self.subTest(verb=verb, line=line):
                     self.refused(verb, RACK + line + "\n", *words)
 
+    def test_a_misspelled_form_names_both_forms(self):
+        for word in ("Rack", "rak"):
+            self.refused("pair", RACK.replace('"rack"', f'"{word}"'), f'gear2.form = "{word}": must be one of "gear", "rack"',
+                         "did you mean rack?")
+
     def test_a_pinion_without_teeth_has_a_remedy(self):
         self.refused("pair", RACK.replace("teeth = 20", "teeth = 1"), "gear1.profile_shift = 0", "root_fillet can replace")
 
