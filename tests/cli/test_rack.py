@@ -105,6 +105,7 @@ class ARack(unittest.TestCase):
                  "y = \"center_distance_mm\"\ny_range = [0, 0.1]\n", "contact.map", "two gears"),
                 ("rate", "", "gear2.form", "needs two gears"),
                 ("scatter", "", "gear2.form", "needs two gears"),
+                ("fit", "", "gear2.form", "needs two gears"),
                 ("outline --gear 2", "teeth = 9\nheight_mm = 9\nthickness_allowance_mm = 2\n",
                  "gear2.thickness_allowance_mm", "closes at the root"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
@@ -144,6 +145,14 @@ class ARack(unittest.TestCase):
                                  ("face_width_mm = 1e-9", "gear2.face_width_mm", "between 0.002 mm and 200000 mm")):
                 with self.subTest(verb=verb, line=line):
                     self.refused(verb, RACK + line + "\n", *words)
+
+    def test_no_contact_names_its_cause(self):
+        # The tip radius and the addendum are 22 mm and 2 mm.
+        pair = RACK + "[pair]\ncenter_distance_mm = 25\n"
+        err = self.refused("contact", pair, "pair.center_distance_mm = 25: no teeth touch", "reach only 24 mm",
+                           "a smaller centre distance")
+        self.assertNotIn("errors", err)
+        self.refused("contact", RACK + "[errors]\ncenter_distance_mm = 5\n", "errors: no teeth touch", "smaller errors")
 
     def test_a_misspelled_form_names_both_forms(self):
         for word in ("Rack", "rak"):
