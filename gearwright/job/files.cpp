@@ -84,9 +84,11 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
   auto made = step_document(bodies, path.filename().string(), {options.step_schema});
   if (!made) {
     for (const ToothedBody& body : bodies)
-      for (const SolidGear& gear : body.gears())
+      for (const SolidGear& gear : body.gears()) {
+        if (gear.body->rack) continue;
         if (const auto walls = make_walls(*gear.body); !walls)
           return of_body(walls.error(), gear.body->name);
+      }
     return made.error();
   }
   StepDocument document = std::move(made).take();

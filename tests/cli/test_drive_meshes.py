@@ -363,6 +363,13 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             self.assertEqual(drive["verdict"]["level"], "red")
             self.assertIn(words, drive["verdict"]["headline"])
 
+    def test_a_rack_with_too_many_teeth_is_not_a_gear_with_few(self):
+        """Regression: the teeth of the rack were examined as those of a gear, whose root "lies beyond the axis"."""
+        run = Run("run", self.LIFT.replace("teeth = 30", "teeth = 100000"), "--out", "o")
+        self.assertEqual(run.status, 1)
+        self.assertIn("fewer teeth", run.err)
+        self.assertNotIn("axis", run.err)
+
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
         self.assertEqual(run.status, 1)
