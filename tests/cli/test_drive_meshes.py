@@ -404,6 +404,11 @@ class DoubleHelical(unittest.TestCase):
         pair = Run("pair", Run("drive", self.stage(), "--take", "1").out, "--json").json["pair"]
         self.assertEqual(pair["overlap_ratio"], pairs[0]["overlap_ratio"])
 
+    def test_a_gap_that_leaves_no_face_is_named(self):
+        run = Run("drive", self.stage(HALVES.replace("10", "49.99999"), HALVES.replace("10", "49.99999")), "--json")
+        for words in ("beside the gap of 49.99999 mm, each half has face_width_mm = 5e-06", "between 0.002 mm"):
+            self.assertIn(words, run.json["verdict"]["headline"])
+
     def test_the_halves_share_the_load(self):
         rating = "[rating]\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"
         both = Run("rate", self.stage() + rating, "--json")
