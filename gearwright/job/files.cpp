@@ -312,9 +312,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
       density = density_of(job, **scatter, options.progress);
     if (density) scatter_shown->density = &*density;
   }
-  const auto rating = rating_part(job);
+  const auto rating = rating_part(job, options.progress);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
+  begin_stage(options.progress, "making the files", 0);
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
   std::vector<JobFile> files = std::move(shapes).take();
