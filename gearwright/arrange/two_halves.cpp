@@ -10,6 +10,24 @@
 
 namespace gearwright {
 
+namespace {
+
+// The error of a gap that leaves the halves less than the least face width. `half` is one half of
+// a gear with the given face width.
+std::optional<Error> rest_error(const CylindricalSpec& half, double gap, double face_width) {
+  const auto error = check_limits(half);
+  if (!error || error->field != "face_width") return std::nullopt;
+  CylindricalSpec whole = half;
+  whole.face_width = face_width;
+  if (auto of_whole = check_limits(whole)) return of_whole;
+  return refused("double_helical.gap", gap, {face_width},
+                 fmt::format("leaves each half {} mm of the face width of {{}} mm, but the face "
+                             "width of a half {}; a smaller gap would help",
+                             format_number(half.face_width), error->rule));
+}
+
+}  // namespace
+
 std::optional<Error> halve(GivenPair& given) {
   bool any = false;
   for (const int which : {1, 2}) {
@@ -26,10 +44,12 @@ std::optional<Error> halve(GivenPair& given) {
                                  {one->cylindrical.face_width, two->cylindrical.face_width}))
       return error;
   }
-  for (auto& gear : given.gears) {
+  for (const int which : {1, 2}) {
+    auto& gear = given.gears[static_cast<std::size_t>(which - 1)];
     if (!gear || !gear->double_helical) continue;
-    double& face = gear->cylindrical.face_width;
-    face = (face - gear->double_helical->gap) / 2;
+    const double gap = gear->double_helical->gap, whole = gear->cylindrical.face_width;
+    gear->cylindrical.face_width = (whole - gap) / 2;
+    if (auto error = rest_error(gear->cylindrical, gap, whole)) return of_gear(which, *error);
   }
   return std::nullopt;
 }

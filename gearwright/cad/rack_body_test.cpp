@@ -134,19 +134,16 @@ TEST(RackBody, drawings_contain_the_bar) {  // (3)
   }
 }
 
-TEST(RackBody, has_a_default_size_and_names_a_height_that_is_too_small) {
+TEST(RackBody, has_a_default_size) {
   const auto pair = mount_rack(
       make_gear(testing::plain_spec({.teeth = 20, .module = 2, .face_width = 20})).value(), {});
   ASSERT_TRUE(pair);
-  RackGeometry rack = pair->rack;
+  const RackGeometry& rack = pair->rack;
   EXPECT_EQ(rack.teeth, 21);
   EXPECT_EQ(rack.height, 2 * (1.25 + 3));
   EXPECT_FALSE(rack.length());
   ASSERT_EQ(pair->warnings.size(), 2u);
   EXPECT_TRUE(rack_body(rack, "rack"));
-  rack.height = 2.0;
-  EXPECT_EQ(rack_body(rack, "rack").error().field, "gear2.height");
-  EXPECT_NE(rack_body(rack, "rack").error().rule.find("2.501"), std::string::npos);
 }
 
 }  // namespace

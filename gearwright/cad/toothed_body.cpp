@@ -8,13 +8,6 @@
 
 namespace gearwright {
 
-namespace {
-
-// Smallest thickness between the roots and the back of a rack, mm.
-constexpr double kRackBack_mm = 1e-3;
-
-}  // namespace
-
 std::vector<Band> SolidGear::bands() const {
   std::vector<Band> all = body->bands();
   for (Band& band : all) {
@@ -86,12 +79,7 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 }
 
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name) {
-  const double least = rack.dedendum + kRackBack_mm;
-  if (rack.height < least) {
-    return refused("gear2.height", rack.height, {least},
-                   "is too small, because the back would lie above the roots of the teeth; it must "
-                   "be at least {} mm");
-  }
+  GW_EXPECTS(rack.height > rack.dedendum);
   auto outline = rack_outline(rack);
   if (!outline) return outline.error();
   ToothedBody body;

@@ -169,8 +169,8 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
 /// Returns the rack in its own frame (pair/rack_pair.hpp). The pose of the rack is
 /// `rack_pair.pose_2().isometry()`.
 ///
-/// Errors    `gear2.height`, with the smallest permissible height, if the back lies above the
-///           roots; errors of rack_outline()
+/// Domain    the back lies below the roots (contract), as that of a rack of mount_rack()
+/// Errors    errors of rack_outline()
 Result<ToothedBody> rack_body(const RackGeometry& rack, const std::string& name);
 
 }  // namespace gearwright

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/contact/recut.hpp"
 #include "gearwright/gear/gear.hpp"
 
@@ -17,31 +18,37 @@ bool any_modification(const FlankModifications& m) {
   return m.topography || m.profile_wave.waves > 0 || m.helix_wave.waves > 0;
 }
 
-// The reason why no teeth touch, such as tips that do not reach each other.
+// The reason why no teeth touch, such as tips that do not reach each other, with a remedy.
 std::string why_nothing_touches(const ContactSetup& setup, const ContactErrors& errors) {
   const double r1 = setup.gear(1).actual_tip_radius();
   const double r2 = setup.gear(2).actual_tip_radius();
   const double a = setup.place().center_distance + errors.center_distance;
-  const double apart = setup.gear(2).side() * (a - r2) - r1;  // of the two tip circles
+  const double side = setup.gear(2).side();
+  const double apart = side * (a - r2) - r1;  // of the two tip circles
+  const bool exact = errors == ContactErrors();
+  const std::string closer = side < 0.0 ? "a greater centre distance" : "a smaller centre distance";
   if (apart >= 0.0) {
     return fmt::format(
         "the axes are {:.6g} mm apart and the tip radii are {:.6g} mm and {:.6g} mm, so the tip "
-        "circles are {:.6g} mm apart and the teeth do not reach each other; change "
-        "`errors.center_distance` or `pair.center_distance`",
-        a, r1, r2, apart);
+        "circles are {:.6g} mm apart and the teeth do not reach each other; {}",
+        a, r1, r2, apart,
+        exact ? closer + " would help"
+              : "change `errors.center_distance` or `pair.center_distance`");
   }
   return fmt::format(
       "no flank of gear 1 lies opposite a flank of gear 2 at any position (centre distance "
-      "{:.6g} mm, tip radii {:.6g} mm and {:.6g} mm); smaller errors or faces that overlap would "
-      "help",
-      a, r1, r2);
+      "{:.6g} mm, tip radii {:.6g} mm and {:.6g} mm); {} or faces that overlap would help",
+      a, r1, r2, exact ? closer : "smaller errors");
 }
 
 }  // namespace
 
 Error nothing_touches(const ContactSetup& setup) {
-  return {"errors", "",
-          "no teeth touch, because " + why_nothing_touches(setup, setup.place().errors),
+  const ContactMount& place = setup.place();
+  const bool exact = place.errors == ContactErrors();
+  return {exact ? "pair.center_distance" : "errors",
+          exact ? format_number(place.center_distance) : "",
+          "no teeth touch, because " + why_nothing_touches(setup, place.errors),
           FailureKind::nothing_touches};
 }
 

@@ -104,8 +104,9 @@ Error of_flank(int which, int side, Error error);
 FlankExtent flank_extent(const Gear& gear);
 
 /// The error for a pair whose teeth touch at no position. The text of the error gives the reason,
-/// for example tips that do not reach each other. The second function makes the error for a pair
-/// under `errors`, a scenario of [compensate.range] that is called `name`.
+/// for example tips that do not reach each other. The field is `errors` or, without errors,
+/// `pair.center_distance`. The second function makes the error for a pair under `errors`, a
+/// scenario of [compensate.range] that is called `name`.
 Error nothing_touches(const ContactSetup& setup);
 Error nothing_touches_under(const ContactSetup& setup, const std::string& name,
                             const ContactErrors& errors);

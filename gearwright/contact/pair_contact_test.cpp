@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/contact/contact_setup.hpp"
 #include "gearwright/contact/testing/sample_pairs.hpp"
@@ -109,6 +110,21 @@ TEST(PairContact, tips_out_of_reach_are_named) {
         << text;
     EXPECT_NE(text.find("errors.center_distance"), std::string::npos) << text;
   }
+}
+
+// Without errors, the centre distance is the cause.
+TEST(PairContact, tips_out_of_reach_without_errors_name_the_distance) {
+  const testing::SamplePair p = testing::involutes(20, 41, 0);
+  const auto pair =
+      mount(p.gears[0], p.gears[1], {.center_distance = p.place.center_distance + 5.0});
+  ASSERT_TRUE(pair);
+  const auto setup = ContactSetup::of(*pair, {}, {});
+  ASSERT_TRUE(setup);
+  const Error error = nothing_touches(*setup);
+  EXPECT_EQ(error.field, "pair.center_distance");
+  EXPECT_EQ(error.value, format_number(p.place.center_distance + 5.0));
+  EXPECT_NE(error.rule.find("tip circles are 1 mm apart"), std::string::npos) << error.rule;
+  EXPECT_NE(error.rule.find("a smaller centre distance would help"), std::string::npos);
 }
 
 TEST(PairContact, asks_for_a_lead_that_can_change) {

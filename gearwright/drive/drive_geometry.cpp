@@ -126,8 +126,15 @@ void make_drive_gear(const DriveGraph& graph, std::size_t g, std::optional<doubl
   auto teeth = make_gear_with_default_cutter(spec);
   made.gears[g].reset();
   if (!teeth) {
-    made.faults.push_back({Fault::Kind::no_gear, fmt::format("The teeth of {} cannot be made: {}.",
-                                                             gear.name, teeth.error().quoted())});
+    const bool of_half = gear.double_helical && teeth.error().field == "face_width";
+    made.faults.push_back(
+        {Fault::Kind::no_gear,
+         fmt::format(
+             "The teeth of {} cannot be made: {}{}.", gear.name,
+             of_half ? fmt::format("beside the gap of {} mm, each half has ",
+                                   format_number(gear.double_helical->gap, gear.spec->face_width))
+                     : std::string(),
+             teeth.error().quoted())});
     return;
   }
   made.gears[g] = std::move(teeth).take();
@@ -164,6 +171,7 @@ void mount_mesh(const DriveGraph& graph, std::size_t m, DriveGeometry& made) {
 std::string reason_of_rack(const DriveGraph& graph, const DriveMesh& mesh, Error error) {
   const bool of_rack = subject_of(error.field).gear == 2;
   const std::string& name = graph.gear(mesh, of_rack ? 1 : 0).name;
+  while (error.rule.ends_with('.')) error.rule.pop_back();
   const std::size_t dot = error.field.find('.');
   if (dot == std::string::npos) return fmt::format("{} {}", name, error.rule);
   error.field.erase(0, dot + 1);

@@ -10,6 +10,7 @@
 
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/arrange/notes.hpp"
+#include "gearwright/base/number_text.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/catalogue/gear_keys.hpp"
 #include "gearwright/contact/continuous.hpp"
@@ -157,6 +158,26 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   return answer;
 }
 
+// The error if pinion and rack touch at no position.
+Error no_touch_of_rack(const RackPair& rack, const ContactErrors& errors) {
+  const bool exact = errors == ContactErrors();
+  const double distance = rack.center_distance + errors.center_distance;
+  const double tip = rack.pinion.actual_tip_radius(), addendum = rack.rack.addendum;
+  const std::string why =
+      distance >= tip + addendum
+          ? fmt::format(
+                "the datum line of the rack is {:.6g} mm from the axis of the pinion, but "
+                "the tip radius of {:.6g} mm and the addendum of {:.6g} mm reach only "
+                "{:.6g} mm",
+                distance, tip, addendum, tip + addendum)
+          : "no flank of the pinion lies opposite a flank of the rack at any position";
+  return {exact ? "pair.center_distance" : "errors",
+          exact ? format_number(rack.center_distance) : "",
+          fmt::format("no teeth touch, because {}; {} or an overlap of the faces would help", why,
+                      exact ? "a smaller centre distance" : "smaller errors"),
+          FailureKind::nothing_touches};
+}
+
 Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   const ContactInput& input = job.spec.contact;
   if (input.map) return Error{"contact.map", "", "needs two gears, but gear 2 is a rack"};
@@ -165,10 +186,7 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   RackContact found = std::move(contacts).take();
   const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
   if (std::none_of(found.positions.begin(), found.positions.end(), touches))
-    return Error{"errors", "",
-                 "no teeth touch, because no flank of the pinion lies opposite a flank of the rack "
-                 "at any position; smaller errors or an overlap of the faces would help",
-                 FailureKind::nothing_touches};
+    return no_touch_of_rack(*job.rack, errors_of(job));
   ContactAnswer answer{};
   if (input.pattern) answer.pattern = contact_pattern(*found.pair, input.positions, {}, progress);
   answer.min_play = found.min_play;

@@ -47,7 +47,8 @@ struct ContactAnswer : ContactView {
 
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
-/// Errors    the errors of setup_of; `errors` if no teeth touch at any position
+/// Errors    the errors of setup_of; if no teeth touch at any position, `errors` or, without errors,
+///           `pair.center_distance`
 Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress = nullptr);
 
 std::string contact_listing(const SolvedJob& job, const ContactAnswer& answer);

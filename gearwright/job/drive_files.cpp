@@ -92,6 +92,7 @@ Result<JobFile> make_drive_file(FileKind kind, const DriveJob& job,
 
 Result<RunFiles> make_drive_files(const DriveJob& job, const fs::path& folder,
                                   const FileOptions& options) {
+  begin_stage(options.progress, "making the files", 0);
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
   std::vector<JobFile> files = std::move(shapes).take();

@@ -99,8 +99,8 @@ Result<DriveJob> solve_drive(const JobSpec& spec) {
     job.why_no_layout = fmt::format("The drive cannot be assembled: {}{}.",
                                     why.value.empty() ? "" : why.value + " ", why.rule);
   }
-  // The members of a gear have the same keys in every table of a drive as in [gear1].
-  for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear1");
+  // The members of a gear or a rack have the same keys in every table of a drive as in [gear2].
+  for (Warning& w : job.drive.findings) w.message = spelled(w.message, spec.given, "gear2");
   job.verdict = judge(job);
   return job;
 }
@@ -155,12 +155,19 @@ Result<DriveLoad> rating_load(const JobSpec& spec, const Drive& drive) {
         "input of the drive or in [rating]");
   constexpr double kSameLoad = 1e-9;  // relative; a torque from power and speed may differ by
                                       // rounding
-  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own))
+  if (own && rated && std::abs(std::abs(*own) - std::abs(*rated)) > kSameLoad * std::abs(*own)) {
+    if (const auto& power = spec.rating.power)
+      return Error{"rating.power_kW", format_number(*power),
+                   fmt::format("is a torque of {} N m at {} 1/min, which contradicts the torque of "
+                               "{} N m on the input of the drive; leave out one of the two",
+                               format_number(*rated), format_number(*spec.rating.input.speed),
+                               format_number(*own))};
     return Error{
         "rating.torque_Nm", format_number(*rated),
         fmt::format(
             "contradicts the torque of {} N m on the input of the drive; leave out one of the two",
             format_number(*own))};
+  }
   load.torque = std::abs(rated.value_or(own.value_or(0.0)));
   if (!(load.torque > 0.0)) return Error{"rating.torque_Nm", "0", "must not be 0 for a rating"};
   if (!drive.graph.speeds_rpm.empty()) load.speed = std::abs(drive.graph.speeds_rpm.front());

@@ -84,9 +84,11 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
   auto made = step_document(bodies, path.filename().string(), {options.step_schema});
   if (!made) {
     for (const ToothedBody& body : bodies)
-      for (const SolidGear& gear : body.gears())
+      for (const SolidGear& gear : body.gears()) {
+        if (gear.body->rack) continue;
         if (const auto walls = make_walls(*gear.body); !walls)
           return of_body(walls.error(), gear.body->name);
+      }
     return made.error();
   }
   StepDocument document = std::move(made).take();
@@ -310,9 +312,10 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
       density = density_of(job, **scatter, options.progress);
     if (density) scatter_shown->density = &*density;
   }
-  const auto rating = rating_part(job);
+  const auto rating = rating_part(job, options.progress);
   if (!rating) return rating.error();
   const RatingAnswer* const rated = *rating ? &**rating : nullptr;
+  begin_stage(options.progress, "making the files", 0);
   auto shapes = shape_files(job, folder, options);
   if (!shapes) return shapes.error();
   std::vector<JobFile> files = std::move(shapes).take();

@@ -74,6 +74,7 @@ void add_branch(FitAnswer& answer, const FitBranch& branch, Json spec,
 }
 
 Result<FitAnswer> answer_fit(const JobSpec& spec, Progress* progress) {
+  if (auto error = two_gears_error(spec)) return *error;
   if (!spec.gears[0]) return absent_input("gear1", "; the verb fit needs two gears");
   for (const int which : {1, 2}) {
     if (!spec.has(which) || !has_arcs(spec.gear(which))) continue;

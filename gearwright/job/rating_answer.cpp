@@ -140,6 +140,7 @@ Result<RatingAnswer> answer_rating(SolvedJob& job, Progress* progress) {
     auto of_teeth = face_loads_of(job, progress);
     if (!of_teeth) return of_teeth.error();
     faces = std::move(of_teeth).take();
+    begin_stage(progress, "computing K_Hβ from the load along the teeth", 0);
     const auto K_Hbeta = faces->at(answer.pair, answer.input);
     if (!K_Hbeta) return K_Hbeta.error();
     answer.input.face_load_factor = *K_Hbeta;

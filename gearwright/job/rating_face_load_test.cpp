@@ -45,7 +45,9 @@ double face_load_of(Json tree, double torque_Nm, double slope_um) {
 TEST(RatingFaceLoad, is_that_of_load_at_the_worse_limit) {
   const Json tree = shafted_pair(8.0, 15.0);
   SolvedJob job = testing::taken(solve(testing::taken(read_spec_tree(tree)), Scope::pair));
-  const RatingAnswer answer = testing::taken(answer_rating(job));
+  Progress progress;
+  const RatingAnswer answer = testing::taken(answer_rating(job, &progress));
+  EXPECT_STREQ(progress.state().stage, "computing K_Hβ from the load along the teeth");
   const Rating& r = answer.rating;
   const auto& [one, two] = *r.tolerance;
   const double slope = std::hypot(one.f_Hbeta, two.f_Hbeta) * std::cos(answer.pair.beta_b);

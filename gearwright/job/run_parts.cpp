@@ -67,9 +67,9 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
   return answer.error();
 }
 
-Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job) {
+Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job, Progress* progress) {
   if (!job.pair || !job.spec.rating.given) return std::optional<RatingAnswer>();
-  auto answer = answer_rating(job);
+  auto answer = answer_rating(job, progress);
   if (!answer) {
     const RatingTable& rating = job.spec.rating;
     const FailureKind kind = answer.error().kind;

@@ -27,6 +27,6 @@ Result<std::optional<ScatterAnswer>> scatter_part(SolvedJob& job, Progress* prog
 /// for example because nothing touches, the result is empty, and the job has a warning.
 ///
 /// Errors    those of answer_rating()
-Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job);
+Result<std::optional<RatingAnswer>> rating_part(SolvedJob& job, Progress* progress);
 
 }  // namespace gearwright

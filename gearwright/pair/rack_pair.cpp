@@ -31,6 +31,11 @@ constexpr int kFewestTeeth = 15;
 // rack of ISO 53.
 constexpr double kRimModules = 3.0;
 
+// The smallest thickness between the roots and the back, mm.
+constexpr double kLeastBack = 1e-3;
+// The limits of the face width and of the height, modules; those of the face width of a gear.
+constexpr double kLeastWidth = 1e-3, kMostWidth = 1e5;
+
 double alpha_t(const Gear& g) { return g.reference().transverse_pressure_angle; }
 double alpha_n(const Gear& g) { return g.spec.normal_pressure_angle.rad(); }
 
@@ -158,6 +163,24 @@ void find_faults(RackPair& p) {
   }
 }
 
+// The error of a body that is too thin, or too large for any machine.
+std::optional<Error> size_error(const RackGeometry& rack) {
+  const double m = rack.normal_module, most = kMostWidth * m, b = rack.face_width;
+  if (!(b >= kLeastWidth * m && b <= most))
+    return refused(gear_field(2, "face_width"), b, {kLeastWidth * m, most},
+                   "must lie between {} mm and {} mm");
+  if (const double least = rack.dedendum + kLeastBack; !(rack.height >= least))
+    return refused(
+        gear_field(2, "height"), rack.height, {least},
+        fmt::format("must be at least {{}} mm, because the back must lie below the roots "
+                    "of the teeth, which are {} mm below the datum line",
+                    format_number(rack.dedendum)));
+  if (rack.height > most)
+    return refused(gear_field(2, "height"), rack.height, {most},
+                   "must be at most {} mm (100 000 modules)");
+  return std::nullopt;
+}
+
 // The error of a thickness allowance with which a land would have a length < 0.
 std::optional<Error> land_error(const RackGeometry& rack) {
   const double slope = 2 * std::tan(rack.normal_pressure_angle.rad());
@@ -242,11 +265,10 @@ Result<RackPair> mount_rack(Gear pinion, const RackBar& bar, std::optional<doubl
   if (!pinion.involute())
     return Error{gear_field(1, "rack"), "",
                  "cuts circular arcs, but a rack as gear 2 has straight flanks"};
-  if (!pinion.exists())
-    return Error{gear_field(1), "",
-                 "has no teeth that could mesh with a rack, because the cutter cuts them off"};
+  if (!pinion.exists()) return within(gear_field(1), pinion.why_not());
   RackPair p;
   p.rack = geometry(pinion, bar);
+  if (auto error = size_error(p.rack)) return *error;
   if (auto error = land_error(p.rack)) return *error;
   p.pinion = std::move(pinion);
   p.speed_rpm = speed_rpm;

@@ -101,8 +101,10 @@ struct RackPair {
 ///
 /// Formula   theory page 2, [T2.36]…[T2.41] and [T2.46]
 /// Domain    an external involute gear that exists; H > 0 and the widths > 0
-/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, `gear1` if the
-///           pinion has no tooth, `gear2.thickness_allowance` if the rack has no tooth or no space
+/// Errors    `gear1.teeth` for an internal gear, `gear1.rack` for circular arcs, those of
+///           Gear::why_not() if the pinion has no tooth; `gear2.face_width` outside the limits of a
+///           gear; `gear2.height` if the back is not below the roots or beyond 100 000 modules;
+///           `gear2.thickness_allowance` if the rack has no tooth or no space
 Result<RackPair> mount_rack(Gear pinion, const RackBar& bar,
                             std::optional<double> center_distance = {},
                             std::optional<double> speed_rpm = {},

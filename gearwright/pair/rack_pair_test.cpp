@@ -142,5 +142,31 @@ TEST(RackPair, what_is_wrong_is_a_warning_and_what_cannot_be_an_error) {
   EXPECT_EQ(refused.error().field, "gear1.teeth");
 }
 
+// The roots are 2.5 mm below the datum line, and the limits in modules are those of a gear.
+TEST(RackPair, rejects_a_body_that_cannot_be_made) {
+  const Gear gear = pinion(20, 2, 0, 0);
+  for (const RackBar& bar : {RackBar{.height = 2.501}, RackBar{.height = 2e5},
+                             RackBar{.face_width = 0.002}, RackBar{.face_width = 2e5}})
+    EXPECT_TRUE(mount_rack(gear, bar));
+  for (const auto& [bar, field, limit] :
+       {std::tuple{RackBar{.height = 1.0}, "gear2.height", "2.501 mm"},
+        {RackBar{.height = 2.5}, "gear2.height", "2.501 mm"},
+        {RackBar{.height = 2.01e5}, "gear2.height", "200000 mm"},
+        {RackBar{.face_width = 1e-9}, "gear2.face_width", "0.002 mm"},
+        {RackBar{.face_width = 2.01e5}, "gear2.face_width", "200000 mm"}}) {
+    const auto made = mount_rack(gear, bar);
+    ASSERT_FALSE(made) << field;
+    EXPECT_EQ(made.error().field, field);
+    EXPECT_NE(made.error().rule.find(limit), std::string::npos) << made.error().rule;
+  }
+}
+
+TEST(RackPair, names_what_removes_the_teeth_of_the_pinion) {
+  const auto made = mount_rack(pinion(1, 2, 0, 0), {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().field, "gear1.profile_shift");
+  EXPECT_NE(made.error().rule.find("root_fillet"), std::string::npos) << made.error().rule;
+}
+
 }  // namespace
 }  // namespace gearwright

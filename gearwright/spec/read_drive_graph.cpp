@@ -82,7 +82,6 @@ void read_graph_gear(const Json& node, const std::string& path, DriveGear& gear,
   if (!has_module)
     whole["normal_module_mm"] = 1.0;  // placeholder for read_gear(), because a gear of the graph
                                       // may have no module
-  if (!own.has("teeth")) whole["teeth"] = 1;
   const GearInput given = read_gear(drive_gear_keys(), whole, path, nullptr, folder);
   gear.name = node["name"].get<std::string>();
   gear.teeth = gear.rack ? 0 : given.cylindrical.teeth;

@@ -212,6 +212,15 @@ void refuse_planets(const Json& tree) {
                        "[[stage]] or [drive])"}};
 }
 
+// Rejects another form of gear 2 than a gear or a rack. Only with a known form are the keys of
+// [gear2] known.
+void check_form(const Json& gear_2) {
+  const auto form = gear_2.find("form");
+  if (form == gear_2.end() || !form->is_string() || *form == "gear" || is_rack(gear_2)) return;
+  throw SpecError{
+      {"gear2.form", shown(*form), one_of_rule(form->get<std::string>(), {"gear", "rack"})}};
+}
+
 // Reads a rack as gear 2. [pair] may then contain only the keys that apply to a rack.
 RackBar read_rack_bar(const Json& rack, const Json& tree, const std::optional<GearInput>& pinion) {
   TableReader t(rack_bar_keys(), rack, "gear2");
@@ -280,6 +289,7 @@ JobSpec read_tree(const Json& spec_in_mm, const GivenKeys& given,
   const Json* gear_1 = t.table("gear1");
   const Json* gear_2 = t.table("gear2");
   const Json* search = t.table("search");
+  if (gear_2) check_form(*gear_2);
   // In a spec with [search], a table of a gear without teeth contains only the data that the search
   // does not choose. The mating gear of an unknown gear needs only its number of teeth.
   const auto is_gear = [&](const Json* gear) {

@@ -374,6 +374,9 @@ class Contact(unittest.TestCase):
 
     def test_gears_that_never_touch(self):
         self.refused("contact", self.spec(rest="[errors]\ncenter_distance_mm = 10"), "errors", "no teeth touch", "tip radii")
+        # Without errors, the centre distance is the cause. The tip radii are 22.4 mm and 43 mm.
+        self.refused("contact", self.spec(rest="[pair]\ncenter_distance_mm = 66"), "pair.center_distance_mm",
+                     "no teeth touch", "0.6 mm apart", "a smaller centre distance would help")
 
     def test_gears_that_jam_are_told(self):
         j = self.ok("contact", self.spec(rest="[errors]\ncenter_distance_mm = -0.5"))

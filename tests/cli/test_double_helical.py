@@ -37,6 +37,13 @@ class TwoHalves(unittest.TestCase):
             self.assertIn(words, text)
         self.assertIn("half_face_width_mm", Run("pair", PAIR.format(""), "--csv").out)
 
+    def test_a_gap_that_leaves_no_face_is_named(self):
+        """Regression: the error named the face width of a half, which no key gives."""
+        run = Run("pair", PAIR.format("").replace("gap_mm = 30", "gap_mm = 149.9999"))
+        self.assertEqual(run.status, 1)
+        for words in ("gear1.double_helical.gap_mm = 149.9999: leaves each half 5e-05 mm", "between 0.003 mm"):
+            self.assertIn(words, run.err)
+
     def test_a_hob_that_needs_a_wider_gap_is_a_warning(self):
         run = Run("pair", PAIR.format("hob_diameter_mm = 120\nhob_half_length_mm = 20"), "--json")
         self.assertIn("hob_run_out", [w["code"] for w in json.loads(run.out)["warnings"]])

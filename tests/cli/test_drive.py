@@ -77,6 +77,16 @@ class Stages(unittest.TestCase):
             for words in ("rating.speed_rpm = 300", "contradicts", "450"):
                 self.assertIn(words, wrong.err)
 
+    def test_a_power_that_contradicts_the_torque_is_named(self):
+        """Regression: the error named torque_Nm, which the spec did not contain."""
+        spec = ("[[stage]]\nteeth = [20, 50]\nnormal_module_mm = 3\nspeed_rpm = 450\ntorque_Nm = 80\n"
+                '[rating]\npower_kW = 5\nspeed_rpm = 450\nmaterial = "16MnCr5"\n')
+        run = Run("rate", spec)
+        self.assertEqual(run.status, 1)
+        # Oracle: T = P/ω = 5000/(2π 450/60)
+        for words in ("rating.power_kW = 5: ", "106.103 N m at 450 1/min", "80 N m"):
+            self.assertIn(words, run.err)
+
 
 class PlaneSections(unittest.TestCase):
     def test_every_angle_of_a_planet_has_a_plane_section(self):

@@ -341,6 +341,35 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             for words in ("drive.gear[2].height_mm", word):
                 self.assertIn(words, run.err)
 
+    def test_a_rack_has_a_length_or_a_number_of_teeth(self):
+        """Regression: the number of teeth that was used until the length is known counted as given."""
+        bar = 'form = "rack", teeth = 30'
+        pitch = 2 * math.pi / math.cos(math.radians(10))
+        spec = self.LIFT.replace(bar, 'form = "rack", length_mm = 200')
+        taken = Run("drive", spec, "--take", "1")
+        self.assertEqual(taken.status, 0, taken.err)
+        pair = Run("pair", taken.out, "--json")
+        self.assertEqual(pair.status, 0, pair.err)
+        self.assertEqual(pair.json["gears"][1]["teeth"], int(200 / pitch))
+        both = Run("drive", self.LIFT.replace(bar, bar + ", length_mm = 200"))
+        self.assertEqual(both.status, 1)
+        for words in ("drive.gear[2].length_mm = 200", "only one of the keys"):
+            self.assertIn(words, both.err)
+
+    def test_a_rack_in_a_drive_has_the_limits_of_a_rack(self):
+        for given, words in (("height_mm = 1", "r: height_mm = 1: must be at least 2.501 mm"),
+                             ("height_mm = 18, face_width_mm = 1e-9", "r: face_width_mm = 1e-09: must lie between 0.002 mm")):
+            drive = Run("drive", self.LIFT.replace("height_mm = 18", given), "--json").json
+            self.assertEqual(drive["verdict"]["level"], "red")
+            self.assertIn(words, drive["verdict"]["headline"])
+
+    def test_a_rack_with_too_many_teeth_is_not_a_gear_with_few(self):
+        """Regression: the teeth of the rack were examined as those of a gear, whose root "lies beyond the axis"."""
+        run = Run("run", self.LIFT.replace("teeth = 30", "teeth = 100000"), "--out", "o")
+        self.assertEqual(run.status, 1)
+        self.assertIn("fewer teeth", run.err)
+        self.assertNotIn("axis", run.err)
+
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
         self.assertEqual(run.status, 1)
@@ -374,6 +403,11 @@ class DoubleHelical(unittest.TestCase):
         self.assertEqual(*pairs)
         pair = Run("pair", Run("drive", self.stage(), "--take", "1").out, "--json").json["pair"]
         self.assertEqual(pair["overlap_ratio"], pairs[0]["overlap_ratio"])
+
+    def test_a_gap_that_leaves_no_face_is_named(self):
+        run = Run("drive", self.stage(HALVES.replace("10", "49.99999"), HALVES.replace("10", "49.99999")), "--json")
+        for words in ("beside the gap of 49.99999 mm, each half has face_width_mm = 5e-06", "between 0.002 mm"):
+            self.assertIn(words, run.json["verdict"]["headline"])
 
     def test_the_halves_share_the_load(self):
         rating = "[rating]\nquality = 6\nface_load_factor = 1.2\nmaterial = \"16MnCr5\"\n"

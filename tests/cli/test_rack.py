@@ -105,7 +105,7 @@ class ARack(unittest.TestCase):
                  "y = \"center_distance_mm\"\ny_range = [0, 0.1]\n", "contact.map", "two gears"),
                 ("rate", "", "gear2.form", "needs two gears"),
                 ("scatter", "", "gear2.form", "needs two gears"),
-                ("outline --gear 2", "teeth = 9\nheight_mm = 2\n", "gear2.height_mm", "at least 2.501"),
+                ("fit", "", "gear2.form", "needs two gears"),
                 ("outline --gear 2", "teeth = 9\nheight_mm = 9\nthickness_allowance_mm = 2\n",
                  "gear2.thickness_allowance_mm", "closes at the root"),
                 ("run", "teeth = 9\nheight_mm = 9\n[rating]\ntorque_Nm = 50\n", "rating", "gear 2 is a rack"),
@@ -127,6 +127,40 @@ class ARack(unittest.TestCase):
         r = Run("pair", RACK.replace("teeth = 20", "teeth = -60"))
         self.assertEqual(r.status, 1)
         self.assertIn("gear1.teeth = -60: the pinion of a rack must be an external gear", r.err)
+
+    def refused(self, verb, spec, *words):
+        verb, *options = verb.split()
+        r = Run(verb, spec, *options)
+        self.assertEqual(r.status, 1, r.out)
+        for w in words:
+            self.assertIn(w, r.err)
+        self.assertEqual(r.files(), ["case.toml"])
+        return r.err
+
+    def test_all_verbs_have_the_same_limits_of_the_body(self):
+        """Regression: `pair` was green, and `run` wrote the files of the pinion only."""
+        for verb in ("gear", "pair", "contact", "outline --gear 2", "export --step x.step", "run --out o"):
+            for line, *words in (("height_mm = 1", "gear2.height_mm = 1: must be at least 2.501 mm"),
+                                 ("height_mm = 1e8", "gear2.height_mm", "must be at most 200000 mm"),
+                                 ("face_width_mm = 1e-9", "gear2.face_width_mm", "between 0.002 mm and 200000 mm")):
+                with self.subTest(verb=verb, line=line):
+                    self.refused(verb, RACK + line + "\n", *words)
+
+    def test_no_contact_names_its_cause(self):
+        # The tip radius and the addendum are 22 mm and 2 mm.
+        pair = RACK + "[pair]\ncenter_distance_mm = 25\n"
+        err = self.refused("contact", pair, "pair.center_distance_mm = 25: no teeth touch", "reach only 24 mm",
+                           "a smaller centre distance")
+        self.assertNotIn("errors", err)
+        self.refused("contact", RACK + "[errors]\ncenter_distance_mm = 5\n", "errors: no teeth touch", "smaller errors")
+
+    def test_a_misspelled_form_names_both_forms(self):
+        for word in ("Rack", "rak"):
+            self.refused("pair", RACK.replace('"rack"', f'"{word}"'), f'gear2.form = "{word}": must be one of "gear", "rack"',
+                         "did you mean rack?")
+
+    def test_a_pinion_without_teeth_has_a_remedy(self):
+        self.refused("pair", RACK.replace("teeth = 20", "teeth = 1"), "gear1.profile_shift = 0", "root_fillet can replace")
 
     def test_a_length_gives_the_whole_teeth_that_fit(self):
         pitch = 2 * math.pi
