@@ -99,7 +99,7 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
                              const fs::path& path, const FileOptions& options) {
   for (const ToothedBody& body : bodies) {
-    if (body.pose.linear()(2, 2) == 1.0) continue;
+    if (body.pose.axis(2).z() == 1.0) continue;
     return Error{"pair.shaft_angle", "",
                  "gears on crossed axes have no common plane section; write a file for each gear, "
                  "with --gear 1 and with --gear 2"};
@@ -189,7 +189,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
     auto rack = rack_body(job.rack->rack, name);
     if (!rack) return rack.error();
     ToothedBody body = std::move(rack).take();
-    if (in_place) body.pose = job.rack->pose_2().isometry();
+    if (in_place) body.pose = in_assembly(job.rack->pose_2());
     return body;
   }
   const Gear& gear = job.gear(which);
@@ -204,7 +204,7 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   if (!made) return within(name, made.error());
   ToothedBody body = std::move(made).take();
   if (in_place && job.pair) {
-    body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
+    body.pose = which == 1 ? in_assembly(job.pair->pose_1()) : in_assembly(job.pair->pose_2());
   }
   return body;
 }
