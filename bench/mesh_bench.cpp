@@ -16,8 +16,7 @@ ToothedBody helical(int teeth) {
   spec.helix_angle = Angle::degrees(15);
   spec.face_width = 20.0;
   const Gear gear = make_gear(spec).value();
-  return {"gear",          gear.tooth->outline, gear.twist(),
-          spec.face_width, std::nullopt,        Eigen::Isometry3d::Identity()};
+  return {"gear", gear.tooth->outline, gear.twist(), spec.face_width, std::nullopt, {}};
 }
 
 void mesh(benchmark::State& state) {
@@ -30,8 +29,7 @@ BENCHMARK(mesh)->Arg(20)->Arg(60)->Arg(200)->Unit(benchmark::kMillisecond);
 
 template <std::string (*Write)(const std::vector<MeshPart>&)>
 void mesh_file(benchmark::State& state) {
-  const std::vector<MeshPart> parts{
-      {"gear", tessellate(helical(60)).value(), Eigen::Isometry3d::Identity()}};
+  const std::vector<MeshPart> parts{{"gear", tessellate(helical(60)).value(), {}}};
   std::size_t bytes = 0;
   for (auto _ : state) bytes = Write(parts).size();
   state.counters["MB"] = static_cast<double>(bytes) / 1e6;

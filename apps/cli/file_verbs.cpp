@@ -213,9 +213,10 @@ int export_verb(const Options& o) {
   for (int which = 1; which <= count; ++which) {
     if (gear && *gear != which) continue;
     drawn.push_back(which);
-    auto body = make_body(*job, which, !gear);
+    auto body = make_body(*job, which);
     if (!body) return door.fail(body.error());
     bodies.push_back(std::move(body).take());
+    if (!gear) bodies.back().pose = pose_of(*job, which);
   }
   std::vector<Result<JobFile>> files;
   const FileOptions options = file_options(o);

@@ -133,7 +133,7 @@ int outline_verb(const Options& o) {
   if (which > job->parts()) {
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
   }
-  const auto body = make_body(*job, which, false);
+  const auto body = make_body(*job, which);
   if (!body) return door.fail(body.error());
   if (o.csv) {
     print(outline_csv(body->outline, o.points, spec->units()));

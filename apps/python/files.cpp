@@ -38,17 +38,17 @@ double tolerance_in_range(double tolerance, const ToleranceRange& range) {
 
 // Raises the error. If there is only one gear, the keys in the error do not begin with "gear1".
 [[noreturn]] void raise_of_body(const Error& error, const Model& model) {
-  if (!model.job.pair && !model.job.rack) raise_of_gear(spelled(error, model.given()));
+  if (!model.job.mounted()) raise_of_gear(spelled(error, model.given()));
   raise(error, model);
 }
 
-ToothedBody body_of(const Model& model, int which, bool in_place) {
-  auto body = make_body(model.job, which, in_place);
+ToothedBody body_of(const Model& model, int which) {
+  auto body = make_body(model.job, which);
   if (!body) raise_of_body(body.error(), model);
   return std::move(body).take();
 }
 
-ToothedBody body_of(const GearValue& gear) { return body_of(*gear.model, gear.which, false); }
+ToothedBody body_of(const GearValue& gear) { return body_of(*gear.model, gear.which); }
 
 py::array_t<double> rows_of(std::vector<Vec2> points) {
   const auto owner = std::make_shared<std::vector<Vec2>>(std::move(points));
@@ -151,7 +151,10 @@ py::object exported(FileKind kind, const std::vector<int>& gears, const Model& m
   options.drawing_splines = splines;
   const fs::path name = path.value_or(model.spec.contains("gear2") ? "pair" : "gear");
   std::vector<ToothedBody> bodies;
-  for (const int which : gears) bodies.push_back(body_of(model, which, gears.size() == 2));
+  for (const int which : gears) {
+    bodies.push_back(body_of(model, which));
+    if (gears.size() == 2) bodies.back().pose = pose_of(model.job, which);
+  }
   return bytes_or_file(
       watched_result(model.given(),
                      [&](Progress*) { return make_file(kind, bodies, name, options); }),
@@ -232,10 +235,7 @@ void bind_exports(Class& type) {
 Eigen::Matrix4d pose(const PairValue& pair, int which) {
   if (which != 1 && which != 2)
     raise(refused("which", which, "must be 1 or 2, the number of the gear"));
-  const auto of = [which](const auto& p) -> Eigen::Matrix4d {
-    return (which == 1 ? p.pose_1().isometry() : p.pose_2().isometry()).matrix();
-  };
-  return pair.rack() ? of(*pair.rack()) : of(pair.pair());
+  return pose_of(pair.model->job, which).isometry().matrix();
 }
 
 }  // namespace

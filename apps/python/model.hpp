@@ -16,6 +16,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/catalogue/key.hpp"
 #include "gearwright/job/judgement.hpp"
+#include "gearwright/job/result_json.hpp"
 #include "gearwright/job/solved_job.hpp"
 
 namespace gearwright::python {
@@ -95,9 +96,7 @@ struct PairValue {
   /// Domain    two gears
   const Pair& pair() const { return *model->job.pair; }
   const Json& spec() const { return model->spec; }
-  ValueRecord record() const {
-    return rack() ? rack_pair_quantities().of(*rack()) : pair_quantities().of(pair());
-  }
+  ValueRecord record() const { return pair_record(model->job); }
   Verdict verdict() const { return judge(model->job); }
 };
 

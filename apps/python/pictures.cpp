@@ -6,6 +6,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+
 #include "apps/python/model.hpp"
 #include "apps/python/watched.hpp"
 #include "gearwright/base/output_file.hpp"
@@ -158,18 +160,18 @@ std::string page_of(const Model& source, const std::vector<int>& gears, bool con
   std::optional<ContactPart> part;
   if (contact || wants_contact(job)) {
     job.spec.contact.given = true;
-    if (job.pair || job.rack) part = part_of(job, contact_part);
+    if (job.mounted()) part = part_of(job, contact_part);
   }
   std::optional<LoadPart> load;
   if (gears.size() == 2 && job.pair) load = part_of(job, load_part);
   ReportInput input;
   input.title = job.spec.title;
-  if (gears.size() == 2 && job.rack) input.rack = &*job.rack;
-  for (std::size_t i = 0; i < (input.rack ? 1 : gears.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(gears.size(), job.gears.size()); ++i) {
     input.gears.push_back(&job.gear(gears[i]));
     input.halves[i] = job.halves[static_cast<std::size_t>(gears[i] - 1)];
   }
   if (gears.size() == 2) input.pair = job.pair;
+  if (gears.size() == 2 && job.rack) input.rack = &*job.rack;
   if (part) input.contact = &part->report;
   if (load && load->report) input.load = &*load->report;
   input.verdict = judge(job, {.contact = part ? &part->answer.judged() : nullptr});

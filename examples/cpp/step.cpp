@@ -30,8 +30,8 @@ int main() {
   Result<ToothedBody> body_2 = gear_body(*wheel, "wheel", Bore{.diameter = 8});
   if (!body_2) return fail(body_2.error());
   std::vector<ToothedBody> bodies{*body_1, *body_2};
-  bodies[0].pose = pair->pose_1().isometry();
-  bodies[1].pose = pair->pose_2().isometry();
+  bodies[0].pose = in_assembly(pair->pose_1());
+  bodies[1].pose = in_assembly(pair->pose_2());
   try {
     const Result<StepReport> report = write_step(bodies, "example_pair.step");
     if (!report) return fail(report.error());

@@ -175,13 +175,13 @@ class Workpieces {
     });
   }
 
-  ToothedBody in_place(std::size_t gear, int copy) const {
-    ToothedBody body = shapes_[gear];
+  SolidPose pose_of(std::size_t gear, int copy) const {
     const PlacedGear& at = placed(gear, copy);
-    body.pose.translate(Vec3(at.axis.x(), at.axis.y(), at.height));
+    Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
+    x.translate(Vec3(at.axis.x(), at.axis.y(), at.height));
     // The z axis stays exact, so that the bodies have a common plane section.
-    body.pose.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(at.angle).toRotationMatrix();
-    return body;
+    x.linear().topLeftCorner<2, 2>() = Eigen::Rotation2Dd(at.angle).toRotationMatrix();
+    return SolidPose(x);
   }
 
   void add(const Chain& chain) {
@@ -193,13 +193,16 @@ class Workpieces {
     const bool all = joined && chain.gears.size() == static_cast<std::size_t>(whole);
     const std::string& name = all ? named.name : graph_.gears[chain.gears.front()].name;
     for (int copy = 0; copy < named.count; ++copy) {
-      ToothedBody solid = in_place(chain.gears.front(), copy);
+      ToothedBody solid = shapes_[chain.gears.front()];
+      solid.pose = pose_of(chain.gears.front(), copy);
       solid.name = named.count > 1 ? fmt::format("{} {}", name, copy + 1) : name;
       solid.colour = body;
       solid.separate = chain.separate;
       for (std::size_t i = 1; i < chain.gears.size(); ++i) {
-        ToothedBody gear = in_place(chain.gears[i], copy);
-        gear.pose = solid.pose.inverse() * gear.pose;
+        ToothedBody gear = shapes_[chain.gears[i]];
+        const auto on_solid = solid.pose.inverse() * pose_of(chain.gears[i], copy);
+        gear.height = on_solid.origin().z();
+        gear.turn = on_solid.turn();
         gear.neck = chain.necks[i - 1];
         solid.above.push_back(std::move(gear));
       }
@@ -272,10 +275,11 @@ std::vector<ToothedBody> laid_out(std::vector<ToothedBody> bodies) {
     }
     const std::vector<SolidGear> gears = body.gears();
     const bool over = reach(*gears.back().body) > reach(*gears.front().body);
-    body.pose = Eigen::Isometry3d::Identity();
-    body.pose.translate(
+    Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+    place.translate(
         Vec3(x + size / 2, y + size / 2, over ? gears.back().top() : -gears.front().bottom()));
-    if (over) body.pose.linear().diagonal() << 1.0, -1.0, -1.0;
+    if (over) place.linear().diagonal() << 1.0, -1.0, -1.0;
+    body.pose = SolidPose(place);
     x += size;
     tall = std::max(tall, size);
   }

@@ -71,11 +71,11 @@ TEST(DriveSolids, stand_side_by_side_on_the_plate) {
     };
     for (std::size_t i = 0; i < plate.size(); ++i) {
       const std::vector<SolidGear> gears = plate[i].gears();
-      const double side = plate[i].pose.linear()(2, 2);
+      const double side = plate[i].pose.axis(2).z();
       const double low = side > 0.0 ? gears.front().bottom() : -gears.back().top();
-      EXPECT_NEAR(plate[i].pose.translation().z() + low, 0.0, 1e-12);  // (4)
+      EXPECT_NEAR(plate[i].pose.origin().z() + low, 0.0, 1e-12);  // (4)
       for (std::size_t k = 0; k < i; ++k) {
-        const Vec3 apart = plate[i].pose.translation() - plate[k].pose.translation();
+        const Vec3 apart = plate[i].pose.origin() - plate[k].pose.origin();
         EXPECT_GT(apart.head<2>().norm(), radius(plate[i]) + radius(plate[k]));
       }
     }

@@ -66,7 +66,7 @@ Result<Drawing> dxf_drawing(const std::vector<ToothedBody>& bodies, const Contou
   for (const ToothedBody& body : bodies) {
     const auto contour = body_contour(body);
     if (!contour) return contour.error();
-    if (bodies.size() > 1) entities.place(body.pose);
+    if (bodies.size() > 1) entities.place(body.pose.plan());
     const auto drawn = biarcs ? draw_biarcs(body.outline, contour->teeth, tolerance, entities)
                               : draw_splines(body.outline, contour->teeth, tolerance, entities);
     if (!drawn) return drawn.error();
@@ -80,7 +80,7 @@ Result<Drawing> dxf_drawing(const std::vector<ToothedBody>& bodies, const Contou
       }
       facts.segments += b->keyway ? static_cast<int>(b->points.size()) : 1;
     }
-    const double away = bodies.size() > 1 ? body.pose.translation().head<2>().norm() : 0.0;
+    const double away = bodies.size() > 1 ? body.pose.origin().head<2>().norm() : 0.0;
     reach = std::max(reach, away + contour->reach());
   }
   return Drawing{dxf_document(entities, {{kProfile, 7}, {kBore, 5}}, reach), facts.segments,

@@ -18,9 +18,8 @@ namespace gearwright {
 /// Collects entities. Coordinates are in mm in the xy plane.
 class DxfEntities {
  public:
-  /// Sets the position of the entities that are added afterwards. The position is a rotation about
-  /// z and a shift in the plane. If no position is set, coordinates are written unchanged.
-  void place(const Eigen::Isometry3d& pose);
+  /// Sets the position of the entities that are added afterwards. At first it is the identity.
+  void place(const Eigen::Isometry2d& pose) { pose_ = pose; }
   /// Adds an LWPOLYLINE. bulges[i] belongs to the segment from points[i] to the next point. If
   /// there are as many bulges as points, the polyline is closed and the last bulge leads to the
   /// first point. Otherwise there is one bulge fewer than points.
@@ -47,11 +46,10 @@ class DxfEntities {
   bool has_words() const { return has_words_; }
 
  private:
-  Vec2 at(const Vec2& p) const { return moved_ ? Vec2(pose_ * p) : p; }
+  Vec2 at(const Vec2& p) const { return pose_ * p; }
   void begin(const char* type, const std::string& layer, const char* subclass);
 
   std::string text_;
-  bool moved_ = false;  // if false, pose_ is not applied
   Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
   int handle_ = 0x100;  // smaller handles belong to the sections around the entities
   bool has_words_ = false;

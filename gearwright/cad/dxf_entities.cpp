@@ -21,12 +21,6 @@ void DxfEntities::begin(const char* type, const std::string& layer, const char* 
       .word(100, subclass);
 }
 
-void DxfEntities::place(const Eigen::Isometry3d& pose) {
-  moved_ = !pose.matrix().isIdentity(0.0);
-  pose_.linear() = pose.linear().topLeftCorner<2, 2>();
-  pose_.translation() = pose.translation().head<2>();
-}
-
 void DxfEntities::polyline(const std::string& layer, const std::vector<Vec2>& points,
                            const std::vector<double>& bulges) {
   const bool closed = bulges.size() == points.size();

@@ -177,8 +177,8 @@ TEST(Dxf, SegmentsGrowWithTheTeeth) {  // law 2
 TEST(Dxf, SeveralBodiesStandAtTheirPoses) {
   const ToothedBody first = dxf_bodies()[0];
   ToothedBody second = first;
-  second.pose.linear() = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
-  second.pose.translation() = Vec3(100.0, 5.0, 0.0);
+  second.pose =
+      SolidPose(Eigen::Translation3d(100.0, 5.0, 0.0) * Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()));
   const auto both = dxf_drawing(std::vector<ToothedBody>{first, second});
   ASSERT_TRUE(both);
   EXPECT_EQ(both->segments, 2 * dxf_drawing_of(first).segments);

@@ -41,8 +41,8 @@ std::vector<MeshPart> pair_parts() {
     const ToothedBody body = testing::sample_body({.teeth = 17, .beta = beta});
     parts.push_back({"gear \"\\\n\xC3\xA4", tessellate(body).value(), body.pose});
   }
-  parts[1].pose =
-      Eigen::Translation3d(35.6, -1.0, 2.0) * Eigen::AngleAxisd(0.7, Vec3(0.0, 0.6, 0.8));
+  parts[1].pose = SolidPose(Eigen::Translation3d(35.6, -1.0, 2.0) *
+                            Eigen::AngleAxisd(0.7, Vec3(0.0, 0.6, 0.8)));
   return parts;
 }
 
@@ -54,7 +54,7 @@ TEST(Glb, NodesCarryNamesAndPoses) {
   EXPECT_EQ(file.json["nodes"][0]["name"], parts[0].name);
   EXPECT_FALSE(file.json["nodes"][0].contains("matrix"));
   const std::vector<double> matrix = file.json["nodes"][1]["matrix"];
-  Eigen::Matrix4d expected = parts[1].pose.matrix();
+  Eigen::Matrix4d expected = parts[1].pose.isometry().matrix();
   expected.topRightCorner<3, 1>() *= 1e-3;
   EXPECT_EQ(Eigen::Map<const Eigen::Matrix4d>(matrix.data()), expected);
   EXPECT_NE(file.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"],

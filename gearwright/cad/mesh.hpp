@@ -19,7 +19,6 @@
 // tooth 0. Time and size are proportional to |z|.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -53,9 +52,9 @@ struct TriangleMesh {
 
 /// A mesh with its name and its pose, as input of the file writers.
 struct MeshPart {
-  std::string name;                                        ///< UTF-8
-  TriangleMesh mesh;                                       ///< mesh in the gear frame
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear frame to the file
+  std::string name;   ///< UTF-8
+  TriangleMesh mesh;  ///< mesh in the frame of the solid
+  SolidPose pose{};
   std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
   std::optional<std::size_t> same_as{};  ///< earlier part with the same mesh; `mesh` is then empty
 };

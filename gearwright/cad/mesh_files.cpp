@@ -71,11 +71,11 @@ void append_object(std::string& xml, const MeshPart& part, std::size_t id) {
 
 // 3MF multiplies row vectors by the matrix. The images of the three axes therefore come first,
 // followed by the image of the origin.
-std::string transform(const Eigen::Isometry3d& pose) {
+std::string transform(const SolidPose& pose) {
   std::string out;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
-      const double value = pose.matrix()(row, column);
+      const double value = pose.isometry().matrix()(row, column);
       out += fmt::format("{}{}", out.empty() ? "" : " ", value == 0.0 ? 0.0 : value);
     }
   }
@@ -110,8 +110,8 @@ std::string json_vector(const Eigen::Vector3f& v) {
 
 // Writes the matrix by columns, as glTF requires. The result is empty for the identity, which is
 // the default.
-std::string json_matrix(const Eigen::Isometry3d& pose) {
-  Eigen::Matrix4d m = pose.matrix();
+std::string json_matrix(const SolidPose& pose) {
+  Eigen::Matrix4d m = pose.isometry().matrix();
   m.topRightCorner<3, 1>() *= kMetresPerMm;
   if (m == Eigen::Matrix4d::Identity()) return "";
   std::string numbers;
@@ -228,7 +228,8 @@ std::string stl_bytes(const std::vector<MeshPart>& parts) {
     const TriangleMesh& mesh = mesh_of(parts, i);
     std::vector<Eigen::Vector3f> vertices;
     vertices.reserve(mesh.vertices.size());
-    for (const Vec3& v : mesh.vertices) vertices.emplace_back((parts[i].pose * v).cast<float>());
+    for (const Vec3& v : mesh.vertices)
+      vertices.emplace_back((parts[i].pose * Point<SolidFrame>{v}).r.cast<float>());
     for (const Triangle& t : mesh.triangles) {
       const Eigen::Vector3f& a = vertices[t[0]];
       const Eigen::Vector3f& b = vertices[t[1]];

@@ -58,7 +58,7 @@ TEST(MeshRefusal, WhatIsNoBody) {
   EXPECT_EQ(tessellate(none).error().field, "teeth");
 
   // The flanks cross at the centre line of the tooth, so the tip is severed.
-  ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, Eigen::Isometry3d::Identity()};
+  ToothedBody severed{"severed", {3, {}}, 0.0, 5.0, std::nullopt, {}};
   const auto corner = [](double x, double y) { return testing::C(x, y); };
   const auto root = std::polar(5.0, kPi / 3);
   testing::append(severed.outline, ArcName::root_fillet,

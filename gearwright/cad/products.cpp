@@ -40,7 +40,7 @@ class ProductWriter {
     uncertainty_ = out_.add(uncertainty + fmt::format("),#{},'distance_accuracy_value','points, "
                                                       "edges and faces agree within')",
                                                       mm_));
-    origin_ = placement(Eigen::Isometry3d::Identity());
+    origin_ = placement({});
   }
 
   struct Product {
@@ -74,10 +74,10 @@ class ProductWriter {
     return out_.add(fmt::format(text, std::forward<Args>(args)...));
   }
 
-  Id placement(const Eigen::Isometry3d& pose) {
-    const Id origin = out_.point(pose.translation());
-    const Id z = out_.direction(pose.linear().col(2));
-    return out_.placement(origin, z, out_.direction(pose.linear().col(0)));
+  Id placement(const SolidPose& pose) {
+    const Id origin = out_.point(pose.origin());
+    const Id z = out_.direction(pose.axis(2));
+    return out_.placement(origin, z, out_.direction(pose.axis(0)));
   }
 
   // Every representation has its own context, because a relationship with a transformation can only
@@ -153,8 +153,7 @@ void add_products(Part21& out, const StepProtocol& protocol, const std::vector<S
     products.push_back(parts[i].same_as
                            ? products[*parts[i].same_as]
                            : writer.part(parts[i], part_colour(parts[i].colour.value_or(i))));
-  const bool in_its_frame = parts[0].pose.matrix() == Eigen::Matrix4d::Identity();
-  if (parts.size() > 1 || !in_its_frame) writer.assembly(assembly, parts, products);
+  if (parts.size() > 1 || !parts[0].pose.is_identity()) writer.assembly(assembly, parts, products);
 }
 
 }  // namespace gearwright

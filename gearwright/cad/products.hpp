@@ -7,12 +7,12 @@
 // ITEM_DEFINED_TRANSFORMATION). Lengths are in mm and angles in rad.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gearwright/cad/part21.hpp"
+#include "gearwright/cad/toothed_body.hpp"
 
 namespace gearwright {
 
@@ -26,7 +26,7 @@ struct StepProtocol {
 
 struct StepPart {
   std::string name;
-  Eigen::Isometry3d pose;  ///< mm
+  SolidPose pose;
   Part21Id solid;
   std::optional<std::size_t> colour{};   ///< for part_colour(); by default the index of the part
   std::optional<std::size_t> same_as{};  ///< index of an earlier part of which this one is a copy

@@ -366,7 +366,7 @@ std::string sheets_dxf(const std::vector<Sheet>& sheets) {
   double x = 0.0, height = 0.0;
   for (const Sheet& sheet : sheets) {
     if (x > 0.0) x += kBetweenSheets_mm;
-    entities.place(Eigen::Isometry3d(Eigen::Translation3d(x, 0.0, 0.0)));
+    entities.place(Eigen::Isometry2d(Eigen::Translation2d(x, 0.0)));
     for (const SheetPath& path : sheet.paths) {
       define(path.ink.get());
       add(entities, path);

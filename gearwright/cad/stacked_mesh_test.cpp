@@ -98,8 +98,8 @@ TEST(StackedMesh, HasEveryGearInItsPlace) {
       one.above.clear();
       const TriangleMesh alone = stacked_mesh(one);
       const double root = gear.body->outline.arcs.front().begin_point.norm();
-      Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
-      if (gear.body != &body) place = gear.body->pose;
+      const Eigen::Isometry3d place =
+          Eigen::Translation3d(0.0, 0.0, gear.height) * Eigen::AngleAxisd(gear.turn, Vec3::UnitZ());
       int compared = 0;
       for (const Vec3& p : alone.vertices) {
         if (p.head<2>().norm() < root - 1e-6) continue;  // a point of a cap or of the bore

@@ -158,7 +158,7 @@ TEST_F(Step, NamesComeBackWhateverTheyAre) {
 TEST_F(Step, SameBodiesSameBytes) {
   const auto gear = testing::plain_body(5, 20.0, 0.5, 25.0, 0.2, 10.0, 0.05);
   auto mate = testing::plain_body(7, 20.0, 0.3, 25.0, 0.1, 10.0, -0.05);
-  mate.pose.translation() = Eigen::Vector3d(53.0, 0.0, 0.0);
+  mate.pose = SolidPose(Eigen::Isometry3d(Eigen::Translation3d(53.0, 0.0, 0.0)));
   const auto first = step_document({gear, mate}, "pair.step");
   const auto other = step_document({mate}, "other.step");
   const auto again = step_document({gear, mate}, "pair.step");
@@ -174,8 +174,8 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
   auto gear2 = sample_body({.teeth = 31, .beta = -0.3, .face_width = 15});
   gear2.name = "gear2";
   // The axes are crossed: gear 2 is rotated by 30° about x and shifted.
-  gear2.pose =
-      Eigen::Translation3d(53.0, 4.0, -2.0) * Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitX());
+  gear2.pose = SolidPose(Eigen::Translation3d(53.0, 4.0, -2.0) *
+                         Eigen::AngleAxisd(kPi / 6, Eigen::Vector3d::UnitX()));
   const auto made = step_document({gear1, gear2}, "pair.step");
   ASSERT_TRUE(made);
   const StepReport& report = made->report;
@@ -207,7 +207,8 @@ TEST_F(Step, PairIsAnAssemblyOfPlacedParts) {
 TEST_F(Step, PlacedKeywayPointsWhereThePoseTurnsIt) {
   auto body = testing::plain_body(12, 20.0, 0.2, 25.0, 0.08);
   body.bore = Bore{20.0, 6.0, 2.8};
-  body.pose = Eigen::AngleAxisd(-kPi / 2, Eigen::Vector3d::UnitZ());  // +y to +x
+  // +y to +x
+  body.pose = SolidPose(Eigen::Isometry3d(Eigen::AngleAxisd(-kPi / 2, Eigen::Vector3d::UnitZ())));
   const auto made = step_document({body}, "turned.step");
   ASSERT_TRUE(made);
   const ReadStep back = read_step(made->text);

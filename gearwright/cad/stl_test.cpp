@@ -14,8 +14,7 @@ namespace {
 MeshPart gear_part(const std::string& name, double beta) {
   ToothedBody body = testing::sample_body({.teeth = 12, .beta = beta, .tip_radius = 0.2});
   body.bore = Bore{8.0, 3.0, 1.4};
-  return {name, tessellate(body, {.chord_tolerance_mm = 0.02}).value(),
-          Eigen::Isometry3d::Identity()};
+  return {name, tessellate(body, {.chord_tolerance_mm = 0.02}).value(), {}};
 }
 
 Eigen::Vector3f vector_at(const std::string& bytes, std::size_t offset) {
@@ -51,12 +50,14 @@ TEST(Stl, HoldsEveryTriangleWithItsNormal) {
 TEST(Stl, PutsPartsInTheirPlaces) {
   MeshPart first = gear_part("gear1", 0.3);
   MeshPart second = gear_part("gear2", -0.3);
-  second.pose = Eigen::Translation3d(30.0, 0.0, 0.0) * Eigen::AngleAxisd(0.5, Vec3(0.0, 0.6, 0.8));
+  second.pose =
+      SolidPose(Eigen::Translation3d(30.0, 0.0, 0.0) * Eigen::AngleAxisd(0.5, Vec3(0.0, 0.6, 0.8)));
   const std::string bytes = stl_bytes({first, second});
   const std::size_t ahead = first.mesh.triangles.size();
   ASSERT_EQ(bytes.size(), 84 + 50 * (ahead + second.mesh.triangles.size()));
   const Vec3 corner = second.mesh.vertices[second.mesh.triangles[0][1]];
-  EXPECT_EQ(vector_at(bytes, 84 + 50 * ahead + 24), (second.pose * corner).cast<float>());
+  EXPECT_EQ(vector_at(bytes, 84 + 50 * ahead + 24),
+            (second.pose * Point<SolidFrame>{corner}).r.cast<float>());
 }
 
 TEST(Stl, LongNamesStayInTheHeader) {

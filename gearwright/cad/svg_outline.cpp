@@ -23,11 +23,7 @@ constexpr double kMarginShare = 0.05;  // of the radius, so that the stroke is n
 // Writes the d attribute of a path. Only this class reverses y.
 class Path {
  public:
-  explicit Path(const Eigen::Isometry3d* pose) {
-    if (!pose) return;
-    pose_.linear() = pose->linear().topLeftCorner<2, 2>();
-    pose_.translation() = pose->translation().head<2>();
-  }
+  explicit Path(const Eigen::Isometry2d& pose) : pose_(pose) {}
   void move(const Vec2& at) {
     const Vec2 p = pose_ * at;
     add("M{} {}", p.x(), -p.y());
@@ -61,7 +57,7 @@ class Path {
     text_ += '\n';
   }
 
-  Eigen::Isometry2d pose_ = Eigen::Isometry2d::Identity();
+  Eigen::Isometry2d pose_;
   std::string text_;
 };
 
@@ -81,7 +77,7 @@ Result<DrawnBody> draw(const ToothedBody& body, const SvgOptions& options, bool 
   if (!fits) return fits.error();
 
   int segments = 0;
-  Path path(in_place ? &body.pose : nullptr);
+  Path path(in_place ? body.pose.plan() : SolidPose().plan());
   path.move(contour->teeth.pieces.front().begin);
   for (const ContourPiece& piece : contour->teeth.pieces) {
     if (piece.land && piece.sweep == 0.0) {
@@ -138,8 +134,7 @@ Result<Drawing> svg_drawing(const std::vector<ToothedBody>& bodies, const SvgOpt
     if (!drawn) return drawn.error();
     drawing.segments += drawn->segments;
     drawing.deviation_mm = std::max(drawing.deviation_mm, drawn->deviation);
-    const Vec2 center = in_place ? Vec2(body.pose.translation().x(), -body.pose.translation().y())
-                                 : Vec2(Vec2::Zero());
+    const Vec2 center = in_place ? mirrored(body.pose.origin().head<2>()) : Vec2(Vec2::Zero());
     margin = std::max(margin, kMarginShare * drawn->radius);
     if (drawn->box) {
       box.extend(*drawn->box);

@@ -95,8 +95,10 @@ TEST(ThreeMf, ObjectsHaveTheMeshAndItemsTheirPoses) {
     parts.push_back({"a<b> & \"c\"", tessellate(body).value(), body.pose});
   }
   // A quarter turn about z maps the x axis to y.
-  parts[1].pose.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  parts[1].pose.translation() = Vec3(35.5, 0.0, -2.0);
+  Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+  turned.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  turned.translation() = Vec3(35.5, 0.0, -2.0);
+  parts[1].pose = SolidPose(turned);
   const std::string bytes = threemf_bytes(parts);
   EXPECT_EQ(bytes, threemf_bytes(parts));
 

@@ -22,10 +22,7 @@ double SolidGear::top() const { return height + body->face_width / 2.0; }
 
 std::vector<SolidGear> ToothedBody::gears() const {
   std::vector<SolidGear> all{{this}};
-  for (const ToothedBody& gear : above) {
-    const auto& x = gear.pose.linear();
-    all.push_back({&gear, gear.pose.translation().z(), std::atan2(x(1, 0), x(0, 0))});
-  }
+  for (const ToothedBody& gear : above) all.push_back({&gear, gear.height, gear.turn});
   return all;
 }
 

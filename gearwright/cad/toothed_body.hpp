@@ -24,14 +24,13 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "gearwright/base/error.hpp"
 #include "gearwright/base/result.hpp"
 #include "gearwright/gear/bore.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/gear/modifications.hpp"
 #include "gearwright/generation/outline.hpp"
+#include "gearwright/kinematics/pose.hpp"
 #include "gearwright/pair/rack_pair.hpp"
 
 namespace gearwright {
@@ -67,6 +66,16 @@ struct Band {
   double angle(double z) const { return twist * z + turn; }
 };
 
+struct SolidFrame {};     ///< the frame of a solid; for a gear, its own frame
+struct AssemblyFrame {};  ///< the frame of a file: the housing of a pair, or a plate
+using SolidPose = Pose<AssemblyFrame, SolidFrame>;
+
+/// The pose of a gear of a pair in a file whose frame is the housing of the pair.
+template <class GearFrame>
+SolidPose in_assembly(const Pose<Housing, GearFrame>& pose) {
+  return SolidPose(pose.isometry());
+}
+
 class ModifiedTeeth;
 struct ToothedBody;
 
@@ -87,7 +96,7 @@ struct ToothedBody {
   double twist = 0.0;       ///< τ  rad/mm
   double face_width = 0.0;  ///< b  mm
   std::optional<Bore> bore;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< from the gear to the housing frame
+  SolidPose pose{};
   std::optional<std::size_t> colour{};      ///< for part_colour(); by default the index of the body
   std::optional<std::size_t> same_as{};     ///< an earlier body of the file with the same shape
   std::optional<RackBlock> rack{};          ///< set for a rack, which has no bore and no twist
@@ -97,12 +106,13 @@ struct ToothedBody {
   std::shared_ptr<const ModifiedTeeth> modified{};
   std::string unmodified{};  ///< the reason why modifications are omitted; empty if none is omitted
 
-  /// The other gears of the solid, from bottom to top. The pose of each is a height and a
-  /// rotation about z in the frame of this body.
+  /// The other gears of the solid, from bottom to top, each with its `height` and `turn`.
   ///
   /// Domain    external gears with the same bore, whose own `above` is empty, and with a
   ///           distance between the end faces
   std::vector<ToothedBody> above{};
+  double height = 0.0;     ///< z of the middle of the face of a gear in `above`, mm
+  double turn = 0.0;       ///< rotation of a gear in `above` about z, rad
   double neck = 0.0;       ///< radius of the cylinder below a gear in `above`, mm
   std::string separate{};  ///< the reason why the gear is not joined to another gear of its body
 
@@ -151,7 +161,7 @@ inline Error not_a_body(int teeth, const std::string& why) {
 }
 
 /// Returns the gear in its own frame. The pose of the gear in a pair is
-/// `pair.pose_1().isometry()` or `pair.pose_2().isometry()`.
+/// `in_assembly(pair.pose_1())` or `in_assembly(pair.pose_2())`.
 ///
 /// Errors    `cut_by` for an internal gear without a pinion cutter; `teeth` for a gear whose tooth
 ///           cannot exist (severed by undercut, or with a root beyond the axis)
@@ -167,7 +177,7 @@ std::optional<Error> modify(ToothedBody& body, const Gear& gear,
                             const std::array<FlankModifications, 2>& flanks);
 
 /// Returns the rack in its own frame (pair/rack_pair.hpp). The pose of the rack is
-/// `rack_pair.pose_2().isometry()`.
+/// `in_assembly(rack_pair.pose_2())`.
 ///
 /// Domain    the back lies below the roots (contract), as that of a rack of mount_rack()
 /// Errors    errors of rack_outline()

@@ -184,8 +184,7 @@ TEST(Walls, RefusesAnArcThatNoSplineMeets) {
   testing::append(outline, ArcName::flank, std::make_shared<Torn>(), 0.0, 1.0);
   testing::append(outline, ArcName::tip_land, std::make_shared<testing::SampleCircle>(tip),
                   std::atan2(2.01, 25.0), 0.0);
-  const auto walls =
-      make_walls({"torn", outline, 0.0, 10.0, std::nullopt, Eigen::Isometry3d::Identity()});
+  const auto walls = make_walls({"torn", outline, 0.0, 10.0, std::nullopt, {}});
   ASSERT_FALSE(walls);
   EXPECT_NE(walls.error().message().find("the best spline for the flank deviates by "),
             std::string::npos);

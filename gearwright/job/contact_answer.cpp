@@ -136,10 +136,7 @@ Result<ContactAnswer> answer_of(const SolvedJob& job, ContactSetup setup,
   const bool gear2_drives = input.driver == 2;
   answer.driving = std::move(found[0]);
   answer.other = std::move(found[1]);
-  const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
-  const auto& positions = answer.driving.positions;
-  if (std::none_of(positions.begin(), positions.end(), touches))
-    return nothing_touches(*answer.setup);
+  if (!any_contact(answer.driving)) return nothing_touches(*answer.setup);
   answer.min_play = least_play(answer.driving, answer.other, gear2_drives);
   answer.continuous_span = continuous_span(answer.setup->pair(gear2_drives), input.positions);
   if (input.map) {
@@ -184,16 +181,15 @@ Result<ContactAnswer> answer_of_rack(SolvedJob& job, Progress* progress) {
   auto contacts = contact(*job.rack, errors_of(job), rack_options(job, progress));
   if (!contacts) return contacts.error();
   RackContact found = std::move(contacts).take();
-  const auto touches = [](const ContactPoint& p) { return p.kind != TouchKind::none; };
-  if (std::none_of(found.positions.begin(), found.positions.end(), touches))
-    return no_touch_of_rack(*job.rack, errors_of(job));
+  if (!any_contact(found)) return no_touch_of_rack(*job.rack, errors_of(job));
   ContactAnswer answer{};
   if (input.pattern) answer.pattern = contact_pattern(*found.pair, input.positions, {}, progress);
   answer.min_play = found.min_play;
   answer.continuous_span = found.continuous_span;
   answer.other = std::move(found.non_working);
   answer.driving = std::move(found);
-  warn_of_contact(answer.driving, answer.other, answer.min_play, {&job.rack->pinion}, job.warnings);
+  warn_of_contact(answer.driving, answer.other, answer.min_play, {&job.gears.front()},
+                  job.warnings);
   return answer;
 }
 
@@ -281,11 +277,15 @@ Result<ContactAnswer> answer_contact(SolvedJob& job, Progress* progress) {
   return answer;
 }
 
+bool any_contact(const ContactResult& result) {
+  return std::any_of(result.positions.begin(), result.positions.end(),
+                     [](const ContactPoint& p) { return p.kind != TouchKind::none; });
+}
+
 ContactErrors errors_of(const SolvedJob& job) {
-  if (!job.pair && !job.rack) return {};
+  if (!job.mounted()) return {};
   // An error of the rack's teeth is rejected later, so the pinion may replace the rack here.
-  if (job.rack) return job.spec.errors.of({&job.rack->pinion, &job.rack->pinion});
-  return job.spec.errors.of({&job.pair->gear(1), &job.pair->gear(2)});
+  return job.spec.errors.of({&job.gears.front(), &job.gears.back()});
 }
 
 Result<ContactSetup> setup_of(const SolvedJob& job) {
@@ -301,11 +301,12 @@ ContactErrors with_error(const ContactSetup& setup, ContactErrors errors, std::s
 
 std::vector<NamedInfluence> influences_of(const SolvedJob& job) {
   std::vector<NamedInfluence> list;
+  const auto gears = static_cast<int>(job.gears.size());  // without a rack
   for (const ErrorEntry& e : error_entries()) {
-    if (e.kind && !(job.rack && e.gear == 2))
+    if (e.kind && e.gear <= gears)
       list.push_back({fmt::format("{}_per_{}", e.name(), e.unit()), e.si(), {*e.kind}});
   }
-  for (int which = 1; which <= (job.rack ? 1 : 2); ++which) {
+  for (int which = 1; which <= gears; ++which) {
     const auto& flanks = job.completed.gear(which).modifications;
     if (!any_modification(flanks)) continue;
     for (const ModificationEntry& m : modification_entries()) {

@@ -45,6 +45,9 @@ struct ContactAnswer : ContactView {
   const ContactResult& judged() const { return halves.empty() ? driving : on_halves; }
 };
 
+/// True if teeth touch at any position.
+bool any_contact(const ContactResult& result);
+
 ContactOptions rack_options(const SolvedJob& job, Progress* progress);
 
 /// Errors    the errors of setup_of; if no teeth touch at any position, `errors` or, without errors,

@@ -163,8 +163,7 @@ Result<ContactReport> report_of_halves(const SolvedJob& job, const ContactAnswer
   const HalvesSetup halves(*setup, job.halves[0]->given.stagger_pitches);
   const bool gear2_drives = input.driver == 2;
   const HalvesPair pair = halves.pair(setup->place().errors, gear2_drives);
-  const auto& mounted = job.pair->mounted().gears;
-  const std::array<const Gear*, 2> gears{&mounted[0], &mounted[1]};
+  const std::array<const Gear*, 2> gears = job.flanked_gears();
   ContactReport r;
   static_cast<ContactScene&>(r) =
       contact_scene(gears, *pair.half[0], input.marking, answer.driving);
@@ -199,9 +198,8 @@ ContactReport report_of(const SolvedJob& job, const ContactAnswer& answer) {
   const bool gear2_drives = input.driver == 2;
   const ContactPair pair = answer.setup->pair(gear2_drives);
   ContactReport r;
-  const auto& gears = job.pair->mounted().gears;
   static_cast<ContactScene&>(r) =
-      contact_scene({&gears[0], &gears[1]}, pair, input.marking, answer.driving);
+      contact_scene(job.flanked_gears(), pair, input.marking, answer.driving);
   r.positions = input.positions;
   r.other = answer.other;
   if (!fits_report(input)) {
@@ -227,7 +225,7 @@ Result<ContactReport> report_of_rack(const SolvedJob& job, const ContactAnswer& 
   if (!pair) return pair.error();
   const bool fits = fits_report(job.spec.contact);
   ContactReport r =
-      report_of({contact_scene({&job.rack->pinion, nullptr}, **pair, job.spec.contact.marking,
+      report_of({contact_scene(job.flanked_gears(), **pair, job.spec.contact.marking,
                                fits ? answer.driving : analyse_contact(**pair, options.request)),
                  *pair},
                 kLines);
@@ -278,7 +276,7 @@ NamedAmount named_error(std::size_t index, double value) {
 }
 
 bool wants_contact(const SolvedJob& job) {
-  if (!job.pair && !job.rack) return false;
+  if (!job.mounted()) return false;
   // Circular arcs touch at points. Their contact ellipse and pattern are the reason for choosing
   // such a pair, so they are always reported.
   return job.spec.errors.given || job.spec.contact.given || !modifications_of(job).empty() ||
@@ -306,10 +304,7 @@ Result<std::optional<ContactPart>> contact_part(SolvedJob& job, Progress* progre
   if (!pictures) return pictures.error();
   ContactReport report = std::move(pictures).take();
   add_assumptions(report, job, answer);
-  const auto& positions = report.driving.positions;
-  const bool any = std::any_of(positions.begin(), positions.end(),
-                               [](const ContactPoint& p) { return p.kind != TouchKind::none; });
-  if (!any) {
+  if (!any_contact(report.driving)) {
     job.warnings.push_back(
         {WarningCode::no_contact,
          "There is no contact analysis, because no teeth touch at any position of a pitch.", 0});

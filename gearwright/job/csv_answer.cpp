@@ -158,21 +158,18 @@ std::string quantities_csv(const SolvedJob& job) {
   Rows gears;
   for (const ValueRecord& record : records) gears.push_back(&record);
   add_records(units, "gears", gear_quantities().table(), gears, out);
+  const auto add = [&](const std::string& name, const auto& quantities, const auto& of) {
+    const ValueRecord record = quantities.of(of);
+    add_records(units, name, quantities.table(), {&record}, out);
+  };
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
     if (!job.halves[i]) continue;
-    const ValueRecord halves = double_helical_quantities().of(*job.halves[i]);
-    add_records(units, fmt::format("gears.{}", i), double_helical_quantities().table(), {&halves},
-                out);
+    add(fmt::format("gears.{}", i), double_helical_quantities(), *job.halves[i]);
   }
-  if (job.pair) {
-    const ValueRecord pair = pair_quantities().of(*job.pair);
-    add_records(units, "pair", pair_quantities().table(), {&pair}, out);
-  }
+  if (job.pair) add("pair", pair_quantities(), *job.pair);
   if (job.rack) {
-    const ValueRecord rack = rack_quantities().of(job.rack->rack);
-    const ValueRecord pair = rack_pair_quantities().of(*job.rack);
-    add_records(units, "rack", rack_quantities().table(), {&rack}, out);
-    add_records(units, "pair", rack_pair_quantities().table(), {&pair}, out);
+    add("rack", rack_quantities(), job.rack->rack);
+    add("pair", rack_pair_quantities(), *job.rack);
   }
   return out;
 }

@@ -287,7 +287,7 @@ DataGroup mate(const SolvedJob& job, int which) {
   const Gear& other = job.gears[which == 1 ? 1 : 0];
   group.rows.push_back({"Number of teeth", which == 1 ? "z_2" : "z_1",
                         with_minus(fmt::format("{}", other.spec.teeth))});
-  Records pair{pair_quantities().of(*job.pair), job.spec.units()};
+  Records pair{pair_record(job), job.spec.units()};
   if (job.ends) {
     auto [lower, upper] = pair_limits(job);
     pair.ends = {std::move(lower), std::move(upper)};

@@ -68,7 +68,9 @@ Result<std::vector<ToothedBody>> drive_part(const DriveJob& job, const std::stri
     ToothedBody alone = body;
     alone.name = name;
     std::vector<ToothedBody> part = laid_out({std::move(alone)});
-    part.front().pose.translation().head<2>().setZero();
+    Eigen::Isometry3d on_axis = part.front().pose.isometry();
+    on_axis.translation().head<2>().setZero();
+    part.front().pose = SolidPose(on_axis);
     return part;
   }
   return Error{"--gear", name,

@@ -101,7 +101,7 @@ Result<JobFile> make_solid(const std::vector<ToothedBody>& bodies, const fs::pat
 Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodies,
                              const fs::path& path, const FileOptions& options) {
   for (const ToothedBody& body : bodies) {
-    if (body.pose.linear()(2, 2) == 1.0) continue;
+    if (body.pose.axis(2).z() == 1.0) continue;
     return Error{"pair.shaft_angle", "",
                  "gears on crossed axes have no common plane section; write a file for each gear, "
                  "with --gear 1 and with --gear 2"};
@@ -125,10 +125,9 @@ Result<JobFile> make_drawing(FileKind kind, const std::vector<ToothedBody>& bodi
 // pinion have only geometry, contact, a report and files. Double-helical gears have everything
 // except corrections.
 std::optional<Error> beyond(const SolvedJob& job) {
-  const bool halves = job.halves[0] && job.pair;
-  if (!job.rack && !halves) return std::nullopt;
+  const bool halves = job.halves[0] && job.pair, rack = job.rack.has_value();
+  if (!rack && !halves) return std::nullopt;
   const JobSpec& spec = job.spec;
-  const bool rack = job.rack.has_value();
   const std::pair<const char*, bool> parts[] = {{"load", spec.load.given && rack},
                                                 {"rating", spec.rating.given && rack},
                                                 {"compensate", spec.compensate.given},
@@ -185,15 +184,9 @@ Error of_body(Error error, const std::string& name) {
   return {name, "", error.rule};
 }
 
-Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
+Result<ToothedBody> make_body(const SolvedJob& job, int which) {
   const std::string name = gear_field(which);
-  if (which == 2 && job.rack) {
-    auto rack = rack_body(job.rack->rack, name);
-    if (!rack) return rack.error();
-    ToothedBody body = std::move(rack).take();
-    if (in_place) body.pose = job.rack->pose_2().isometry();
-    return body;
-  }
+  if (which == 2 && job.rack) return rack_body(job.rack->rack, name);
   const Gear& gear = job.gear(which);
   if (!gear.tooth) {
     return absent_input(name + ".cut_by",
@@ -204,11 +197,14 @@ Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place) {
   auto made = body_as_made(gear, name, job.halves[static_cast<std::size_t>(which - 1)], which,
                            job.completed.gear(which).modifications);
   if (!made) return within(name, made.error());
-  ToothedBody body = std::move(made).take();
-  if (in_place && job.pair) {
-    body.pose = which == 1 ? job.pair->pose_1().isometry() : job.pair->pose_2().isometry();
-  }
-  return body;
+  return made;
+}
+
+SolidPose pose_of(const SolvedJob& job, int which) {
+  const auto in = [which](const auto& pair) {
+    return which == 1 ? in_assembly(pair.pose_1()) : in_assembly(pair.pose_2());
+  };
+  return job.rack ? in(*job.rack) : job.pair ? in(*job.pair) : SolidPose();
 }
 
 Result<JobFile> make_file(FileKind kind, const std::vector<ToothedBody>& bodies,
@@ -263,7 +259,7 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
   };
   std::vector<int> drawn;
   for (int which = 1; which <= job.parts(); ++which) {
-    const auto body = make_body(job, which, false);
+    const auto body = make_body(job, which);
     if (!body) {
       job.warnings.push_back(
           {WarningCode::no_outline, spelled(body.error(), job.spec.given).message(), which});
@@ -273,7 +269,9 @@ Result<std::vector<JobFile>> shape_files(SolvedJob& job, const fs::path& folder,
     for (FileKind kind :
          {FileKind::stl, FileKind::threemf, FileKind::dxf, FileKind::svg, FileKind::step})
       if (auto error = make(kind, {*body}, gear_field(which))) return *std::move(error);
-    if (job.pair || job.rack) mounted.push_back(make_body(job, which, true).value());
+    if (!job.mounted()) continue;
+    mounted.push_back(*body);
+    mounted.back().pose = pose_of(job, which);
   }
   if (mounted.size() == 2)
     for (FileKind kind : {FileKind::step, FileKind::glb})
@@ -332,7 +330,7 @@ Result<RunFiles> make_everything(SolvedJob& job, const fs::path& folder,
     report.pair_ends = {std::move(upper), std::move(lower)};
   }
   for (int which = 1; options.wants("report") && which <= job.parts() && !job.rack; ++which)
-    if (const auto body = make_body(job, which, false))
+    if (const auto body = make_body(job, which))
       if (const auto mass = mass_of(job, which, *body)) report.masses.push_back(*mass);
   report.measures = measure_records(job);
   report.measure_ends = measure_end_records(job);

@@ -66,11 +66,14 @@ enum class FileKind { step, stl, glb, threemf, dxf, svg };
 /// The extension of file names of this kind, ".step" and so on.
 std::string_view ending(FileKind kind);
 
-/// One gear as a body, in its own frame or in the housing.
+/// The pose of a gear or of the rack in the housing; the identity if the gears are not mounted.
+SolidPose pose_of(const SolvedJob& job, int which);
+
+/// One gear, or the rack, as a body in its own frame.
 ///
 /// Errors    the reason why the gear has no outline: an internal gear, a severed tooth, a root
 ///           through the axis
-Result<ToothedBody> make_body(const SolvedJob& job, int which, bool in_place);
+Result<ToothedBody> make_body(const SolvedJob& job, int which);
 
 /// Converts an error of cad/ about a body to an error about the gear. An error about teeth or
 /// bore keeps its member. An error about a tolerance or a number of faces, which a spec does

@@ -6,6 +6,7 @@
 #include "gearwright/catalogue/gear_quantities.hpp"
 #include "gearwright/figure/markup.hpp"
 #include "gearwright/job/drawing_data.hpp"
+#include "gearwright/job/result_json.hpp"
 
 namespace gearwright {
 
@@ -56,7 +57,7 @@ DataGroup rack_thickness(const SolvedJob& job, const Records& r) {
 }  // namespace
 
 void add_rack_mounting(DataGroup& group, const SolvedJob& job) {
-  const Records pair{rack_pair_quantities().of(*job.rack), job.spec.units()};
+  const Records pair{pair_record(job), job.spec.units()};
   group.rows.push_back(
       {"Pinion axis to datum line", "H", pair.value("center_distance_mm").value()});
   group.rows.push_back(

@@ -112,7 +112,7 @@ TEST(RackDrawing, has_the_area_of_the_section) {
     const auto found = profiles(made.sheet);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_TRUE(found[0].closed);
-    const double exact = metal_area(taken(make_body(solved_rack(bar), 2, false)));
+    const double exact = metal_area(taken(make_body(solved_rack(bar), 2)));
     EXPECT_NEAR(enclosed_area(found[0]) / (made.scale * made.scale), exact, 1e-5 * exact);  // (2)
   }
 }
@@ -120,7 +120,7 @@ TEST(RackDrawing, has_the_area_of_the_section) {
 // Each part ends in a straight line between the teeth, so that both have whole teeth.
 TEST(RackDrawing, of_many_teeth_has_the_teeth_at_both_ends) {
   const Bar few{"2", "25", "teeth = " + std::to_string(kTeethAtEnd) + "\n", ""};
-  const double exact = metal_area(taken(make_body(solved_rack(few), 2, false)));
+  const double exact = metal_area(taken(make_body(solved_rack(few), 2)));
   const Drawn made = drawn_rack({"2", "25", "teeth = 500\n", ""});
   const auto found = profiles(made.sheet);
   ASSERT_EQ(found.size(), 2u);

@@ -27,6 +27,11 @@ Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& resu
   return record;
 }
 
+ValueRecord pair_record(const SolvedJob& job) {
+  GW_EXPECTS(job.mounted());
+  return job.rack ? rack_pair_quantities().of(*job.rack) : pair_quantities().of(*job.pair);
+}
+
 Json job_record(const SolvedJob& job) {
   Json j = titled_record(job.spec);
   if (job.spec.drawing.given()) j["drawing"] = to_json(drawing_quantities().of(job.spec.drawing));
@@ -36,11 +41,8 @@ Json job_record(const SolvedJob& job) {
     if (job.halves[i]) gear.update(to_json(double_helical_quantities().of(*job.halves[i])));
     j["gears"].push_back(std::move(gear));
   }
-  if (job.rack) {
-    j["gears"].push_back(to_json(rack_quantities().of(job.rack->rack)));
-    j["pair"] = to_json(rack_pair_quantities().of(*job.rack));
-  }
-  if (job.pair) j["pair"] = to_json(pair_quantities().of(*job.pair));
+  if (job.rack) j["gears"].push_back(to_json(rack_quantities().of(job.rack->rack)));
+  if (job.mounted()) j["pair"] = to_json(pair_record(job));
   if (job.ends) {
     for (std::size_t i = 0; i < job.gears.size(); ++i) {
       const auto [lower, upper] = gear_limits(job, i);

@@ -24,6 +24,8 @@ Json titled_record(const JobSpec& spec);
 Json titled_record(const JobSpec& spec, const char* key, const ValueRecord& result);
 /// A record with the title and, under the key `load`, the result of the verb `load`.
 Json load_json(const SolvedJob& job, const LoadAnalysis& answer);
+/// The quantities of the pair, or of the pinion with its rack.   Domain: job.mounted() (contract)
+ValueRecord pair_record(const SolvedJob& job);
 /// A record with `drawing` (if given), `gears` and `pair` (if there is one).
 Json job_record(const SolvedJob& job);
 /// The record of job_record() with `warnings` and `verdict` added.

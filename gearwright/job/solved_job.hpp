@@ -21,6 +21,12 @@ struct SolvedJob : Arranged {
   std::optional<RackPair> rack{};
 
   int parts() const { return static_cast<int>(gears.size()) + (rack ? 1 : 0); }
+  /// True if gear 1 is mounted with another gear or with a rack.
+  bool mounted() const { return pair || rack; }
+  /// The gears whose flanks are drawn. The second is null if gear 2 is a rack.
+  std::array<const Gear*, 2> flanked_gears() const {
+    return {&gears.front(), gears.size() > 1 ? &gears.back() : nullptr};
+  }
   /// arranged_corners() of the tolerances, computed at the first call. Copies share the result.
   const std::vector<Arranged>& corners() const;
 

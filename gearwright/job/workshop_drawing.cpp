@@ -57,7 +57,7 @@ SurfaceRequirements surfaces(const SolvedJob& job, int which) {
 // `number` is the number of the sheet.
 Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const std::string& number,
                                 SheetSize size, double tolerance_mm) {
-  const auto body = make_body(job, which, false);
+  const auto body = make_body(job, which);
   if (!body) return body.error();
   const bool inch = job.spec.units() == UnitSystem::inch;
   const double unit_mass = inch ? 0.45359237 : 1.0;  // kg in a pound
@@ -82,7 +82,7 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const std::stri
 // A spec has no material of a rack, so its mass is unknown.
 Result<GearSheet> sheet_of_rack(const SolvedJob& job, const std::string& number, SheetSize size,
                                 double tolerance_mm) {
-  const auto body = make_body(job, 2, false);
+  const auto body = make_body(job, 2);
   if (!body) return body.error();
   RackSheetInput input{job.rack->rack,   rack_drawing_data(job),
                        title_words(job), textures(job.spec.drawing, ""),

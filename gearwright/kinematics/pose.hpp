@@ -75,8 +75,20 @@ class Pose {
   const Eigen::Isometry3d& isometry() const { return isometry_; }
   Pose<From, To> inverse() const { return Pose<From, To>(isometry_.inverse()); }
 
+  Vec3 origin() const { return isometry_.translation(); }  ///< of From, in the frame To, mm
+  /// The direction of the axis x (0), y (1) or z (2) of From, in the frame To.
+  Vec3 axis(int i) const { return isometry_.linear().col(i); }
   /// The azimuth of the x axis of From about the z axis of To, rad.
   double turn() const { return std::atan2(isometry_(1, 0), isometry_(0, 0)); }
+  /// The part of the pose in the xy plane of To.
+  Eigen::Isometry2d plan() const {
+    Eigen::Isometry2d x = Eigen::Isometry2d::Identity();
+    x.linear() = isometry_.linear().template topLeftCorner<2, 2>();
+    x.translation() = isometry_.translation().template head<2>();
+    return x;
+  }
+  /// True if the pose is the identity to the last bit.
+  bool is_identity() const { return isometry_.matrix() == Eigen::Matrix4d::Identity(); }
 
  private:
   Eigen::Isometry3d isometry_ = Eigen::Isometry3d::Identity();

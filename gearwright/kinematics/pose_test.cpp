@@ -53,11 +53,21 @@ TEST(LinearMap, maps_as_its_matrix) {
   EXPECT_EQ((LinearMap<Gear2, Gear1>() * v).v, v.v);
 }
 
-TEST(Pose, turn_about_z) {
+TEST(Pose, parts) {
   Eigen::Isometry3d x = Eigen::Isometry3d::Identity();
   x.translate(Vec3(3.0, -4.0, 5.0));
   x.rotate(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
-  EXPECT_NEAR((Pose<Housing, Gear1>(x).turn()), 0.7, 1e-15);
+  const Pose<Housing, Gear1> pose(x);
+  EXPECT_EQ(pose.origin(), (pose * Point<Gear1>{}).r);
+  EXPECT_NEAR(pose.turn(), 0.7, 1e-15);
+  const Vec2 in_plane = (pose * Point<Gear1>{Vec3(1.5, -2.0, 0.0)}).r.head<2>();
+  EXPECT_LE((pose.plan() * Vec2(1.5, -2.0) - in_plane).norm(), 1e-14);
+  for (const int i : {0, 1, 2}) {
+    const Vec3 along = (pose * Point<Gear1>{Vec3::Unit(i)}).r - pose.origin();
+    EXPECT_LE((pose.axis(i) - along).norm(), 1e-14);
+  }
+  EXPECT_FALSE(pose.is_identity());
+  EXPECT_TRUE((Pose<Housing, Gear1>().is_identity()));
 }
 
 TEST(Pose, identity_by_default) {

@@ -25,8 +25,7 @@ int main() {
               pair->center_distance(), pair->contact_ratio(),
               2 * gear_1->root_form_radius().value());
 
-  const ToothedBody body{"pinion", gear_1->tooth->outline, gear_1->twist(),
-                         25.0,     std::nullopt,           Eigen::Isometry3d::Identity()};
+  const ToothedBody body{"pinion", gear_1->tooth->outline, gear_1->twist(), 25.0, std::nullopt, {}};
   const auto mesh = tessellate(body);
   const auto solid = step_document({body}, "pinion.step");
   const auto touching = contact(*pair, {.crossing = Angle::radians(1e-4)});

@@ -44,9 +44,9 @@ void append_circles(std::vector<NamedCircle>& circles, const ValueRecord& record
 
 }  // namespace
 
-Result<ToothedBody> Session::body(int gear, bool in_place) const {
+Result<ToothedBody> Session::body(int gear) const {
   if (gear < 1 || gear > gears()) return absent_input("gear2", " from the spec");
-  auto made = make_body(job_, gear, in_place);
+  auto made = make_body(job_, gear);
   if (!made) return spelled(made.error(), job_.spec.given);
   return made;
 }
@@ -84,7 +84,7 @@ Result<Json> Session::mesh_figure(const MeshView& view) const {
   MeshScene scene;
   for (int gear = 1; gear <= gears(); ++gear) {
     // A gear that has no body has no figure either.
-    const auto made = body(gear, false);
+    const auto made = body(gear);
     if (!made) return made.error();
     const auto contour = closed_contour(made->outline);
     if (!contour) return contour.error();
@@ -111,7 +111,7 @@ Result<Json> Session::mesh_figure(const MeshView& view) const {
 
 Result<Json> Session::mesh(int gear, double tolerance) const {
   if (auto error = check_tolerance(tolerance)) return *error;
-  const auto made = body(gear, false);
+  const auto made = body(gear);
   if (!made) return made.error();
   const auto mesh = tessellate(*made, {.chord_tolerance_mm = tolerance});
   if (!mesh) return spelled(within(made->name, mesh.error()), job_.spec.given);
@@ -165,10 +165,7 @@ Result<Json> Session::pose(int gear, double rotation1_deg, bool nominal) {
   // If the gears cannot touch, the errors of mounting are ignored.
   const auto touching = nominal ? Result<const Touching*>(nullptr) : this->touching();
   const ContactPair* contact = touching && *touching ? (*touching)->pair.get() : nullptr;
-  const auto rest = [gear](const auto& pair) {
-    return gear == 1 ? pair.pose_1().isometry() : pair.pose_2().isometry();
-  };
-  Eigen::Isometry3d x = job_.rack ? rest(*job_.rack) : rest(*job_.pair);
+  Eigen::Isometry3d x = pose_of(job_, gear).isometry();
   if (gear == 1) {
     x = Eigen::AngleAxisd(-rotation1.rad(), Vec3::UnitZ()) * x;
     if (contact) {

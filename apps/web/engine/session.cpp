@@ -118,10 +118,6 @@ Result<std::vector<double>> Session::te_under(const std::array<std::size_t, 2>& 
   return transmission_error(t.setup->pair(errors, gear2_drives), positions);
 }
 
-std::array<const Gear*, 2> Session::flanked_gears() const {
-  return {&job_.gears[0], job_.rack ? nullptr : &job_.gears[1]};
-}
-
 Result<Session::Found> Session::analyse(const ContactRequest& request) {
   const auto made = touching();
   if (!made) return made.error();
@@ -129,11 +125,12 @@ Result<Session::Found> Session::analyse(const ContactRequest& request) {
   Found found;
   if (!t.both) {
     found.whole = analyse_contact(*t.pair, request);
-    found.flanks = {{contact_scene(flanked_gears(), *t.pair, marking(), found.whole), t.pair}};
+    found.flanks = {{contact_scene(job_.flanked_gears(), *t.pair, marking(), found.whole), t.pair}};
     return found;
   }
   HalvesContact both = analyse_contact(t.both->mesh, request);
-  found.flanks = flanks_of(flanked_gears(), *t.both, marking(), {&both.half[0], &both.half[1]});
+  found.flanks =
+      flanks_of(job_.flanked_gears(), *t.both, marking(), {&both.half[0], &both.half[1]});
   found.whole = std::move(both.whole);
   return found;
 }
@@ -155,10 +152,8 @@ Result<ContactCurve> Session::contact_curve(int positions) {
   const ContactResult& found = (*made)->whole;
   ContactCurve curve{positions,           {}, kNoNumber, found.mean_slope, {}, found.contact_lost,
                      contact_words(found)};
-  bool touches = false;
-  for (const ContactPoint& p : found.positions) touches = touches || p.kind != TouchKind::none;
   if (!found.rack) {
-    if (touches) curve.peak_to_peak_arcsec = found.peak_to_peak.arcsec();
+    if (any_contact(found)) curve.peak_to_peak_arcsec = found.peak_to_peak.arcsec();
     for (const Angle& a : found.harmonics) curve.harmonics_arcsec.push_back(a.arcsec());
   }
   std::vector<ValueRecord> records;
@@ -231,7 +226,7 @@ Result<std::vector<FlankRaster>> Session::pattern(int positions, const RasterSiz
   std::vector<FlankRaster> all;
   for (const FlankContact& flanks : (*made)->flanks) {
     const auto both = flanks.pattern(positions, size);
-    all.insert(all.end(), both.begin(), job_.rack ? both.begin() + 1 : both.end());
+    for (std::size_t i = 0; i < job_.gears.size(); ++i) all.push_back(both[i]);
   }
   return all;
 }

@@ -54,7 +54,7 @@ class Session : public std::enable_shared_from_this<Session> {
   const SpecText& text() const { return text_; }
   /// The number of gears, including a rack.
   int gears() const { return job_.parts(); }
-  bool has_pair() const { return job_.pair || job_.rack; }
+  bool has_pair() const { return job_.mounted(); }
   /// One pitch of gear 1 in degrees; 0 for a drive.
   double pitch_deg() const {
     return job_.gears.empty() ? 0.0 : 360.0 / std::abs(job_.gears.front().spec.teeth);
@@ -129,12 +129,11 @@ class Session : public std::enable_shared_from_this<Session> {
   Result<Found> analyse(const ContactRequest& request);
   Result<ContactPoint> touch(double rotation1_deg);
   Result<const Found*> found(int positions);
-  Result<ToothedBody> body(int gear, bool in_place) const;
+  Result<ToothedBody> body(int gear) const;
   Result<Json> rack_figure(const MeshView& view) const;
   std::optional<Error> no_gear_2() const;  // the error of a result that needs two gears, if there
                                            // is no second gear or it is a rack
   std::vector<NamedCircle> circles(int gear) const;
-  std::array<const Gear*, 2> flanked_gears() const;
 
   SpecText text_;
   SolvedJob job_;

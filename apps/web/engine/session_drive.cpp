@@ -50,11 +50,11 @@ Result<Json> Session::drive_solids() const {
                      {"body", b},
                      {"same", body.same_as ? Json(*body.same_as) : Json()},
                      {"mesh", std::move(mesh)},
-                     {"pose", shape(body.pose)},
+                     {"pose", shape(body.pose.isometry())},
                      {"turn", drive.rack_pitch(b) ? 0.0 : ratio(b)},
                      {"about", point(job->layout->places.axes[carrier.value_or(b)])},
                      {"carried", carrier ? ratio(*carrier) : 0.0},
-                     {"travel", point(-travel * Vec2(body.pose.linear().col(1).head<2>()))}});
+                     {"travel", point(-travel * Vec2(body.pose.axis(1).head<2>()))}});
   }
   for (std::size_t b = 0; b < graph.bodies.size(); ++b)
     named.push_back({{"name", graph.bodies[b].name},

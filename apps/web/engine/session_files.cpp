@@ -72,9 +72,10 @@ Result<Json> Session::file(const std::string& kind, int gear, double tolerance) 
   if (!wanted) return Error{"", kind, "is not a file format of the engine"};
   std::vector<ToothedBody> bodies;
   for (const int which : chosen) {
-    auto made = body(which, gear == 0);
+    auto made = body(which);
     if (!made) return made.error();
     bodies.push_back(std::move(made).take());
+    if (gear == 0) bodies.back().pose = pose_of(job_, which);
   }
   const std::string name = gear == 0 ? "pair" : bodies.front().name;
   auto made = make_file(*wanted, bodies, name + std::string(ending(*wanted)), options);

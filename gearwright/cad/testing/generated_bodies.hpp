@@ -32,7 +32,7 @@ inline ToothedBody body_of(std::string name, const Result<Gear>& gear,
                            std::optional<Bore> bore = std::nullopt) {
   GW_EXPECTS(gear && gear->exists());
   return {std::move(name),       gear->tooth->outline, gear->twist(),
-          gear->spec.face_width, std::move(bore),      Eigen::Isometry3d::Identity()};
+          gear->spec.face_width, std::move(bore),      {}};
 }
 
 inline CylindricalSpec filleted_pinion(int teeth, double m, double beta_deg, double x,

@@ -70,7 +70,7 @@ inline ToothedBody undercut_body(int z, double m, double depth, double height, d
   double lo = r_b, hi = r_a;
   for (int i = 0; i < 100; ++i) (gap(0.5 * (lo + hi)) < 0 ? lo : hi) = 0.5 * (lo + hi);
 
-  ToothedBody body{"undercut", {z, {}}, twist, width, std::nullopt, Eigen::Isometry3d::Identity()};
+  ToothedBody body{"undercut", {z, {}}, twist, width, std::nullopt, {}};
   Outline& o = body.outline;
   append(o, ArcName::root_land, std::make_shared<SampleCircle>(r_f), kPi / z, y_c / r);
   append(o, ArcName::root_fillet, std::make_shared<CornerTrochoid>(r, c, y_c), 0, p_at(lo));
@@ -104,7 +104,7 @@ inline ToothedBody few_tooth_body(int z, double m, double twist, double width) {
     double rho_;
   };
 
-  ToothedBody body{"few", {z, {}}, twist, width, std::nullopt, Eigen::Isometry3d::Identity()};
+  ToothedBody body{"few", {z, {}}, twist, width, std::nullopt, {}};
   Outline& o = body.outline;
   append(o, ArcName::root_land, std::make_shared<SampleCircle>(r_f), kPi / z, centre);
   append(o, ArcName::root_fillet, std::make_shared<Fillet>(std::polar(r_f + rho, centre), rho),
@@ -122,7 +122,7 @@ inline ToothedBody ring_body(int z, double m, double twist, double width, double
   const double psi_b = kPi / (2 * z) - (std::tan(kAlpha20) - kAlpha20);
   const auto roll = [&](double rho) { return std::sqrt((rho / r_b - 1) * (rho / r_b + 1)); };
   const auto angle = [&](double rho) { return psi_b + roll(rho) - std::atan(roll(rho)); };
-  ToothedBody body{"ring", {-z, {}}, twist, width, Bore{rim}, Eigen::Isometry3d::Identity()};
+  ToothedBody body{"ring", {-z, {}}, twist, width, Bore{rim}, {}};
   Outline& o = body.outline;
   append(o, ArcName::root_land, std::make_shared<SampleCircle>(r_f), kPi / z, angle(r_f));
   append(o, ArcName::flank, std::make_shared<RingInvolute>(r_b, psi_b), roll(r_f), roll(r_a));

@@ -151,7 +151,6 @@ inline ToothedBody sample_body(const SampleGear& g) {
       g.pointed ? pointed_roll(psi_b) : std::sqrt((r_end / r_b - 1) * (r_end / r_b + 1));
 
   ToothedBody body{"gear", {z, {}}, std::tan(g.beta) / r, g.face_width, std::nullopt, {}};
-  body.pose = Eigen::Isometry3d::Identity();
   Outline& o = body.outline;
   if (!g.full_radius_root) {
     append(o, ArcName::root_land, std::make_shared<SampleCircle>(r - h_f), kPi / z,
@@ -179,7 +178,6 @@ inline ToothedBody sample_body(const SampleGear& g) {
 inline ToothedBody plain_body(int teeth, double r_root, double root_angle, double r_tip,
                               double tip_angle, double face_width = 10.0, double twist = 0.0) {
   ToothedBody body{"plain", {teeth, {}}, twist, face_width, std::nullopt, {}};
-  body.pose = Eigen::Isometry3d::Identity();
   Outline& o = body.outline;
   const double space = kPi / std::abs(teeth);
   append(o, ArcName::root_land, std::make_shared<SampleCircle>(r_root), space, root_angle);

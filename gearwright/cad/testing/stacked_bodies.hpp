@@ -20,9 +20,8 @@ inline ToothedBody stacked(ToothedBody body, ToothedBody upper, double gap, doub
   const double top = body.gears().back().top();
   upper.bore = body.bore;
   upper.neck = neck;
-  upper.pose = Eigen::Isometry3d::Identity();
-  upper.pose.translate(Vec3(0.0, 0.0, top + gap + upper.face_width / 2.0));
-  upper.pose.rotate(Eigen::AngleAxisd(turn, Vec3::UnitZ()));
+  upper.height = top + gap + upper.face_width / 2.0;
+  upper.turn = turn;
   body.above.push_back(std::move(upper));
   return body;
 }
