@@ -60,8 +60,9 @@ const KeyTable& drawing_keys() {
            .with_also({"drawing_number", "no", "part_number"}),
        Key::text("author", &D::author, "", "name of the author"),
        Key::text("date", &D::date, "", "date in any form, in quotes"),
-       Key::text("material", &D::material, "", "material, in words"),
-       Key::text("heat_treatment", &D::heat_treatment, "",
+       Key::text("material", &D::material, "name of `[gearN.material]`", "material, in words"),
+       Key::text("heat_treatment", &D::heat_treatment,
+                 "kind and given hardness of `[gearN.material]`, unless `material` is given",
                  "heat treatment, with hardness and depth")
            .with_also({"hardness", "hardening"}),
        Key::text("surface_texture", &D::surface_texture, "",

@@ -16,6 +16,7 @@
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/spec/parse_spec.hpp"
 
 namespace gearwright {
 
@@ -50,6 +51,11 @@ std::optional<std::string> Records::value(std::string_view path, Sign sign) cons
   if (!x || m->info->type != Type::number) return with_minus(text_of(*m->info, m->value));
   if (const auto limits = between(*m->info, path)) return limits;
   return number(*m->info, sign == Sign::kept ? *x : std::abs(*x), units);
+}
+
+bool Records::has_limits(std::string_view path) const {
+  const Member* const m = find(nominal, path);
+  return m && m->info->type == Type::number && between(*m->info, path);
 }
 
 std::optional<std::string> Records::between(const QuantityInfo& info, std::string_view path) const {
@@ -189,8 +195,10 @@ DataGroup bore_group(const Gear& gear, const DrawingInput& words, UnitSystem uni
 
 DataGroup diameters(const Records& r) {
   DataGroup group{"Diameters", {}};
-  for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm",
-                          "root_diameter_mm", "root_form_diameter_mm", "tip_form_diameter_mm"})
+  for (const char* key : {"reference_diameter_mm", "base_diameter_mm", "tip_diameter_mm"})
+    add_data(group, r, key);
+  if (!r.has_limits("tip_diameter_mm")) group.rows.push_back({"Tip diameter, limits", "", ""});
+  for (const char* key : {"root_diameter_mm", "root_form_diameter_mm", "tip_form_diameter_mm"})
     add_data(group, r, key);
   return group;
 }
@@ -200,6 +208,8 @@ DataGroup thickness(bool ring, const GearInput& input, const Records& gear,
   DataGroup group{"Tooth thickness", {}};
   if (input.tolerance.series)
     group.rows.push_back({"Allowance and tolerance", "", *input.tolerance.series + ", DIN 3967"});
+  else if (!gear.has_limits("reference_tooth_thickness_normal_mm"))
+    group.rows.push_back({"Allowance and tolerance", "", ""});
   add_data(group, gear, "reference_tooth_thickness_normal_mm");
   add_data(group, gear, "thickness_allowance_mm");
   if (const auto teeth = measure.value("span.teeth"))
@@ -280,8 +290,9 @@ DataGroup tolerances(const ToleranceInput& given, bool halves, const Records& me
   return group;
 }
 
-DataGroup mate(const SolvedJob& job, int which) {
+DataGroup mate(const SolvedJob& job, int which, const std::string& number_of_mate) {
   DataGroup group{job.rack ? "Mating rack" : "Mating gear", {}};
+  if (job.parts() > 1) group.rows.push_back({"Drawing number", "", number_of_mate});
   if (job.rack) add_rack_mounting(group, job);
   if (!job.pair) return group;
   const Gear& other = job.gears[which == 1 ? 1 : 0];
@@ -311,7 +322,8 @@ DataGroup mate(const SolvedJob& job, int which) {
 
 }  // namespace
 
-std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which) {
+std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
+                                         const std::string& number_of_mate) {
   const auto i = static_cast<std::size_t>(which - 1);
   const GearInput& input = *job.completed.gears[i];
   const UnitSystem units = job.spec.units();
@@ -328,7 +340,7 @@ std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which) {
                                 bore_group(job.gears[i], job.spec.drawing, units),
                                 modifications(input.modifications, halves, units)};
   if (job.gears[i].involute()) groups.push_back(tolerances(input.tolerance, halves, measure));
-  groups.push_back(mate(job, which));
+  groups.push_back(mate(job, which, number_of_mate));
   std::erase_if(groups, [](const DataGroup& group) { return group.rows.empty(); });
   return groups;
 }

@@ -24,6 +24,8 @@ struct Records {
 
   /// The text of the member with this path, with its limits if there are any. None without a value.
   std::optional<std::string> value(std::string_view path, Sign sign = Sign::kept) const;
+  /// True if the member with this path has different values at the two tolerance ends.
+  bool has_limits(std::string_view path) const;
 
  private:
   std::optional<std::string> between(const QuantityInfo& info, std::string_view path) const;
@@ -45,12 +47,15 @@ std::string rack_name(const JobSpec& spec, int which);
 /// Domain    the job has a rack (contract)
 void add_rack_mounting(DataGroup& group, const SolvedJob& job);
 
-/// The tables of a gear.
-std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which);
+/// The tables of a gear. Where the spec gives no limits of the tip diameter or of the tooth
+/// thickness, and where the drawing number of the mating part is empty, the workshop gets a blank
+/// row.
+std::vector<DataGroup> gear_drawing_data(const SolvedJob& job, int which,
+                                         const std::string& number_of_mate);
 
 /// The tables of the rack.
 ///
 /// Domain    the job has a rack (contract)
-std::vector<DataGroup> rack_drawing_data(const SolvedJob& job);
+std::vector<DataGroup> rack_drawing_data(const SolvedJob& job, const std::string& number_of_pinion);
 
 }  // namespace gearwright

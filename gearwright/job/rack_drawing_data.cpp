@@ -65,10 +65,11 @@ void add_rack_mounting(DataGroup& group, const SolvedJob& job) {
   add_data(group, pair, "backlash.normal_mm");
 }
 
-std::vector<DataGroup> rack_drawing_data(const SolvedJob& job) {
+std::vector<DataGroup> rack_drawing_data(const SolvedJob& job,
+                                         const std::string& number_of_pinion) {
   GW_EXPECTS(job.rack.has_value());
   const Records rack{rack_quantities().of(job.rack->rack), job.spec.units()};
-  DataGroup pinion{"Pinion", {}};
+  DataGroup pinion{"Pinion", {{"Drawing number", "", number_of_pinion}}};
   pinion.rows.push_back({"Number of teeth", "z_1", fmt::format("{}", job.gear(1).spec.teeth)});
   add_rack_mounting(pinion, job);
   return {rack_teeth(job, rack), rack_thickness(job, rack), std::move(pinion)};

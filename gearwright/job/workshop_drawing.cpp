@@ -54,8 +54,48 @@ SurfaceRequirements surfaces(const SolvedJob& job, int which) {
   return required;
 }
 
-// `number` is the number of the sheet.
-Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const std::string& number,
+// The heat treatment of a material and its given hardness, for example "case-hardened, 700 HV".
+// Cast materials and plastics have no heat treatment.
+std::string heat_treatment(const MaterialInput& material) {
+  std::optional<MaterialKind> kind = material.kind;
+  if (const auto row = material.name ? material_named(*material.name) : std::nullopt; row && !kind)
+    kind = row->kind;
+  std::string words;
+  if (kind && *kind <= MaterialKind::nitrocarburized) {
+    words = material_kind_words()[static_cast<std::size_t>(*kind)];
+    std::replace(words.begin(), words.end(), '_', '-');
+  }
+  if (material.surface_hardness)
+    words += fmt::format("{}{:g} HV", words.empty() ? "" : ", ", *material.surface_hardness);
+  return words;
+}
+
+// The material and the heat treatment of the title block. If the title block gives the material,
+// the material of the rating does not determine the heat treatment.
+void add_material(DrawingInput& words, const MaterialInput& material) {
+  if (!words.material.empty()) return;
+  words.material = material.name.value_or("");
+  if (words.heat_treatment.empty()) words.heat_treatment = heat_treatment(material);
+}
+
+// The number of a sheet, and the drawing number of the mating part on this sheet.
+struct SheetNumbers {
+  std::string own, mate;
+};
+
+// If the mating part is drawn too, its number is the number of the drawing and of its sheet.
+// Otherwise it is unknown and stays blank.
+SheetNumbers sheet_numbers(const SolvedJob& job, const std::vector<int>& parts, std::size_t sheet) {
+  const auto name = [&](std::size_t i) { return fmt::format("{}/{}", i + 1, parts.size()); };
+  SheetNumbers numbers{name(sheet), ""};
+  const std::string& drawing = job.spec.drawing.number;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i] != parts[sheet])
+      numbers.mate = (drawing.empty() ? "sheet " : drawing + ", sheet ") + name(i);
+  return numbers;
+}
+
+Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const SheetNumbers& numbers,
                                 SheetSize size, double tolerance_mm) {
   const auto body = make_body(job, which);
   if (!body) return body.error();
@@ -64,29 +104,28 @@ Result<GearSheet> sheet_of_gear(const SolvedJob& job, int which, const std::stri
   const auto mass = mass_of(job, which, *body);
   GearSheetInput input{*body,
                        job.gear(which).reference_diameter,
-                       gear_drawing_data(job, which),
+                       gear_drawing_data(job, which, numbers.mate),
                        title_words(job),
                        job.spec.gear(which).tolerance.tip_fit.value_or(""),
                        surfaces(job, which),
                        mass ? fmt::format("{:.3g} {}", *mass / unit_mass, inch ? "lb" : "kg") : "",
-                       number,
+                       numbers.own,
                        job.spec.units()};
   if (job.parts() > 1) input.words.title += fmt::format(", gear {}", which);
-  const auto& material = job.spec.gear(which).material.name;
-  if (input.words.material.empty() && material) input.words.material = *material;
+  add_material(input.words, job.spec.gear(which).material);
   auto made = gear_sheet(input, size, tolerance_mm);
   if (!made) return of_body(made.error(), body->name);
   return made;
 }
 
 // A spec has no material of a rack, so its mass is unknown.
-Result<GearSheet> sheet_of_rack(const SolvedJob& job, const std::string& number, SheetSize size,
+Result<GearSheet> sheet_of_rack(const SolvedJob& job, const SheetNumbers& numbers, SheetSize size,
                                 double tolerance_mm) {
   const auto body = make_body(job, 2);
   if (!body) return body.error();
-  RackSheetInput input{job.rack->rack,   rack_drawing_data(job),
+  RackSheetInput input{job.rack->rack,   rack_drawing_data(job, numbers.mate),
                        title_words(job), textures(job.spec.drawing, ""),
-                       number,           job.spec.units()};
+                       numbers.own,      job.spec.units()};
   input.words.title += ", rack";
   auto made = rack_sheet(input, size, tolerance_mm);
   if (!made) return of_body(made.error(), body->name);
@@ -118,10 +157,10 @@ Result<WorkshopSheets> workshop_sheets(const SolvedJob& job, const std::vector<i
                                        SheetSize size, double tolerance_mm) {
   WorkshopSheets all{{}, "", 0.0};
   for (std::size_t i = 0; i < gears.size(); ++i) {
-    const std::string number = fmt::format("{}/{}", i + 1, gears.size());
+    const SheetNumbers numbers = sheet_numbers(job, gears, i);
     auto made = gears[i] == 2 && job.rack
-                    ? sheet_of_rack(job, number, size, tolerance_mm)
-                    : sheet_of_gear(job, gears[i], number, size, tolerance_mm);
+                    ? sheet_of_rack(job, numbers, size, tolerance_mm)
+                    : sheet_of_gear(job, gears[i], numbers, size, tolerance_mm);
     if (!made) return made.error();
     GearSheet sheet = std::move(made).take();
     all.scales += (i == 0 ? "" : ", ") + sheet.scale;

@@ -335,6 +335,59 @@ TEST(WorkshopDrawing, has_a_blank_row_without_a_class) {
   EXPECT_TRUE(contains(kFull, "class 6"));
 }
 
+// Tip diameter and tooth thickness have either limits or a blank row.
+TEST(WorkshopDrawing, has_blank_rows_without_limits) {
+  const std::string pinion = gear("teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\n");
+  const char* const tip = "Tip diameter, limits";
+  const char* const thickness = "Allowance and tolerance";
+  const std::string tolerance = pinion + "[gear1.tolerance]\n";
+  EXPECT_TRUE(contains(pinion, tip) && contains(pinion, thickness));
+  EXPECT_FALSE(contains(tolerance + "tip_diameter_fit = \"h9\"", tip));
+  EXPECT_FALSE(contains(tolerance + "tip_diameter_deviations_mm = [-0.05, 0]", tip));
+  EXPECT_TRUE(contains(tolerance + "thickness_series = \"cd25\"", "cd25, DIN 3967"));
+  // Limits of the span or of the allowance take the place of a series.
+  EXPECT_FALSE(contains(pinion + "thickness_allowance_mm = [-0.1, -0.06]", thickness));
+  EXPECT_FALSE(contains(tolerance + "span_mm = [11.58, 11.62]", thickness));
+  EXPECT_TRUE(contains(pinion + "thickness_allowance_mm = -0.08", thickness));
+}
+
+// The mating gear of a pair is on the other sheet, if it is drawn.
+TEST(WorkshopDrawing, has_the_drawing_number_of_the_mating_gear) {
+  const std::string pair =
+      "[gear1]\nteeth = 20\nnormal_module_mm = 2\nface_width_mm = 20\n[gear2]\nteeth = 41\n";
+  const auto has = [](const std::string& toml, std::size_t sheet, const char* words) {
+    const auto made = taken(workshop_sheets(solved(toml), {1, 2}, SheetSize::a4, 0.001));
+    const auto& texts = made.sheets[sheet].texts;
+    return std::any_of(texts.begin(), texts.end(), [&](const auto& t) { return t.text == words; });
+  };
+  const std::string numbered = "[drawing]\nnumber = \"GW-0017\"\n" + pair;
+  EXPECT_TRUE(has(numbered, 0, "GW-0017, sheet 2/2") && has(numbered, 1, "GW-0017, sheet 1/2"));
+  EXPECT_TRUE(has(pair, 0, "sheet 2/2") && has(pair, 1, "sheet 1/2"));
+  EXPECT_FALSE(contains(pair, "sheet "));       // only gear 1 is drawn
+  EXPECT_EQ(count(pair, "Drawing number"), 2);  // the row of the mating gear, and the title block
+  EXPECT_EQ(count(gear("teeth = 20\nnormal_module_mm = 2\nface_width_mm = 20"), "Drawing number"),
+            1);
+}
+
+// Only given data are shown: the usual hardness of a named material is not.
+TEST(WorkshopDrawing, has_the_heat_treatment_of_the_material) {
+  const auto with = [](const std::string& material) {
+    return gear("teeth = 17\nnormal_module_mm = 2.5\nface_width_mm = 20\nmaterial = " + material);
+  };
+  EXPECT_EQ(count(with("\"16MnCr5\""), "case-hardened"), 1);
+  EXPECT_EQ(
+      count(with("{ name = \"42CrMo4\", surface_hardness_HV = 300 }"), "through-hardened, 300 HV"),
+      1);
+  EXPECT_EQ(count(with("{ kind = \"nitrided\", sigma_Hlim_MPa = 1200, sigma_Flim_MPa = 400 }"),
+                  "nitrided"),
+            1);
+  EXPECT_FALSE(contains(with("\"EN-GJS-600-3\""), "nodular"));
+  const std::string own = "[drawing]\nheat_treatment = \"carburized 60 HRC\"\n";
+  EXPECT_TRUE(contains(own + with("\"16MnCr5\""), "carburized 60 HRC"));
+  EXPECT_FALSE(contains(own + with("\"16MnCr5\""), "case-hardened"));
+  EXPECT_FALSE(contains("[drawing]\nmaterial = \"C45\"\n" + with("\"16MnCr5\""), "hardened"));
+}
+
 TEST(WorkshopDrawing, of_every_example) {
   int drawn = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::source_file("examples"))) {
