@@ -231,10 +231,11 @@ void add_strength(Quantities<DesignView>& q) {
       .digits(kFewDigits);
   const auto weighed = [](const DesignView& v) { return v.problem->weighs(); };
   const auto wide = [](const DesignView& v) {
-    return v.problem->weighs() || v.problem->sizes_faces();
+    return v.problem->weighs() || v.problem->has_face_band() || !v.problem->choices.empty();
   };
   q.number("face_width_mm", "face width", "b",
-           "common width of both gears; only if safeties, masses or a band of widths are requested",
+           "common width of both gears; only if safeties, masses, a band of widths or a whole "
+           "overlap ratio are requested",
            [wide](const DesignView& v) { return wide(v) ? Value(v.row->face_width) : Value(); })
       .column("face_width_mm")
       .when(wide)

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxValues = 100'000;  // greatest number of values in a list
 constexpr double kMinShiftStep = 0.0025;     // a wide region then has half a million points
+constexpr std::size_t kMostOverlaps = 20;
 constexpr KeyList kNumbers{1, kMaxValues, true};
 constexpr std::array<std::string_view, 4> kSearchRacks{"ISO53-A", "ISO53-B", "ISO53-C", "ISO53-D"};
 
@@ -223,6 +224,20 @@ std::vector<Key> trial_keys() {
           .with_form("a list of angles")
           .with_excludes({"helix_angle_deg"})
           .with_fields({"helix"}),
+      Key::number("overlap_ratio", "ε_β", KeyRange::between(1, 20), {}, "",
+                  "whole overlap ratio, or a list of them. Each face width gets the helix angle "
+                  "with this overlap ratio, rounded up to 0.01°, so that the overlap ratio is at "
+                  "least the whole number and, from 5° on, exceeds it by at most 0.2 %. Angles "
+                  "outside of `helix_angle_deg` and angles below 1° are not tried. All widths of a "
+                  "band of face widths are tried")
+          .with_list({.most = kMostOverlaps, .single = true})
+          .with_form("a whole number, or a list of whole numbers")
+          .with_needs({"helix_angle_deg"})
+          .with_excludes({"helix_step_deg", "face_width_diameters"},
+                         "determines the helix angles itself, for face widths that do not depend "
+                         "on the number of teeth; leave out helix_step_deg and "
+                         "face_width_diameters")
+          .with_fields({"choices"}),
       Key::number("shaft_angle_deg", "Σ", KeyRange::inside(-178, 178),
                   KeyPlace::by<SearchProblem, double>(set_shaft_angle), "0",
                   "shaft angle of crossed axes, 0.1 to 178 with either sign, or 0 for parallel "

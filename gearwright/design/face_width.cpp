@@ -14,6 +14,7 @@ constexpr double kRounding = 1e-9;
 }  // namespace
 
 std::array<double, 2> face_widths(const SearchProblem& problem, const Trial& trial) {
+  if (trial.face_width) return {*trial.face_width, *trial.face_width};
   std::array<double, 2> widths{0.0, std::numeric_limits<double>::infinity()};
   const auto keep = [&](const std::array<double, 2>& band, double unit) {
     widths = {std::max(widths[0], band[0] * unit), std::min(widths[1], band[1] * unit)};

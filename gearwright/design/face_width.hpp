@@ -4,7 +4,8 @@
 //        which the design meets its limits
 //   ε_β  overlap ratio
 //
-// Bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. If the
+// A trial whose helix angle was chosen for a face width has this face width. For all other trials,
+// bands can be given for b, b/m_n and b/d_1. The face width lies within all given bands. If the
 // bands contain multiples of a step, the face width is one of these multiples, because drawings
 // show round numbers.
 #pragma once

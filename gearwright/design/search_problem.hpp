@@ -155,6 +155,14 @@ inline constexpr double kRunningFormClearance = 0.02;
 inline constexpr double kDrawnShift = 1.0;
 inline constexpr double kDrawnSliding = 3.0;
 
+/// A module and a helix angle that are tried together, with the face width for which the helix
+/// angle was chosen (design/whole_overlap.hpp).
+struct HelixChoice {
+  double module = 0.0;                 ///< m_n  mm
+  Angle helix{};                       ///< β of gear 1
+  std::optional<double> face_width{};  ///< b  mm
+};
+
 struct SearchProblem {
   std::array<double, 2> ratio{};  ///< z2/z1, both ends included; both negative for internal pairs
   std::optional<std::array<double, 2>> center_distance;  ///< mm, both ends included; they may be
@@ -162,8 +170,11 @@ struct SearchProblem {
   std::vector<double> modules;                           ///< m_n  mm
   std::array<int, 2> pinion_teeth{12, 40};               ///< z1, both ends included
   std::vector<Angle> helix{Angle()};                     ///< β of gear 1
-  std::optional<Angle> shaft_angle;                      ///< Σ of crossed axes; β2 = Σ − β1
-  Angle normal_pressure_angle = Angle::degrees(20);      ///< α_n
+  /// The combinations to try. If empty, every module is tried with every helix angle. Otherwise,
+  /// `helix` contains the helix angles of these combinations.
+  std::vector<HelixChoice> choices;
+  std::optional<Angle> shaft_angle;                  ///< Σ of crossed axes; β2 = Σ − β1
+  Angle normal_pressure_angle = Angle::degrees(20);  ///< α_n
   std::vector<SearchRacks> racks{SearchRacks{}};
   bool coprime = false;  ///< if true, z1 and z2 must have no common factor
   // Bands of the face width of both gears, both ends included. Each design gets the smallest
@@ -198,11 +209,14 @@ struct SearchProblem {
   }
   /// True if the designs are mounted at tight centres. On crossed axes, `mounting` has no effect.
   bool tight() const { return mounting == Mounting::tight && !crossed(); }
-  /// True if the face width is chosen for each design.
-  bool sizes_faces() const {
+  /// True if a band contains several face widths.
+  bool has_face_band() const {
     const auto open = [](const auto& band) { return band && (*band)[0] < (*band)[1]; };
     return open(face_width) || open(face_modules) || open(face_diameters);
   }
+  /// True if the face width is chosen for each design. A width that belongs to a helix angle is not
+  /// changed.
+  bool sizes_faces() const { return has_face_band() && choices.empty(); }
   /// The limits that can reject a design, in the order of evaluation.
   std::vector<Limit> rejecting_limits() const {
     std::vector<Limit> all;
@@ -229,8 +243,9 @@ struct Trial {
   std::int64_t index = 0;  ///< number of the trial
   double module = 0.0;     ///< m_n  mm
   int z1 = 0, z2 = 0;
-  std::array<Angle, 2> helix{};  ///< β  signed
-  int rack = 0;                  ///< index in SearchProblem::racks
+  std::array<Angle, 2> helix{};        ///< β  signed
+  int rack = 0;                        ///< index in SearchProblem::racks
+  std::optional<double> face_width{};  ///< b  mm, if the helix angle was chosen for this width
 };
 
 /// The rack of gear i, marked as a named rack. If the fillet radius of a named rack is too great

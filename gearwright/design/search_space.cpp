@@ -44,31 +44,33 @@ SearchSpace::SearchSpace(const SearchProblem& problem) : problem_(&problem) {
   constexpr double kMaxInt64 = 9e18;  // less than 2⁶³ − 1 by more than the rounding error of the
                                       // approximate size
   if (approximate_size() < kMaxInt64) {
-    size_ = per_module_ * static_cast<std::int64_t>(problem.modules.size()) *
-            static_cast<std::int64_t>(problem.helix.size()) *
+    choices_ = static_cast<std::size_t>(choices());
+    size_ = per_module_ * static_cast<std::int64_t>(choices_) *
             static_cast<std::int64_t>(problem.racks.size());
   }
 }
 
+double SearchSpace::choices() const {
+  if (!problem_->choices.empty()) return static_cast<double>(problem_->choices.size());
+  return static_cast<double>(problem_->modules.size()) *
+         static_cast<double>(problem_->helix.size());
+}
+
+HelixChoice SearchSpace::choice(std::size_t number) const {
+  if (!problem_->choices.empty()) return problem_->choices[number];
+  const std::size_t modules = problem_->modules.size();
+  return {problem_->modules[number % modules], problem_->helix[number / modules], std::nullopt};
+}
+
 double SearchSpace::approximate_size() const {
-  return static_cast<double>(per_module_) * static_cast<double>(problem_->modules.size()) *
-         static_cast<double>(problem_->helix.size()) * static_cast<double>(problem_->racks.size());
+  return static_cast<double>(per_module_) * choices() * static_cast<double>(problem_->racks.size());
 }
 
 SearchSpace::Cursor SearchSpace::at(std::int64_t index) const {
   GW_EXPECTS(size_ && index >= 0 && index < *size_);
-  Cursor c{index, 0, 0, 0, 0, 0, 0};
   const std::int64_t in_module = index % per_module_;
-  std::int64_t rest = index / per_module_;
-  const auto take = [&](std::size_t count) {
-    const auto n = static_cast<std::int64_t>(count);
-    const std::int64_t digit = rest % n;
-    rest /= n;
-    return static_cast<std::size_t>(digit);
-  };
-  c.module = take(problem_->modules.size());
-  c.helix = take(problem_->helix.size());
-  c.rack = static_cast<std::size_t>(rest);
+  const auto rest = static_cast<std::size_t>(index / per_module_);
+  Cursor c{index, rest / choices_, rest % choices_, 0, 0, 0, choice(rest % choices_)};
   const auto after = std::upper_bound(before_pinion_.begin(), before_pinion_.end(), in_module);
   c.pinion = static_cast<std::size_t>(after - before_pinion_.begin()) - 1;
   const Wheels& w = pinions_[c.pinion];
@@ -85,23 +87,27 @@ void SearchSpace::next(Cursor& c) const {
   }
   if (++c.pinion == pinions_.size()) {
     c.pinion = 0;
-    if (++c.module == problem_->modules.size()) {
-      c.module = 0;
-      if (++c.helix == problem_->helix.size()) {
-        c.helix = 0;
-        ++c.rack;
-      }
+    if (++c.choice == choices_) {
+      c.choice = 0;
+      ++c.rack;
     }
+    c.values = choice(c.choice);
   }
   c.z1 = pinions_[c.pinion].z1;
   c.z2 = pinions_[c.pinion].first;
 }
 
 Trial SearchSpace::trial_of(const Cursor& c) const {
-  const Angle beta = problem_->helix[c.helix];
+  const Angle beta = c.values.helix;
   // β2 = Σ − σ β1, where Σ = 0 on parallel axes and σ is the sign of z2.
   const Angle mate = problem_->shaft_angle.value_or(Angle()) - side_of(c.z2) * beta;
-  return {c.index, problem_->modules[c.module], c.z1, c.z2, {beta, mate}, static_cast<int>(c.rack)};
+  return {c.index,
+          c.values.module,
+          c.z1,
+          c.z2,
+          {beta, mate},
+          static_cast<int>(c.rack),
+          c.values.face_width};
 }
 
 Trial SearchSpace::trial(std::int64_t index) const { return trial_of(at(index)); }

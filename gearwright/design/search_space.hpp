@@ -1,7 +1,8 @@
 // Enumerates the trials of a search. Every trial can be computed from its number, 0 … size − 1,
 // with the same result on every machine.
 //
-//   order     rack, helix, module, z1, z2; z2 changes fastest
+//   order     rack, helix, module, z1, z2; z2 changes fastest. If the problem contains choices of
+//             module and helix angle, they replace helix and module
 //   z2        numbers of teeth whose ratio lies in the band, ends included, with a tolerance of
 //             1e-12
 #pragma once
@@ -46,15 +47,19 @@ class SearchSpace {
  private:
   struct Cursor {
     std::int64_t index;
-    std::size_t rack, helix, module, pinion;
+    std::size_t rack, choice, pinion;
     int z1, z2;
+    HelixChoice values;  ///< the values of `choice`
   };
   Cursor at(std::int64_t index) const;
   void next(Cursor& c) const;
   Trial trial_of(const Cursor& c) const;
+  double choices() const;  ///< number of combinations of module and helix angle
+  HelixChoice choice(std::size_t number) const;
   static bool coprime(int a, int b);
 
   const SearchProblem* problem_;
+  std::size_t choices_ = 0;  ///< choices(), if the trials can be counted
   struct Wheels {
     int z1, first, last;  ///< first and last z2
   };

@@ -118,8 +118,9 @@ std::string face_words(const SearchProblem& p) {
     if (!words.empty()) words += " and ";
     words += (*band)[0] == (*band)[1]
                  ? fmt::format("{:g}{}", (*band)[0], unit)
-                 : fmt::format("{0:g}{2} to {1:g}{2} (the least sufficient width)", (*band)[0],
-                               (*band)[1], unit);
+                 : fmt::format("{0:g}{2} to {1:g}{2} ({3})", (*band)[0], (*band)[1], unit,
+                               p.choices.empty() ? "the least sufficient width"
+                                                 : "every width with its helix angles");
   };
   add(p.face_width, " mm");
   add(p.face_modules, " modules");

@@ -22,6 +22,7 @@ void each_number(Row& row, const F& f) {
   f(row.trial.helix[0]);
   f(row.trial.helix[1]);
   f(row.trial.rack);
+  f(row.trial.face_width);
   f(row.shift[0]);
   f(row.shift[1]);
   f(row.balanced);
@@ -73,7 +74,7 @@ void each_number_of_point(Point& p, const F& f) {
   f(p.interference);
 }
 
-constexpr std::size_t kNumbers = 19 + 2 * 12 + 5;
+constexpr std::size_t kNumbers = 20 + 2 * 12 + 5;
 constexpr std::size_t kPointNumbers = 14;
 
 // Passes numbers to the compressor one by one, so that the uncompressed bytes of a million points

@@ -9,7 +9,9 @@
 
 #include "gearwright/catalogue/search_keys.hpp"
 #include "gearwright/catalogue/spelling.hpp"
+#include "gearwright/design/face_width.hpp"
 #include "gearwright/design/search_space.hpp"
+#include "gearwright/design/whole_overlap.hpp"
 #include "gearwright/gear/gear.hpp"
 #include "gearwright/spec/read_gear.hpp"
 
@@ -76,6 +78,65 @@ void read_helix(TableReader& t, SearchProblem& p, double of_gear_deg) {
     }
     p.helix.push_back(Angle::degrees(beta));
   }
+}
+
+// The number of combinations of module, face width and overlap ratio.
+double count_of_overlaps(const SearchProblem& p, std::size_t ratios) {
+  double count = 0.0;
+  for (const double module : p.modules) {
+    Trial trial;
+    trial.module = module;
+    const auto [least, most] = face_widths(p, trial);
+    if (least <= most) count += std::floor((most - least) / p.face_step) + 1.0;
+  }
+  return count * static_cast<double>(ratios);
+}
+
+// Reads the whole overlap ratios, from which the helix angles follow.
+void read_overlaps(TableReader& t, SearchProblem& p) {
+  const char* const key = "overlap_ratio";
+  const auto ratios = t.numbers(key);
+  if (!ratios) return;
+  if (p.crossed())
+    t.fail(key, "is not available on crossed axes, where the teeth have no overlap ratio");
+  const auto band = t.numbers("helix_angle_deg");
+  if (!band || band->front() == band->back())
+    t.fail(key, "needs a band, helix_angle_deg = [least, greatest]");
+  if (p.face_diameters)
+    t.fail("face_width_diameters",
+           "cannot be combined with overlap_ratio, because the helix angles are the same for all "
+           "numbers of teeth; use face_width_mm or face_width_modules");
+  if (!p.face_width && !p.face_modules)
+    t.fail(key, "needs face_width_mm or face_width_modules, from which the helix angle follows");
+  auto sorted = *ratios;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (sorted[i] != std::floor(sorted[i]))
+      t.fail(key, fmt::format("contains {}, but only whole numbers are allowed", sorted[i]));
+    if (i > 0 && sorted[i] == sorted[i - 1])
+      t.fail(key, fmt::format("contains {} twice", sorted[i]));
+  }
+  if (const double count = count_of_overlaps(p, sorted.size()); count > kMaxAngles)
+    t.fail(key, fmt::format("gives {:.6g} combinations of module, face width and overlap ratio, "
+                            "but at most {} are allowed; narrow the bands, or use a greater "
+                            "face_width_step_mm",
+                            count, kMaxAngles));
+  p.choices = whole_overlap_choices(p, sorted, {band->front(), band->back()});
+  if (p.choices.empty()) {
+    const auto any = whole_overlap_choices(p, sorted, {kLeastOverlapHelix_deg, 89.0});
+    t.fail(key,
+           any.empty()
+               ? "has no helix angle between 1 and 89 degrees for any module and face width; the "
+                 "face width must exceed overlap_ratio times the axial pitch at this angle"
+               : fmt::format("needs helix angles of {} to {} degrees for these modules and face "
+                             "widths, and none of them is in the band helix_angle_deg; change the "
+                             "band or the face width",
+                             format_number(any.front().helix.deg()),
+                             format_number(any.back().helix.deg())));
+  }
+  p.helix.clear();
+  for (const HelixChoice& choice : p.choices)
+    if (p.helix.empty() || p.helix.back() != choice.helix) p.helix.push_back(choice.helix);
 }
 
 void read_limits(TableReader& t, SearchProblem& p) {
@@ -224,6 +285,7 @@ SearchProblem read_search(const Json& search, const Json* gear_1, const Json* ge
   const auto single = [](const auto& band) { return band && (*band)[0] == (*band)[1]; };
   if (single(p.face_width) && single(p.face_modules))
     t.fail("face_width_modules", "contradicts face_width_mm; leave one of them out");
+  read_overlaps(t, p);
   // An internal pair has negative backlash at the extended centre distance, so its default
   // mounting is tight.
   if (!t.given("mounting")) p.mounting = p.ratio[1] < 0.0 ? Mounting::tight : Mounting::extended;

@@ -201,7 +201,7 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
            "needs interference = \"exclude\", because a drawing is made only for designs that run");
   // If `mounting` is given without any key of tolerances (not even thickness_series = "none") and
   // without face widths to choose, the designs have nominal teeth as in the theory.
-  const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.sizes_faces();
+  const bool nominal = t.given("mounting") && !toleranced && !no_allowances && !p.has_face_band();
   const bool drawn = !nominal && !p.crossed() && !p.shift_step && p.limits.avoid_interference;
   if (drawn && !t.given("mounting")) p.mounting = Mounting::tight;
   if (p.shorten_tips && !p.tight()) {

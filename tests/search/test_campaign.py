@@ -56,6 +56,14 @@ class OneMachine(Campaign):
         end(start(small, "alone"))
         self.assertEqual(contents(small / "o"), contents(small / "alone"))
 
+    def test_shards_with_whole_overlap_ratios(self):
+        where = folder(spec(SMALL | {"helix_angle_deg": [-20, 20], "overlap_ratio": [1, 2], "face_width_mm": [20, 40]}))
+        for i in (3, 1, 2):
+            self.assertEqual(end(start(where, "o", "--shard", f"{i}/3", "--chunk", 2000))[0], 0)
+        self.assertGreater(chunks(where / "o"), 3)
+        end(start(where, "alone"))
+        self.assertEqual(contents(where / "o"), contents(where / "alone"))
+
     def test_unfinished_json(self):
         told = json.loads(self.go("--shard", "1/11", "--json"))
         self.assertEqual(told["search"], {"finished": False, "stopped": False, "chunks_done": 2, "chunks": 22})

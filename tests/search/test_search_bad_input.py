@@ -102,6 +102,25 @@ class Refused(Asked):
         self.no(spec(helix_angle_deg=[0, 20], helix_step_deg=0), "search.helix_step_deg", "greater")
         self.no(spec(helix_angle_deg=3, helix_angles_deg=[1, 2]), "search.helix_angles_deg", "helix_angle_deg")
 
+    def test_whole_overlap_ratios(self):
+        def no(key, *words, **changed):
+            keys = {"helix_angle_deg": [8, 20], "face_width_mm": [20, 30], "overlap_ratio": 1} | changed
+            self.no(spec(**keys), f"search.{key}", *words)
+        no("overlap_ratio", "1.5", "whole numbers", overlap_ratio=[1, 1.5])
+        no("overlap_ratio", "2 twice", overlap_ratio=[2, 1, 2])
+        no("overlap_ratio", "between 1 and 20", overlap_ratio=0)
+        no("overlap_ratio", "helix_angle_deg = [least, greatest]", helix_angle_deg=12)
+        no("overlap_ratio", "helix_angle_deg = [least, greatest]", helix_angle_deg=None)
+        no("overlap_ratio", "face_width_mm", face_width_mm=None)
+        no("overlap_ratio", "leave out helix_step_deg", helix_step_deg=1)
+        no("overlap_ratio", "crossed axes", shaft_angle_deg=90, helix_angle_deg=[40, 50], face_width_mm=20)
+        no("overlap_ratio", "combinations", "at most 100000", face_width_step_mm=1e-4)
+        no("face_width_diameters", "overlap_ratio", "numbers of teeth", face_width_diameters=[0.2, 1])
+        # arcsin(3 π 2/30) = 38.93° and arcsin(3 π 2.5/24) = 79.03°; 20 mm are too narrow for 3 π 2.5 mm
+        no("overlap_ratio", "38.94 to 79.04 degrees", overlap_ratio=3, modules_mm=[2, 2.5], face_width_mm=[24, 30],
+           face_width_step_mm=6)
+        no("overlap_ratio", "no helix angle between 1 and 89", overlap_ratio=20)
+
     def test_the_same_thing_twice_is_not_counted_twice(self):
         self.no(spec(helix_angles_deg=[10, 12, 10]), "search.helix_angles_deg", "10 twice")
         self.no(spec(racks=["ISO53-A", "ISO53-C", "ISO53-A"]), "search.racks", "ISO53-A", "twice")

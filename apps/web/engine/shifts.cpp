@@ -28,7 +28,7 @@ Result<SearchProblem> problem_of(const SolvedJob& job, bool swapped) {
   const std::array<const Gear*, 2> g{&job.gears[swapped ? 1 : 0], &job.gears[swapped ? 0 : 1]};
   Json search = tree.contains("search") ? tree["search"] : Json::object();
   for (const char* key :
-       {"iso54_series", "helix_angles_deg", "helix_step_deg", "racks", "objective",
+       {"iso54_series", "helix_angles_deg", "helix_step_deg", "overlap_ratio", "racks", "objective",
         "center_distance_mm", "shift_step", "target_ratio", "coprime"})
     search.erase(key);
   const double ratio = static_cast<double>(g[1]->spec.teeth) / g[0]->spec.teeth;

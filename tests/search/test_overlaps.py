@@ -1,0 +1,79 @@
+"""Tests searches whose helix angles follow from a whole overlap ratio.
+
+    plain    the angles and the number of candidates are those of the list of all multiples of 0.01°
+    taken    --take writes the helix angle and the face width of the row
+    rated    every design has the required safeties and a green verdict at the width of its angle
+"""
+import math
+import unittest
+
+from searching import Run, folder, search, spec, taken
+
+KEYS = {"ratio": [1.9, 2.1], "center_distance_mm": [99, 101], "modules_mm": [2, 2.5], "pinion_teeth": [20, 34],
+        "helix_angle_deg": [8, 20], "face_width_mm": [20, 36], "face_width_step_mm": 2, "overlap_ratio": [1, 2]}
+NOMINAL = {"interference": "flag", "objective": "shift"}
+RATED = """[gear1.material]
+name = "18CrNiMo7-6"
+[rating]
+torque_Nm = 150
+speed_rpm = 1480
+quality = 6
+face_load_factor = 1.3
+"""
+
+
+def overlap(width, module, beta_deg):
+    return width * math.sin(math.radians(beta_deg)) / (math.pi * module)
+
+
+class WholeOverlaps(unittest.TestCase):
+    def check(self, row):
+        beta, number = row["helix_angle_deg"][0], round(row["overlap_ratio"])
+        self.assertIn(number, (1, 2))
+        self.assertTrue(8 <= beta <= 20)
+        self.assertAlmostEqual(100 * beta, round(100 * beta), delta=1e-9)
+        self.assertEqual(row["face_width_mm"] % 2, 0)
+        self.assertAlmostEqual(row["overlap_ratio"], overlap(row["face_width_mm"], row["module_mm"], beta), delta=1e-12)
+        self.assertLess(overlap(row["face_width_mm"], row["module_mm"], beta - 0.01), number)
+        self.assertGreaterEqual(row["overlap_ratio"], number * (1 - 1e-12))
+
+    def test_angles_and_candidates(self):
+        text = spec(KEYS | NOMINAL)
+        found = search(text, "--top", 1000)
+        for row in found["designs"]:
+            self.check(row)
+        self.assertGreater(len({(row["face_width_mm"], row["helix_angle_deg"][0]) for row in found["designs"]}), 10)
+        combinations = 0
+        for module in KEYS["modules_mm"]:
+            for width in range(20, 37, 2):
+                for number in (1, 2):
+                    first = next((k for k in range(1, 9000) if overlap(width, module, k / 100) >= number), 9000)
+                    combinations += 800 <= first <= 2000
+        one = search(spec(KEYS | NOMINAL, modules_mm=[2], helix_angle_deg=12, face_width_mm=20, overlap_ratio=None))["tested"]
+        self.assertEqual(found["tested"], combinations * one)
+        pair = taken(text, 1)
+        self.assertEqual(pair["gears"][0]["helix_angle_deg"], found["designs"][0]["helix_angle_deg"][0])
+        self.assertAlmostEqual(pair["pair"]["overlap_ratio"], found["designs"][0]["overlap_ratio"], delta=1e-12)
+
+    def test_rated_designs(self):
+        text = spec(KEYS | {"modules_mm": [2], "overlap_ratio": 1, "safety_flank_min": 2.7, "safety_root_min": 1.4,
+                            "objective": "noise"}, RATED)
+        found = search(text)
+        self.assertGreater(found["feasible_count"], 0)
+        self.assertGreater(found["rejected"]["safety_flank"], 0)
+        for row in found["designs"][:20]:
+            self.check(row)
+            self.assertGreaterEqual(min(row["S_H"]), 2.7)
+            # [T9.15]: for ε_β = 1 + δ, λ varies by at most δ, which is 0.00125 from 8° on; the teeth yield by less
+            # than 40 µm
+            self.assertLess(row["noise_um"], 0.05)
+        r = Run("search", text, "--take", 1, folder=folder())
+        rate = Run("rate", r.out, "--json", folder=r.folder, name="pair.toml")
+        self.assertEqual(rate.status, 0, rate.err)
+        self.assertEqual(rate.json["verdict"]["level"], "green")
+        for got, want in zip(found["designs"][0]["S_H"], rate.json["rating"]["S_H"]):
+            self.assertAlmostEqual(got, want, delta=1e-12 * want)
+
+
+if __name__ == "__main__":
+    unittest.main()
