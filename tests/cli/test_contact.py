@@ -1,6 +1,5 @@
 """Tests the verbs contact and compensate as a user calls them: keys, kinds of contact, errors, and laws
 of the results."""
-
 import json
 import math
 import tempfile

@@ -8,6 +8,7 @@ import unittest
 
 from cli import SOURCE, Run
 from test_drive import EXAMPLES, SET
+from test_drive_racks import LIFT
 
 
 class Meshes(unittest.TestCase):
@@ -116,105 +117,6 @@ torque_Nm = 5
         self.assertIn("driver = 2", Run("drive", back, "--take", "1").out)
         self.assertNotIn("driver", Run("drive", SET + "torque_Nm = 60\n", "--take", "1").out)
 
-    def test_a_rack_is_gear_2(self):
-        drive = """
-[drive]
-fixed = ["frame"]
-input = "pinion"
-output = "bar"
-body = [{ name = "frame" }, { name = "pinion" }, { name = "bar" }]
-gear = [{ name = "r", body = "bar", form = "rack", teeth = 20 }, { name = "p", body = "pinion", teeth = 17, normal_module_mm = 2 }]
-mesh = [{ gears = ["r", "p"] }]
-"""
-        spec = Run("drive", drive, "--take", "1")
-        self.assertEqual(spec.status, 0, spec.err)
-        pair = Run("pair", spec.out, "--json")
-        self.assertEqual(pair.status, 0, pair.err)
-        self.assertEqual(pair.json["pair"]["kind"], "rack_and_pinion")
-
-    LIFT = """
-[drive]
-input = "shaft"
-output = "bar"
-speed_rpm = 60
-torque_Nm = 10
-body = [{ name = "shaft" }, { name = "bar" }]
-gear = [{ name = "p", body = "shaft", teeth = 20, normal_module_mm = 2, helix_angle_deg = 10 },
-        { name = "r", body = "bar", form = "rack", teeth = 30, height_mm = 18 }]
-mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
-"""
-
-    def test_a_rack_moves(self):
-        """At one turn per second, the rack moves by the pitch circumference of its pinion every second.
-        Its force acts at the radius d/2."""
-        drive = Run("drive", self.LIFT, "--json").json
-        d = 20 * 2 / math.cos(math.radians(10))
-        bar = drive["drive"]["bodies"]["bar"]
-        self.assertAlmostEqual(bar["speed_m_per_s"], math.pi * d / 1000, 12)
-        self.assertAlmostEqual(abs(bar["force_N"]), 0.98 * 10 / (d / 2000), 9)
-        self.assertAlmostEqual(bar["power_kW"] * 1000, bar["force_N"] * bar["speed_m_per_s"], 9)
-        self.assertEqual([bar[key] for key in ("speed_rpm", "torque_Nm")], [None, None])
-        shaft = drive["drive"]["bodies"]["shaft"]
-        self.assertEqual([shaft[key] for key in ("speed_m_per_s", "force_N")], [None, None])
-        self.assertEqual(drive["verdict"]["level"], "green")
-        self.assertIn("no backlash between the rack and its pinion", drive["verdict"]["headline"])
-        self.assertAlmostEqual(bar["travel_per_input_turn_mm"], math.pi * d, 9)
-        self.assertIsNone(shaft["travel_per_input_turn_mm"])
-        self.assertIn(f"travel {math.pi * d:.4f} mm per turn of the input", drive["verdict"]["headline"])
-        text = Run("drive", self.LIFT).out
-        for words in (" 0.1276 ", " m/s ", f" {math.pi * d:.4f} ", " -482.6 ", "pitches per turn"):
-            self.assertIn(words, text)
-        page = (Run("run", self.LIFT, "--out", "o").folder / "o/report.html").read_text()
-        self.assertTrue("Speed of the rack" in page and ">0.1276<" in page)
-        ids = re.findall(r' id="([^"]*)"', page)
-        self.assertEqual(len(ids), len(set(ids)))
-        self.assertLessEqual({"scheme", "section-1", "gear2"}, set(ids))  # gear2 is the shape of the rack
-        self.assertIn("r 30, rack, 0.1276 m/s", page)
-        self.assertLessEqual(set(re.findall(r'href="#([^"]*)"', page)), set(ids))
-
-    def test_a_rack_is_not_rated(self):
-        """ISO 6336 does not cover a rack. The verdict names its mesh, and the listing has no empty row."""
-        rating = '[rating]\nlife_h = 10000\nquality = 6\nface_load_factor = 1.2\nmaterial = "16MnCr5"\n'
-        rated = Run("rate", self.LIFT + rating, "--json")
-        self.assertEqual(rated.status, 0, rated.err)
-        (name,) = rated.json["drive"]["meshes"]
-        self.assertEqual(rated.json["verdict"]["not_judged"], [f"rating of the mesh {name}"])
-        text = Run("rate", self.LIFT + rating).out
-        self.assertNotIn("Strength", text)
-        self.assertIn(f"not judged: rating of the mesh {name}.", " ".join(text.split()))
-
-    def test_a_rack_has_contact_and_a_verdict(self):
-        """Under errors, the travel of the rack deviates by as much as `contact` gives for the pinion and its rack."""
-        askew = self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.4, efficiency')
-        askew += "[errors]\ncrossing_deg = 0.1\n[contact]\npositions = 256\n"
-        drive = Run("drive", askew, "--json").json
-        contact = Run("contact", Run("drive", askew, "--take", "1").out, "--json").json
-        error = drive["drive"]["transmission_error"]
-        self.assertIsNone(error["output_arcsec_peak_to_peak"])
-        self.assertGreater(error["output_peak_to_peak_um"], 1)
-        self.assertAlmostEqual(error["output_peak_to_peak_um"], contact["contact"]["peak_to_peak_um"], 9)
-        self.assertGreater(error["lines"][0]["amplitude_um"], 0)
-        # Edges in contact are findings of the drive as of the pair.
-        codes = [[f["code"] for f in answer["verdict"]["findings"] if f["level"] != "green"] for answer in (drive, contact)]
-        self.assertEqual(codes[0], codes[1])
-        self.assertIn("edge_contact", codes[0])
-        mesh = drive["drive"]["meshes"]["p_r"]
-        self.assertEqual(mesh["rack_pair"]["kind"], "rack_and_pinion")
-        self.assertIn("The least backlash is", drive["verdict"]["headline"])
-        page = (Run("run", askew, "--out", "o").folder / "o/report.html").read_text()
-        self.assertIn(">Mesh p_r</h2>", page)
-        self.assertIn("transmission error of the rack", page.lower())
-        pair = Run("pair", Run("drive", askew, "--take", "1").out, "--json").json["pair"]["backlash"]
-        play = drive["drive"]["backlash"]
-        self.assertAlmostEqual(play["output_mm"], 2 * (20.4 - 20 / math.cos(math.radians(10))) * math.tan(math.radians(20))
-                               / math.cos(math.radians(10)), 12)
-        self.assertAlmostEqual(play["output_mm"], pair["circumferential_mm"][1], 12)
-        self.assertAlmostEqual(play["input_deg"], pair["rotation_deg"], 12)
-        self.assertEqual([play["output_deg"], play["input_mm"]], [None, None])
-        tight = Run("drive", self.LIFT.replace('r"], efficiency', 'r"], center_distance_mm = 20.2, efficiency'), "--json")
-        self.assertEqual(tight.json["verdict"]["level"], "red")
-        self.assertEqual(tight.json["verdict"]["findings"][0]["code"], "negative_backlash")
-
     def test_a_backlash_thins_the_teeth(self):
         """Every mesh has the given backlash, and the printed specs of its meshes have it, too."""
         for text, wanted in ((SET + "backlash_mm = 0.1\n", {"sun_planet": 0.1, "planet_ring": 0.1}),
@@ -245,7 +147,7 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
 
     def test_a_backlash_that_no_teeth_can_have_names_its_mesh(self):
         """The finding has the value of `backlash_mm`, the allowances that it requires, and the greatest possible backlash."""
-        lift = self.LIFT.replace('r"], efficiency', 'r"], backlash_mm = 4, efficiency')
+        lift = LIFT.replace('r"], efficiency', 'r"], backlash_mm = 4, efficiency')
         for text, names, requires in ((lift, ["p_r"], "thickness allowances of -2 mm for p and -2 mm for r"),
                                       (SET + "backlash_mm = 9\n", ["sun_planet", "planet_ring"], "thickness allowances of -4.5 mm for")):
             findings = Run("drive", text, "--json").json["verdict"]["findings"]
@@ -255,7 +157,7 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             limit = re.search(r"At most (\S+) mm is possible", findings[0]["message"]).group(1)
             most = Run("drive", re.sub(r"backlash_mm = \d", f"backlash_mm = {limit}", text), "--json").json
             self.assertNotIn("cannot", most["verdict"]["headline"])
-        headline = Run("drive", self.LIFT.replace("= 18", "= 18, thickness_allowance_mm = -2"), "--json").json["verdict"]["headline"]
+        headline = Run("drive", LIFT.replace("= 18", "= 18, thickness_allowance_mm = -2"), "--json").json["verdict"]["headline"]
         self.assertIn("The mesh p_r cannot be mounted: r: thickness_allowance_mm = -2: must lie between -1.6857", headline)
 
     def test_a_series_gives_the_means_of_its_allowances(self):
@@ -308,67 +210,6 @@ mesh = [{ gears = ["p", "r"], efficiency = 0.98 }]
             normal = pair["backlash"]["normal_mm"]
             said = f"The least backlash is {normal:.4f} mm." if normal >= 5e-5 else "There is no backlash in the mesh m."
             self.assertIn(said, answer["verdict"]["headline"])
-
-    def test_a_rack_drives(self):
-        """If a rack drives, its speed is the pitch line velocity of the pinion. Its force has the lever arm
-        d/2."""
-        back = self.LIFT.replace('input = "shaft"\noutput = "bar"', 'input = "bar"\noutput = "shaft"')
-        drive = Run("drive", back.replace("speed_rpm = 60", "speed_m_per_s = 0.5").replace("torque_Nm = 10", "force_N = 800"), "--json")
-        self.assertEqual(drive.status, 0, drive.err)
-        bodies = drive.json["drive"]["bodies"]
-        d = 20 * 2 / math.cos(math.radians(10))
-        self.assertAlmostEqual(bodies["bar"]["speed_m_per_s"], 0.5, 14)
-        self.assertAlmostEqual(bodies["bar"]["force_N"], 800, 10)
-        self.assertAlmostEqual(bodies["shaft"]["speed_rpm"], 60 * 0.5 / (math.pi * d / 1000), 9)
-        self.assertAlmostEqual(abs(bodies["shaft"]["torque_Nm"]), 0.98 * 800 * d / 2000, 9)
-        self.assertAlmostEqual(bodies["bar"]["power_kW"], 0.4, 12)
-        for spec, words in ((back, ("drive.speed_rpm", "speed_m_per_s")),
-                            (back.replace("speed_rpm = 60\n", ""), ("drive.torque_Nm", "force_N")),
-                            (self.LIFT.replace("speed_rpm = 60", "speed_m_per_s = 0.5"), ("drive.speed_m_per_s", "input is a rack"))):
-            run = Run("drive", spec)
-            self.assertEqual(run.status, 1)
-            for word in words:
-                self.assertIn(word, run.err)
-
-    def test_the_height_of_a_rack_reaches_its_pair(self):
-        pair = Run("pair", Run("drive", self.LIFT, "--take", "1").out, "--json")
-        self.assertEqual(pair.status, 0, pair.err)
-        self.assertAlmostEqual(pair.json["pair"]["mounting_distance_mm"], pair.json["pair"]["center_distance_mm"] + 18, 9)
-        for height, word in (("height_mm = -1", "greater than 0"), ("form = \"gear\", teeth = 30, height_mm = 18", "form")):
-            run = Run("drive", self.LIFT.replace('form = "rack", teeth = 30, height_mm = 18',
-                                                 height if "form" in height else 'form = "rack", ' + height + ", teeth = 30"))
-            self.assertEqual(run.status, 1)
-            for words in ("drive.gear[2].height_mm", word):
-                self.assertIn(words, run.err)
-
-    def test_a_rack_has_a_length_or_a_number_of_teeth(self):
-        """Regression: the number of teeth that was used until the length is known counted as given."""
-        bar = 'form = "rack", teeth = 30'
-        pitch = 2 * math.pi / math.cos(math.radians(10))
-        spec = self.LIFT.replace(bar, 'form = "rack", length_mm = 200')
-        taken = Run("drive", spec, "--take", "1")
-        self.assertEqual(taken.status, 0, taken.err)
-        pair = Run("pair", taken.out, "--json")
-        self.assertEqual(pair.status, 0, pair.err)
-        self.assertEqual(pair.json["gears"][1]["teeth"], int(200 / pitch))
-        both = Run("drive", self.LIFT.replace(bar, bar + ", length_mm = 200"))
-        self.assertEqual(both.status, 1)
-        for words in ("drive.gear[2].length_mm = 200", "only one of the keys"):
-            self.assertIn(words, both.err)
-
-    def test_a_rack_in_a_drive_has_the_limits_of_a_rack(self):
-        for given, words in (("height_mm = 1", "r: height_mm = 1: must be at least 2.501 mm"),
-                             ("height_mm = 18, face_width_mm = 1e-9", "r: face_width_mm = 1e-09: must lie between 0.002 mm")):
-            drive = Run("drive", self.LIFT.replace("height_mm = 18", given), "--json").json
-            self.assertEqual(drive["verdict"]["level"], "red")
-            self.assertIn(words, drive["verdict"]["headline"])
-
-    def test_a_rack_with_too_many_teeth_is_not_a_gear_with_few(self):
-        """Regression: the teeth of the rack were examined as those of a gear, whose root "lies beyond the axis"."""
-        run = Run("run", self.LIFT.replace("teeth = 30", "teeth = 100000"), "--out", "o")
-        self.assertEqual(run.status, 1)
-        self.assertIn("fewer teeth", run.err)
-        self.assertNotIn("axis", run.err)
 
     def test_verbs_for_pairs_name_the_way_to_a_mesh(self):
         run = Run("contact", SET)
@@ -452,7 +293,7 @@ class DoubleHelical(unittest.TestCase):
         self.assertEqual(again, Run("drive", self.stage(), "--json").json["drive"]["meshes"])
 
     def test_halves_that_do_not_mesh_are_errors(self):
-        lift = Meshes.LIFT.replace("helix_angle_deg = 10", "helix_angle_deg = 10, face_width_mm = 50" + HALVES)
+        lift = LIFT.replace("helix_angle_deg = 10", "helix_angle_deg = 10, face_width_mm = 50" + HALVES)
         for spec, *words in (
                 (SET + "double_helical = { gap_mm = 5 }\n", "planetary.double_helical", "--expand"),
                 ("[[stage]]\nteeth = [19, 58]\nnormal_module_mm = 2\ndouble_helical = { gap_mm = 5 }\n",
