@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include <vector>
@@ -50,18 +49,14 @@ std::string bash(const CLI::App& app) {
     verbs.push_back(verb->get_name());
     std::vector<std::string> options;
     for (const CLI::Option* o : options_of(*verb)) {
+      const auto words = words_of(*o);
       for (const std::string& name : names_of(*o)) {
         options.push_back(name);
-        const auto words = words_of(*o);
-        if (takes_value(*o) && !words.empty())
-          values +=
-              fmt::format("    {}:{}) words='{}' ;;\n", verb->get_name(), name, joined(words));
-        else if (name == "--out")
-          values +=
-              fmt::format("    {}:{}) compopt -o dirnames; return ;;\n", verb->get_name(), name);
-        else if (takes_value(*o))
-          values +=
-              fmt::format("    {}:{}) compopt -o default; return ;;\n", verb->get_name(), name);
+        if (!takes_value(*o)) continue;
+        const std::string offer = !words.empty()    ? fmt::format("words='{}'", joined(words))
+                                  : name == "--out" ? "compopt -o dirnames; return"
+                                                    : "compopt -o default; return";
+        values += fmt::format("    {}:{}) {} ;;\n", verb->get_name(), name, offer);
       }
     }
     cases += fmt::format("    {}) options='{}'; first='{}' ;;\n", verb->get_name(), joined(options),

@@ -32,9 +32,8 @@ namespace {
 class SlowProgress {
  public:
   void operator()(std::string_view what) {
-    if (std::chrono::steady_clock::now() - start_ > std::chrono::seconds(1)) {
+    if (std::chrono::steady_clock::now() - start_ > std::chrono::seconds(1))
       std::fprintf(stderr, "gearwright: making %.*s\n", static_cast<int>(what.size()), what.data());
-    }
   }
 
  private:
@@ -191,9 +190,8 @@ int export_verb(const Options& o) {
   const auto format = sheet_format(o.drawing);
   if (!o.drawing.empty() && !format)
     return usage("--drawing needs a file name that ends in .pdf, .svg or .dxf, not " + o.drawing);
-  if (const std::string name = collision(o); !name.empty()) {
+  if (const std::string name = collision(o); !name.empty())
     return usage(name + " is the name of two output files or of the spec");
-  }
   Door door(o);
   const auto spec = door.read();
   if (!spec) return door.fail(spec.error());
@@ -205,9 +203,8 @@ int export_verb(const Options& o) {
   const auto job = solve_any(*spec, alone ? Scope::gears : Scope::everything);
   if (!job) return door.fail(job.error());
   const int count = job->parts();
-  if (gear && *gear > count) {
+  if (gear && *gear > count)
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
-  }
   std::vector<ToothedBody> bodies;
   std::vector<int> drawn;
   for (int which = 1; which <= count; ++which) {

@@ -13,14 +13,11 @@
 #include <new>
 
 #include "apps/cli/command_line.hpp"
-#include "gearwright/base/output_file.hpp"
 #include "gearwright/base/system.hpp"
 
 int main(int argc, char** argv) {
   try {
     return gearwright::apps::CommandLine().run(gearwright::start_program(argc, argv));
-  } catch (const gearwright::IoError& e) {
-    std::fprintf(stderr, "gearwright: %s\n", e.what());
   } catch (const std::bad_alloc&) {
     std::fputs(
         "gearwright: out of memory; a narrower face, fewer teeth or a coarser tolerance would "

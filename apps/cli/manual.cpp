@@ -1,4 +1,3 @@
-
 #include <fmt/format.h>
 
 #include "apps/cli/command_line.hpp"

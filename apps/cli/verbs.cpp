@@ -130,9 +130,8 @@ int outline_verb(const Options& o) {
   const auto job = solve_any(*spec, Scope::gears);
   if (!job) return door.fail(job.error());
   const int which = o.gear.value_or(1);
-  if (which > job->parts()) {
+  if (which > job->parts())
     return door.fail(absent_input("gear2", " from the spec; --gear 2 needs a second gear"));
-  }
   const auto body = make_body(*job, which);
   if (!body) return door.fail(body.error());
   if (o.csv) {

@@ -8,7 +8,6 @@
 
 #include "gearwright/job/files.hpp"
 #include "gearwright/job/verbs.hpp"
-#include "gearwright/spec/json.hpp"
 #include "gearwright/spec/spec_text.hpp"
 #include "gearwright/verdict/verdict.hpp"
 

@@ -13,9 +13,8 @@
 namespace gearwright::apps {
 
 void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw IoError(std::string("cannot write to standard output: ") + std::strerror(errno));
-  }
 }
 
 void print_json(const Json& j) { print(json_text(j, 2) + "\n"); }
@@ -51,16 +50,11 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
   return std::nullopt;
 }
 
-std::optional<TextPlace> place_of(const Error& error, const SpecText& text) {
-  if (error.kind == FailureKind::option) return std::nullopt;
-  return place_of_key(text, error.field);
-}
-
 Json refusal_json(const Error& error, const SpecText* text) {
   Json json = error_json(error);
   if (!text || error.kind == FailureKind::option) return json;
   if (!text->name.empty()) json["error"]["file"] = text->name;
-  if (const auto place = place_of(error, *text)) {
+  if (const auto place = place_of_key(*text, error.field)) {
     json["error"]["line"] = place->line;
     json["error"]["column"] = place->column;
   }
@@ -72,7 +66,7 @@ int fail(const Error& error, bool json, const SpecText* text) {
   // An error that refers to an option has no line in the file.
   if (text && error.kind != FailureKind::option) {
     where = printable(text->name) + ":";
-    const auto place = error.field.empty() ? std::nullopt : place_of(error, *text);
+    const auto place = error.field.empty() ? std::nullopt : place_of_key(*text, error.field);
     if (place) where += fmt::format("{}:{}:", place->line, place->column);
     where += " ";
   }

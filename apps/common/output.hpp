@@ -32,9 +32,6 @@ std::optional<Error> print_answer(const Answer& answer, bool json, bool csv,
 /// The error for a number after `--take` that exceeds the number of specs. If there are no
 /// specs, `why_none` is the reason.
 Error no_such_spec(int take, std::size_t specs, const std::string& why_none);
-/// Returns the position in the spec to which the error refers. The position is absent if the error
-/// refers to an option, or if the table of the key is not in the text.
-std::optional<TextPlace> place_of(const Error& error, const SpecText& text);
 /// Returns {"error": …} with the line, the column and the name of the spec, if they are known.
 /// The keys in the error must already be keys of the spec.
 Json refusal_json(const Error& error, const SpecText* text = nullptr);
