@@ -163,9 +163,8 @@ ContactResult analyse_contact(const ContactPair& pair, const ContactRequest& req
 std::vector<double> transmission_error(const ContactPair& pair, int positions) {
   Transmission transmission(pair);
   std::vector<double> te;
-  for (const PairTouch& t : one_pitch(transmission, -0.5 * pair.pitch(), positions)) {
+  for (const PairTouch& t : one_pitch(transmission, -0.5 * pair.pitch(), positions))
     te.push_back(t.found() ? pair.turned() * t.te() : kNoNumber);
-  }
   return te;
 }
 

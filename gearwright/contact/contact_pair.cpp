@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "gearwright/contact/error_turns.hpp"
 #include "gearwright/contact/recut.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/base/numbers.hpp"
@@ -273,12 +272,10 @@ CurveExtremes continuous_extremes(Transmission& transmission,
     // A branch never exceeds TE, so the maximum of a branch is never too great. Beyond a handover,
     // a branch lies below TE, so its minimum may be too small. The minimum is used only if the same
     // branch leads here and at both neighbours.
-    if (here.te() + reach > e.greatest) {
+    if (here.te() + reach > e.greatest)
       if (const auto turn = curve.turning_point(i, true)) take_top(*turn);
-    }
-    if (!transmission.wavy() && here.te() - reach < e.least && curve.same(i - 1) && curve.same(i)) {
+    if (!transmission.wavy() && here.te() - reach < e.least && curve.same(i - 1) && curve.same(i))
       if (const auto turn = curve.turning_point(i, false)) take_bottom(*turn, {});
-    }
   }
   return e;
 }

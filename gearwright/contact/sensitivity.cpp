@@ -148,10 +148,6 @@ ActiveBound active_bound(int j, const GapJet& at, const Change& c) {
   return b;
 }
 
-}  // namespace
-
-namespace {
-
 // The active bounds of a touch with their unscaled multipliers: ∇T + Σ μ_j a_j = 0.
 struct Holding {
   int count = 0;

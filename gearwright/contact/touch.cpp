@@ -52,9 +52,7 @@ bool make_concave(detail::StepProblem& p) {
   const bool flat = std::abs(small) < kFlatTouch && std::abs(g_small) < kFlatTouch;
   if (flat) g_small = 0.0;
   if (!flat && big < 0.0 && small < 0.0) return false;
-  const auto bend = [](double h) {
-    return h < 0.0 ? std::min(h, kTinyBend) : std::min(-h, kTinyBend);
-  };
+  const auto bend = [](double h) { return std::min(-std::abs(h), kTinyBend); };
   const double h_big = bend(big);
   const double h_small = flat ? kTinyBend : bend(small);
   p.g_s = e_s * g_big - e_z * g_small;
@@ -63,6 +61,13 @@ bool make_concave(detail::StepProblem& p) {
   p.h_zz = e_z * e_z * h_big + e_s * e_s * h_small;
   p.h_sz = e_s * e_z * (h_big - h_small);
   return flat;
+}
+
+// The azimuth of flank 1 at s in the section z = 0, in the housing.
+double azimuth_of(const GapField& field, double s) {
+  const FlankPatch& a = field.one();
+  const PolarJet p = a.profile.at(s);
+  return std::arg(p.factor) + p.phase + a.center + field.rotation_sign() * field.rotation();
 }
 
 }  // namespace
@@ -174,11 +179,7 @@ Touch TouchSearch::from(double s, double z, double s2, const detail::ActiveSet& 
                     at.t.zz * d_z * d_z * kz * kz);
       t.s += d_s * ks;
       t.z += d_z * kz;
-      if (!step.feasible) {
-        t.stop = Touch::Stop::no_room;
-        return t;
-      }
-      t.stop = Touch::Stop::converged;
+      t.stop = step.feasible ? Touch::Stop::converged : Touch::Stop::no_room;
       return t;
     }
     price = std::max(price, 10.0 * std::max(step.multiplier[0], step.multiplier[1]) + kMinPrice);
@@ -202,12 +203,8 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
   const FlankPatch& a = field_.one();
   z_lo = a.z_lo;
   z_hi = a.z_hi;
-  const auto azimuth = [&](double s) {
-    const PolarJet p = a.profile.at(s);
-    return std::arg(p.factor) + p.phase + a.center + field_.rotation_sign() * field_.rotation();
-  };
-  const double at_lo = azimuth(a.s_lo);
-  const double at_hi = azimuth(a.s_hi);
+  const double at_lo = azimuth_of(field_, a.s_lo);
+  const double at_hi = azimuth_of(field_, a.s_hi);
   constexpr double kSlack = 0.05;  // rad: margin for errors of mounting and bulging profiles
   const double lo = mesh_azimuth_ - reach_ - kSlack - std::max(at_lo, at_hi);
   const double hi = mesh_azimuth_ + reach_ + kSlack - std::min(at_lo, at_hi);
@@ -218,10 +215,7 @@ bool TouchSearch::window(double& z_lo, double& z_hi) const {
 }
 
 bool TouchSearch::within_a_turn(const Touch& t) const {
-  const FlankPatch& a = field_.one();
-  const PolarJet p = a.profile.at(t.s);
-  const double azimuth = std::arg(p.factor) + p.phase + a.center +
-                         field_.rotation_sign() * field_.rotation() + t.z * a.twist;
+  const double azimuth = azimuth_of(field_, t.s) + t.z * field_.one().twist;
   return std::abs(azimuth - mesh_azimuth_) < std::numbers::pi;
 }
 
@@ -241,9 +235,8 @@ using Grid = std::array<std::array<GridNode, kRows>, kSections>;
 bool is_peak(const Grid& grid, int i, int k) {
   if (grid[i][k].broken > 0.0) return false;
   for (int p = std::max(0, i - 1); p <= std::min(kSections - 1, i + 1); ++p) {
-    for (int q = std::max(0, k - 1); q <= std::min(kRows - 1, k + 1); ++q) {
+    for (int q = std::max(0, k - 1); q <= std::min(kRows - 1, k + 1); ++q)
       if (grid[p][q].broken == 0.0 && grid[p][q].value > grid[i][k].value) return false;
-    }
   }
   return true;
 }

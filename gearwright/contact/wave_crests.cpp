@@ -55,6 +55,11 @@ bool suits(const FlankPatch& f) {
   return f.profile.involute() && !(f.removal && f.removal->has_topography());
 }
 
+// The coefficients of the parabola through the values at −1, 0 and 1.
+std::array<double, 3> parabola(double below, double here, double above) {
+  return {here, 0.5 * (above - below), 0.5 * (above + below) - here};
+}
+
 }  // namespace
 
 WaveCrests::Quadratic WaveCrests::Biquadratic::along_x(double y) const {
@@ -62,15 +67,6 @@ WaveCrests::Quadratic WaveCrests::Biquadratic::along_x(double y) const {
   for (std::size_t i = 0; i < 3; ++i) f.c[i] = c[0][i] + y * (c[1][i] + y * c[2][i]);
   return f;
 }
-
-namespace {
-
-// The coefficients of the parabola through the values at −1, 0 and 1.
-std::array<double, 3> parabola(double below, double here, double above) {
-  return {here, 0.5 * (above - below), 0.5 * (above + below) - here};
-}
-
-}  // namespace
 
 std::optional<WaveCrests> WaveCrests::of(const ContactPair& pair, const FlankPatch& one,
                                          const FlankPatch& two) {
