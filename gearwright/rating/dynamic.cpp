@@ -56,8 +56,6 @@ struct Constants {
 
 Constants constants(double e) {
   Constants c{};
-  c.v1 = 0.32;
-  c.v5 = 0.47;
   if (e <= 2.0) {
     c.v2 = 0.34;
     c.v3 = 0.23;

@@ -176,7 +176,6 @@ constexpr std::array kNitrocarburizedRoot{Knot{1e3, 1.1}, Knot{3e6, 1.0}};
 }  // namespace
 
 Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice) {
-  using K = MaterialKind;
   constexpr const char* formula = "ISO 6336-2, clause 10";
   const auto life = [&](std::span<const Knot> knots) {
     return on_lines(knots, cycles, choice.at_10_10, formula);
@@ -191,7 +190,6 @@ Life flank_life(MaterialKind kind, std::optional<double> cycles, const LifeChoic
 }
 
 Life root_life(MaterialKind kind, std::optional<double> cycles, const LifeChoice& choice) {
-  using K = MaterialKind;
   constexpr const char* formula = "ISO 6336-3, clause 12";
   const auto life = [&](std::span<const Knot> knots) {
     return on_lines(knots, cycles, choice.at_10_10, formula);

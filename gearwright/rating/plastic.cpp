@@ -1,7 +1,5 @@
 #include "gearwright/rating/plastic.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gearwright/base/contract.hpp"
 #include "gearwright/base/units.hpp"
 #include "gearwright/gear/gear.hpp"
 
@@ -275,10 +274,6 @@ void Rater::check_limits() {
   }
 }
 
-}  // namespace
-
-namespace {
-
 Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {
   Rater rater(pair, input);
   rater.load();
@@ -297,10 +292,6 @@ Result<Rating> rate_by_iso(const RatedPair& pair, const RatingInput& input) {
   rater.check_limits();
   return std::move(rater.r);
 }
-
-}  // namespace
-
-namespace {
 
 std::optional<Error> two_halves_error(const RatedPair& pair, const RatingInput& in) {
   if (pair.halves == 1 || in.face_load_factor || !(in.mounting || in.shafts)) return std::nullopt;

@@ -3,8 +3,6 @@
 // Internal to verdict/.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 

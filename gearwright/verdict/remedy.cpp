@@ -1,7 +1,5 @@
 #include "gearwright/verdict/remedy.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -31,9 +29,8 @@ Score score_of(const std::vector<Finding>& findings) {
 
 Level level_in(const std::vector<Finding>& findings, const Finding& like) {
   Level level = Level::green;
-  for (const Finding& f : findings) {
+  for (const Finding& f : findings)
     if (f.code == like.code && f.gear == like.gear) level = std::max(level, f.level);
-  }
   return level;
 }
 
@@ -59,9 +56,8 @@ class Trials {
       return std::nullopt;
     const std::optional<ChangedState>& state = of(change, depth);
     if (!state || level_in(state->findings, finding) > Level::green) return std::nullopt;
-    for (const Finding& f : state->findings) {
+    for (const Finding& f : state->findings)
       if (f.level > level_in(before_, f)) return std::nullopt;
-    }
     return score_of(state->findings);
   }
 

@@ -250,17 +250,15 @@ double Lever::in_steps(double steps) const {
 }
 
 const Cure* cure_of(const Finding& finding) {
-  for (const Cure& cure : cures()) {
+  for (const Cure& cure : cures())
     if (finding.code == cure.code) return &cure;
-  }
   return nullptr;
 }
 
 std::vector<Lever> levers(const Cure& cure, const Finding& finding, const Judged& judged) {
   std::vector<Lever> list;
-  for (const Means& means : cure.means) {
+  for (const Means& means : cure.means)
     if (auto lever = lever_of(means, finding, judged)) list.push_back(*lever);
-  }
   return list;
 }
 
