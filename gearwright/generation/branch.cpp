@@ -1,7 +1,5 @@
 #include "gearwright/generation/branch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -53,9 +51,8 @@ void find_neck(const std::vector<Branch>& chain, double tip_height, GeneratedToo
     const double t_end = branch.t_at(tip_height);
     std::vector<double> candidates{branch.t_lo, t_end};
     const auto [lo, hi] = std::minmax(branch.t_lo, t_end);
-    for (double t : branch.turns) {
+    for (double t : branch.turns)
       if (t > lo && t < hi) candidates.push_back(t);
-    }
     for (double t : candidates) {
       const double theta = branch.curve->polar_angle(t);
       if (!tooth.neck_half_angle || theta < tooth.neck_half_angle->rad()) {

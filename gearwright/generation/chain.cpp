@@ -73,6 +73,13 @@ Joint joint(const Branch& last, const Branch& next) {
 // that is tangent to a circle about the axis (τ = π/2).
 constexpr double kSamePoint = 1.5e-8;
 
+// True if `next` begins at the end of `last`.
+bool adjoin(const Branch& last, const Branch& next) {
+  const Vec2 a = last.curve->point(last.t_hi);
+  const Vec2 b = next.curve->point(next.t_lo);
+  return (a - b).norm() <= kSamePoint * a.norm();
+}
+
 // Returns the branch of a chain at the height h. If two branches meet at h, the function returns
 // the upper branch. If h is outside the chain, it returns null.
 const Branch* at_height(const std::vector<Branch>& chain, double h) {
@@ -116,9 +123,7 @@ std::vector<Branch> assemble(const std::vector<Branch>& branches, double tip_hei
       chain.resize(kept);
       chain.back().end_at(j.height);
       next.start_at(j.height);
-      const Vec2 a = chain.back().curve->point(chain.back().t_hi);
-      const Vec2 b = next.curve->point(next.t_lo);
-      if (!((a - b).norm() <= kSamePoint * a.norm())) return {};
+      if (!adjoin(chain.back(), next)) return {};
     }
     chain.push_back(next);
     before = &branch;
@@ -238,11 +243,8 @@ std::vector<Branch> lower_envelope(const std::vector<Branch>& branches, double t
 }
 
 bool is_continuous(const std::vector<Branch>& chain) {
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const Vec2 a = chain[i].curve->point(chain[i].t_hi);
-    const Vec2 b = chain[i + 1].curve->point(chain[i + 1].t_lo);
-    if (!((a - b).norm() <= kSamePoint * a.norm())) return false;
-  }
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+    if (!adjoin(chain[i], chain[i + 1])) return false;
   return true;
 }
 

@@ -1,7 +1,5 @@
 #include "gearwright/generation/circular_fillets.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -154,18 +152,16 @@ Result<double> tip_roll(const FlankRuler& ruler, const TipFilletSpec& tip, doubl
   const double most = std::min(roll_of_point(flank), ruler.roll(ruler.end));
   // For smaller ξ, the normal of the flank points away from the centre line of the tooth.
   least = std::max(least, flank.base_half_angle() - kHalfPi);
-  if (!(least < most)) {
+  if (!(least < most))
     return Error{"tip_fillet", "", "no flank is left between the root and the point of the tooth"};
-  }
   const auto widest = tip_fillet_at(flank, least);
   const auto narrowest = most < roll_of_point(flank) ? tip_fillet_at(flank, most) : std::nullopt;
   const double r_max = widest ? widest->radius : kInfinity;
   const double r_min = narrowest ? narrowest->radius : 0.0;
   switch (tip.by) {
     case TipFilletSpec::By::radius: {
-      if (tip.value <= r_max && tip.value > r_min) {
+      if (tip.value <= r_max && tip.value > r_min)
         if (const auto xi = roll_of_tip_fillet(flank, tip.value)) return *xi;
-      }
       const char* const field = "tip_fillet.radius";
       if (std::isinf(r_max)) {
         return refused(field, tip.value, {r_min},

@@ -1,7 +1,5 @@
 #include "gearwright/generation/cut_by_pinion.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -86,9 +84,8 @@ class Cutting {
     for (std::size_t i = arcs.size(); i-- > 0;) {
       const Arc& arc = arcs[i];
       const double nu_tip_side = normal_angle(arc, 1.0);
-      if (nu_tip_side > nu + kEqualAngles) {
+      if (nu_tip_side > nu + kEqualAngles)
         pieces(all, std::make_shared<CornerFan>(arc.end_point), Walk::forward, nu_tip_side, nu);
-      }
       nu = normal_angle(arc, 0.0);
       visit_curve<AxisCircle, Involute>(
           *arc.curve,

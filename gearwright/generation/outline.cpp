@@ -22,9 +22,8 @@ CurvePoint Arc::at(double u) const {
 }
 
 const Arc* Outline::find(ArcName name) const {
-  for (const Arc& arc : arcs) {
+  for (const Arc& arc : arcs)
     if (arc.name == name) return &arc;
-  }
   return nullptr;
 }
 
