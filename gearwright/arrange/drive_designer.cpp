@@ -117,7 +117,7 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
 }
 
 std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
-  candidate = widest(problem_, std::move(candidate));
+  if (candidate.face_widths.empty()) candidate = widest(problem_, std::move(candidate));
   RatedTrain best{candidate, std::vector<Safeties>(candidate.stages.size(), {0.0, 0.0})};
   bool any = false;
   for (GearShifts& shifts : trials(candidate)) {

@@ -29,8 +29,9 @@ void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidat
                     int threads);
 
 /// The mass of a candidate for gears without profile shift, kg. Absent if the mass is not requested
-/// or if the problem has no modules. If the search sizes the faces, their greatest width is used.
-/// The estimate is used for ranking until the teeth are computed.
+/// or if the problem has no modules. If the search sizes the faces, the widths of the candidate are
+/// used or, if it has none, the greatest widths. The estimate is used for ranking until the teeth
+/// are computed.
 std::optional<double> estimated_mass(const DriveSearchProblem& problem,
                                      const DriveCandidate& candidate);
 

@@ -228,8 +228,12 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())
     problem.sliding = kDrawnSliding;
+  // Trains with one module are also treated in this way if their order by mass requires an estimate
+  // of their face widths.
   problem.module_per_stage =
-      problem.kind == DriveKind::train && problem.modules.size() > 1 && rated;
+      problem.kind == DriveKind::train && rated &&
+      (problem.modules.size() > 1 ||
+       (problem.face_width && problem.objectives.front() == DriveObjective::mass));
   auto result = search_drives(problem, threads);
   if (!result) return of_drive_table(result.error(), spec.tree->tables);
   if (!result->is_complete)
