@@ -117,7 +117,7 @@ DriveOutcome DriveDesigner::operator()(DriveCandidate candidate) const {
 }
 
 std::optional<RatedTrain> DriveDesigner::rated(DriveCandidate candidate) const {
-  candidate = widest(problem_, std::move(candidate));
+  if (candidate.face_widths.empty()) candidate = widest(problem_, std::move(candidate));
   RatedTrain best{candidate, std::vector<Safeties>(candidate.stages.size(), {0.0, 0.0})};
   bool any = false;
   for (GearShifts& shifts : trials(candidate)) {
@@ -155,7 +155,7 @@ std::vector<GearShifts> DriveDesigner::trials(DriveCandidate candidate) const {
   candidate.shifts.clear();
   const auto own = drive_of(problem_, widest(problem_, std::move(candidate)));
   if (!own) return {};
-  std::vector<GearShifts> all = shift_trials(own->graph);
+  std::vector<GearShifts> all = shift_trials(own->graph, problem_.center_distance);
   if (!coaxial) return all;
   // Every stage gets the centre distance of the first stage. The profile shift of the wheel of the
   // stage is computed from this distance.

@@ -90,8 +90,8 @@ class DriveDesigner {
   /// If the search gives no profile shifts, several are tried, and the best design by the
   /// objectives is returned.
   DriveOutcome operator()(DriveCandidate candidate) const;
-  /// A train with its greatest face width and, for each stage, the greatest safeties over all
-  /// trials of profile shifts. None if the train cannot be rated.
+  /// A train with its face widths, by default the greatest ones, and, for each stage, the greatest
+  /// safeties over all trials of profile shifts. None if the train cannot be rated.
   std::optional<RatedTrain> rated(DriveCandidate candidate) const;
   /// The least specific sliding of a train over all trials of profile shifts. It is 0 if the
   /// teeth cannot be made, because the train is then left out for another reason.

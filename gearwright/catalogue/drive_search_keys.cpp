@@ -47,7 +47,8 @@ Key normal_modules() {
                       "no geometry is computed, and sizes are in modules",
                       "normal module of all meshes. If several modules are given, every set is "
                       "tried with each module. In a rated search for trains, each stage gets the "
-                      "least of the modules with which it has the required safeties")
+                      "least of the modules with which it has the required safeties. With "
+                      "`center_distance_mm`, all choices of the modules of the stages are tried")
               .with_list(
                   {.most = 100, .single = true, .order = {.strict = true}, .series = module_series})
               .with_form(
@@ -156,8 +157,16 @@ const KeyTable& drive_search_keys() {
        Key::positive("size_max_mm", "", &Problem::size_max, "no limit",
                      "greatest permitted diameter of a set, measured over the planets and over the "
                      "root circles of the rings, without the rims; for a train, greatest permitted "
-                     "sum of the centre distances. Both are computed without profile shifts")
-           .with_also({"center_distance"}),
+                     "sum of the centre distances. Both are computed without profile shifts"),
+       Key::positive(
+           "center_distance_mm", "a", &Problem::center_distance, "no limit",
+           "centre distance of every stage of a train, as mounted; a single number is the "
+           "exact centre distance. The profile shifts follow from it")
+           .with_list(kBand)
+           .with_form("a distance in mm, or a band [least, greatest]")
+           .with_excludes({"profile_shift"},
+                          "excludes profile_shift, because the centre distances determine the "
+                          "profile shifts"),
        of_set("normal_pressure_angle_deg"),
        of_set("helix_angle_deg"),
        of_set("profile_shift", "chosen for each set, without undercut"),

@@ -82,6 +82,18 @@ void add_found(Quantities<F>& q) {
            [](const F& f) { return f.candidate.mass; });
   q.number("center_distance_mm", "centre distance", "a", "centre distance of the meshes of the set",
            [](const F& f) { return of_drive(f, "center_distance_mm"); });
+  q.number("stage_center_distances_mm", "centre distances of the stages", "a",
+           "centre distance of each stage of a train; null for a set, or without geometry",
+           [](const F& f) {
+             ValueList list;
+             if (f.candidate.stages.empty()) return Value();
+             for (const auto& a : f.drive.geometry.distance) {
+               if (!a) return Value();
+               list.emplace_back(*a);
+             }
+             return Value(list);
+           })
+      .list({0});
   q.add(Type::map, "profile_shift", "profile shifts", "x", "per gear; null without geometry",
         [](const F& f) { return of_drive(f, "profile_shift", coaxial_quantities()); })
       .doors(kJson);

@@ -32,7 +32,8 @@ TEST(KeyHint, what_people_try_leads_to_the_entry_that_says_so) {
 
 // [pair] cannot be combined with a search of drives, and the key `cutter` belongs to racks of arcs.
 TEST(KeyHint, a_key_that_fits_is_suggested_before_a_namesake) {
-  EXPECT_EQ(key_hint(drive_search_keys(), "search", "center_distance_mm"), nearest("size_max_mm"));
+  EXPECT_EQ(key_hint(drive_search_keys(), "search", "center_distance"),
+            nearest("center_distance_mm"));
   EXPECT_EQ(key_hint(gear_keys(), "gear2", "cutter"), nearest("cut_by"));
 }
 

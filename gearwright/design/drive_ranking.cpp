@@ -38,7 +38,8 @@ std::optional<double> estimated_mass(const DriveSearchProblem& problem,
         .mass();
   };
   const auto& given = problem.base.face_width;
-  const DriveCandidate sized = widest(problem, candidate);
+  const DriveCandidate sized =
+      candidate.face_widths.empty() ? widest(problem, candidate) : candidate;
   double sum = 0.0;
   for (std::size_t k = 0; k < sized.stages.size(); ++k) {
     const double module = sized.stage_module(k);

@@ -299,6 +299,7 @@ void search_sets(const DriveSearchProblem& problem, const Ends& ends, int thread
 void give_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
   std::vector<double> modules = problem.modules;
   if (modules.empty()) return;
+  if (problem.center_distance) return give_stage_modules(problem, result);
   if (problem.module_per_stage) modules.resize(1);
   const auto count = static_cast<std::int64_t>(modules.size());
   result.tested *= count;
@@ -415,6 +416,8 @@ PerMember member_face_widths(const DriveCandidate& candidate) {
 }
 
 Result<DriveSearchResult> search_drives(const DriveSearchProblem& problem, int threads) {
+  GW_EXPECTS(!problem.center_distance ||
+             (problem.kind == DriveKind::train && !problem.module_per_stage));
   DriveSearchResult result;
   if (problem.kind == DriveKind::train) {
     search_trains(problem, result);

@@ -77,6 +77,10 @@ struct DriveSearchProblem {
   /// modules.
   bool module_per_stage = false;
   double size_max = kInfinity;  ///< upper limit of DriveCandidate::size  mm; requires modules
+  /// a of every stage of a train  mm, as mounted; a band with both ends included. Requires modules
+  /// and profile shifts that the search chooses, and excludes `module_per_stage`. Every train is
+  /// found once for each choice of the modules of its stages that gives such distances.
+  std::optional<std::array<double, 2>> center_distance;
   std::optional<std::array<double, 2>> face_width;  ///< b  mm, band of the face widths from which
                                                     ///<    the search chooses, both ends included
   double face_diameters = 1.2;  ///< greatest b/d of the smaller gear of a mesh, if the search
@@ -152,8 +156,9 @@ struct DriveSearchResult {
 };
 
 /// kMostTrains is the greatest number of trains that a search finds, before modules are
-/// considered. A search tries combinations of the numbers of teeth of all gears except the last
-/// wheel. kMostTrainTrials is the greatest number of these combinations.
+/// considered. With limited centre distances, the choices of modules are counted too. A search
+/// tries combinations of the numbers of teeth of all gears except the last wheel. kMostTrainTrials
+/// is the greatest number of these combinations.
 inline constexpr std::size_t kMostTrains = 1'000'000;
 inline constexpr std::int64_t kMostTrainTrials = 300'000'000;
 
@@ -180,6 +185,14 @@ double stage_helix_deg(const DriveSearchProblem& problem, std::size_t stage);
 /// is given, that the train has several stages with one module, and that the search chooses the
 /// profile shifts.
 bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train);
+/// Least and greatest sum of the profile shifts of a stage whose centre distance is limited.
+/// Without a limit, shift_trials() gives sums from 0 to 2 for usual thickness allowances.
+inline constexpr std::array<double, 2> kStageShiftSums{-1.0, 3.0};
+/// True if a stage of a train with this sum of teeth z_1 + z_2 and this module can have a centre
+/// distance within the limits of the problem, by kStageShiftSums.
+///
+/// Formula   [T2.16]
+bool may_reach(const DriveSearchProblem& problem, int sum_of_teeth, double module);
 /// The train with these modules of its stages, and with the size and the mass that follow from them.
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules);

@@ -178,6 +178,73 @@ TEST(DriveSearchTest, TrainsHaveTheirRatio) {
     EXPECT_LE(found->found[k - 1].size, found->found[k].size);
 }
 
+// Centre distance of two spur gears of nominal teeth without backlash, by bisection.
+double distance_of(int sum_of_teeth, double module, double sum_of_shifts) {
+  const double alpha = Angle::degrees(20).rad();
+  const double wanted =
+      std::tan(alpha) - alpha + 2 * sum_of_shifts * std::tan(alpha) / sum_of_teeth;
+  double low = 0.0, high = 1.5;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2;
+    (std::tan(middle) - middle < wanted ? low : high) = middle;
+  }
+  return module * sum_of_teeth / 2 * std::cos(alpha) / std::cos(low);
+}
+
+// Every train is found once for each choice of modules with which a sum of shifts from −1 to 3
+// gives a centre distance within the band.
+TEST(DriveSearchTest, TrainsHaveTheModulesOfTheirCentreDistances) {
+  DriveSearchProblem problem = problem_of(DriveKind::train, {9.0, 9.1});
+  problem.pinion = {17, 22};
+  problem.wheel = {50, 75};
+  problem.modules = {1.5, 1.75, 2.0, 2.25, 2.5};
+  problem.center_distance = {{84.0, 86.5}};
+  problem.size_max = 170.0;
+  const auto found = search_drives(problem, 1);
+  ASSERT_TRUE(found) << found.error().message();
+  using Chosen = std::pair<std::vector<std::array<int, 2>>, std::vector<double>>;
+  std::set<Chosen> expected, got;
+  std::size_t too_large = 0;
+  const auto reaches = [&](int sum, double module) {
+    return distance_of(sum, module, -1.0) <= 86.5 && distance_of(sum, module, 3.0) >= 84.0;
+  };
+  for (int a = 17; a <= 22; ++a)
+    for (int b = 50; b <= 75; ++b)
+      for (int c = 17; c <= 22; ++c)
+        for (int d = 50; d <= 75; ++d) {
+          const double i = static_cast<double>(b * d) / (a * c);
+          if (i < 9.0 || i > 9.1) continue;
+          for (const double m : problem.modules)
+            for (const double n : problem.modules) {
+              if (!reaches(a + b, m) || !reaches(c + d, n)) continue;
+              if ((m * (a + b) + n * (c + d)) / 2 > 170.0) {
+                ++too_large;
+              } else {
+                expected.insert({{{a, b}, {c, d}}, {m, n}});
+              }
+            }
+        }
+  for (const DriveCandidate& c : found->found) {
+    got.insert({c.stages, c.stage_modules});
+    EXPECT_NEAR(c.size,
+                (c.stage_modules[0] * (c.stages[0][0] + c.stages[0][1]) +
+                 c.stage_modules[1] * (c.stages[1][0] + c.stages[1][1])) /
+                    2,
+                1e-9);
+  }
+  EXPECT_EQ(got, expected);
+  EXPECT_EQ(got.size(), found->found.size());
+  EXPECT_GT(got.size(), 50u);
+  EXPECT_TRUE(std::any_of(got.begin(), got.end(),
+                          [](const Chosen& c) { return c.second[0] != c.second[1]; }));
+  EXPECT_GT(too_large, 10u);
+  EXPECT_EQ(found->rejected[static_cast<std::size_t>(DriveLimit::size)],
+            static_cast<std::int64_t>(too_large));
+  std::int64_t counted = static_cast<std::int64_t>(found->found.size());
+  for (const auto n : found->rejected) counted += n;
+  EXPECT_EQ(counted, found->tested);
+}
+
 TEST(DriveSearchTest, FrontIsWhatNothingBeats) {
   DriveSearchProblem problem = problem_of(DriveKind::planetary, {4.0, 5.0});
   problem.objectives = {DriveObjective::efficiency, DriveObjective::size};

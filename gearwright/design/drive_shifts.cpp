@@ -52,6 +52,41 @@ std::array<double, 2> balanced_shifts(const std::array<int, 2>& z,
   return {first, std::max(sum == 0.0 ? 0.0 - first : rounded_up(x[1]), rounded_up(limits[1]))};
 }
 
+// Moves the centre distance of a mesh of two external gears into a band, if it is outside. The sum
+// of the shifts then follows from the new distance. The first gear gets the part of the sum that
+// `first_of` computes, unless a gear would be undercut. Returns false if the teeth cannot have this
+// distance.
+template <class Part>
+bool move_into(const std::array<double, 2>& band, const DriveGraph& graph, const DriveMesh& mesh,
+               const GearShifts& limits, const Part& first_of, GearShifts& shifts) {
+  const auto [a, b] = mesh.gears;
+  const DriveGear& gear = graph.gears[a];
+  ShiftProblem problem;
+  problem.z1 = gear.teeth;
+  problem.z2 = graph.gears[b].teeth;
+  problem.normal_module = gear.spec->normal_module;
+  problem.normal_pressure_angle = gear.spec->normal_pressure_angle;
+  problem.helix_angle = {gear.spec->helix_angle, graph.gears[b].spec->helix_angle};
+  problem.x1 = shifts[a];
+  problem.x2 = shifts[b];
+  const auto own = complete_shifts(problem);
+  if (!own) return false;
+  const double distance = std::clamp(own->center_distance, band[0], band[1]);
+  if (distance == own->center_distance) return true;
+  problem.x1.reset();
+  problem.x2.reset();
+  problem.center_distance = distance;
+  const auto moved = complete_shifts(problem);
+  if (!moved) return false;
+  const double sum = moved->x1 + moved->x2;
+  shifts[a] = std::max(first_of(sum), rounded_up(*limits[a]));
+  shifts[b] = sum - *shifts[a];
+  if (*shifts[b] >= *limits[b]) return true;
+  shifts[b] = rounded_up(*limits[b]);
+  shifts[a] = sum - *shifts[b];
+  return true;
+}
+
 // Sets the shift of a gear to x_u if the shift that follows from the centre distance would cause
 // undercut. The shift of the mating gear then follows from the centre distance.
 void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
@@ -69,7 +104,8 @@ void raise(DriveGraph graph, const GearShifts& limits, GearShifts& shifts) {
 
 }  // namespace
 
-std::vector<GearShifts> shift_trials(const DriveGraph& graph) {
+std::vector<GearShifts> shift_trials(const DriveGraph& graph,
+                                     const std::optional<std::array<double, 2>>& distance) {
   const GearShifts limits = undercut_limits(graph);
   GearShifts least(limits.size()), balanced(limits.size());
   for (std::size_t m = 0; m < graph.meshes.size(); ++m) {
@@ -85,6 +121,12 @@ std::vector<GearShifts> shift_trials(const DriveGraph& graph) {
         balanced_shifts({graph.gears[a].teeth, graph.gears[b].teeth}, {*limits[a], *limits[b]});
     balanced[a] = x[0];
     balanced[b] = x[1];
+    if (!distance) continue;
+    const int z1 = graph.gears[a].teeth, z2 = graph.gears[b].teeth;
+    const auto divided = [&](double sum) { return rounded_up(divided_shift_sum(z1, z2, sum)[0]); };
+    const auto kept = [own = *least[a]](double) { return own; };
+    if (!move_into(*distance, graph, mesh, limits, divided, balanced)) return {};
+    if (!move_into(*distance, graph, mesh, limits, kept, least)) return {};
   }
   raise(graph, limits, balanced);
   if (balanced != least) raise(graph, limits, least);

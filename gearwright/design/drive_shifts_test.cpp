@@ -1,11 +1,13 @@
 // Laws: (1) the least shift is 0 or the first multiple of 1e-4 without undercut; (2) balanced
 // shifts lie on the line of [T2.18a], and their sum is 0 or one gear is at its limit; (3) all
 // meshes of a stepped set share one centre distance without backlash, and no external gear is
-// undercut.
+// undercut; (4) a stage outside a band of centre distances gets the nearer end, all other stages
+// keep their shifts, and a gear is undercut only if the least shifts give a greater distance.
 #include "gearwright/design/drive_shifts.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -72,6 +74,64 @@ TEST(DriveShifts, AreTheLeastOrLieOnTheLine) {
   }
   EXPECT_GT(at_zero, 50);
   EXPECT_GT(at_limit, 50);
+}
+
+// Law (4). The trains have two stages, and the band is near the free centre distances.
+TEST(DriveShifts, CentreDistancesAreMovedIntoABand) {
+  std::mt19937 random(24);
+  const auto whole = [&](int lo, int hi) {
+    return std::uniform_int_distribution<int>(lo, hi)(random);
+  };
+  const auto with_shifts = [](DriveGraph graph, const GearShifts& shifts) {
+    for (std::size_t g = 0; g < shifts.size(); ++g) graph.gears[g].shift = shifts[g];
+    return drive_geometry(graph);
+  };
+  int raised = 0, reduced = 0, kept = 0, undercut = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const double helix_deg = whole(0, 20);
+    std::vector<StageSpec> stages(2);
+    const int sum = whole(35, 80), more = whole(-1, 1);
+    for (StageSpec& stage : stages) {
+      const int z1 = whole(10, 17);
+      stage.pair.teeth = {z1, sum - z1 + (&stage == &stages[0] ? 0 : more)};
+      stage.pair.set_teeth({2.0, Angle::degrees(20), helix_deg, 20.0, {-0.05, -0.05}});
+    }
+    const auto train = train_of(stages);
+    ASSERT_TRUE(train);
+    const DriveGraph& graph = train->graph;
+    const auto free = shift_trials(graph);
+    const DriveGeometry least = with_shifts(graph, free.back());
+    const double middle = (*least.distance[0] + *least.distance[1]) / 2 + whole(-1, 1);
+    const std::array<double, 2> band{middle - whole(0, 2), middle + whole(0, 2)};
+    const auto moved = shift_trials(graph, band);
+    if (moved.empty()) {  // the end of the band is less than the sum of the base radii
+      EXPECT_LT(band[1], std::max(*least.distance[0], *least.distance[1]));
+      continue;
+    }
+    for (const bool balanced : {true, false}) {
+      const GearShifts& own = balanced ? free.front() : free.back();
+      const GearShifts& shifts = balanced ? moved.front() : moved.back();
+      const DriveGeometry before = with_shifts(graph, own), after = with_shifts(graph, shifts);
+      for (std::size_t m = 0; m < 2; ++m) {
+        const auto [a, b] = graph.meshes[m].gears;
+        const double expected = std::clamp(*before.distance[m], band[0], band[1]);
+        EXPECT_NEAR(*after.distance[m], expected, 1e-9);
+        if (expected == *before.distance[m]) {
+          EXPECT_EQ(shifts[a], own[a]);
+          EXPECT_EQ(shifts[b], own[b]);
+          ++kept;
+        }
+        if (expected > *before.distance[m]) ++raised;
+        if (expected < *before.distance[m]) ++reduced;
+        const bool cut =
+            is_undercut(graph.gears[a], *shifts[a]) || is_undercut(graph.gears[b], *shifts[b]);
+        undercut += cut ? 1 : 0;
+        EXPECT_FALSE(cut && band[1] >= *least.distance[m]);
+      }
+    }
+  }
+  EXPECT_GT(std::min({raised, reduced, kept}), 20);
+  EXPECT_GT(undercut, 0);
 }
 
 TEST(DriveShifts, SecondPlanetGearsAreRaised) {

@@ -29,14 +29,19 @@ void estimate_noise(const DriveSearchProblem& problem, std::vector<DriveCandidat
                     int threads);
 
 /// The mass of a candidate for gears without profile shift, kg. Absent if the mass is not requested
-/// or if the problem has no modules. If the search sizes the faces, their greatest width is used.
-/// The estimate is used for ranking until the teeth are computed.
+/// or if the problem has no modules. If the search sizes the faces, the widths of the candidate are
+/// used or, if it has none, the greatest widths. The estimate is used for ranking until the teeth
+/// are computed.
 std::optional<double> estimated_mass(const DriveSearchProblem& problem,
                                      const DriveCandidate& candidate);
 
 /// Adds all trains of the problem to the result. The numbers of teeth of the last wheel follow from
-/// the ratio.
+/// the ratio. Stages to which no module gives the required centre distance are not tried.
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result);
+/// Replaces every train by one train for each choice of the modules of its stages that gives the
+/// required centre distances. Converts the size from modules to mm. A train whose size exceeds the
+/// limit is rejected.
+void give_stage_modules(const DriveSearchProblem& problem, DriveSearchResult& result);
 
 /// Visits all sets of one kind in which the planet has a given number of teeth.
 class DriveSpace {

@@ -5,6 +5,7 @@
 
 #include "gearwright/base/numbers.hpp"
 #include "gearwright/design/drive_space.hpp"
+#include "gearwright/pair/shift.hpp"
 
 namespace gearwright {
 
@@ -15,6 +16,10 @@ class TrainSearch {
  public:
   TrainSearch(const DriveSearchProblem& problem, DriveSearchResult& result)
       : problem_(problem), result_(result) {
+    for (int sum = 0; sum <= problem.pinion[1] + problem.wheel[1]; ++sum)
+      reached_.push_back(!problem.center_distance ||
+                         std::any_of(problem.modules.begin(), problem.modules.end(),
+                                     [&](double m) { return may_reach(problem, sum, m); }));
     for (int z1 = problem.pinion[0]; z1 <= problem.pinion[1]; ++z1) {
       wheels_.push_back(0);
       for (int z2 = problem.wheel[0]; z2 <= problem.wheel[1]; ++z2)
@@ -28,7 +33,10 @@ class TrainSearch {
   }
 
  private:
-  bool may_mesh(int z1, int z2) const { return !problem_.coprime || std::gcd(z1, z2) == 1; }
+  bool may_mesh(int z1, int z2) const {
+    return reached_[static_cast<std::size_t>(z1 + z2)] &&
+           (!problem_.coprime || std::gcd(z1, z2) == 1);
+  }
 
   void next(int left, double ratio) {
     for (int z1 = problem_.pinion[0]; z1 <= problem_.pinion[1] && result_.is_complete; ++z1) {
@@ -96,7 +104,8 @@ class TrainSearch {
   const DriveSearchProblem& problem_;
   DriveSearchResult& result_;
   std::vector<std::array<int, 2>> stages_;
-  std::vector<int> wheels_;  // number of wheels that may mesh with each pinion
+  std::vector<char> reached_;  // by z_1 + z_2: whether a module gives the required centre distance
+  std::vector<int> wheels_;    // number of wheels that may mesh with each pinion
   std::int64_t trials_ = 0;
 };
 
@@ -124,6 +133,23 @@ bool is_coaxial(const DriveSearchProblem& problem, const DriveCandidate& train) 
          !problem.modules.empty() && !problem.base.profile_shift.all;
 }
 
+bool may_reach(const DriveSearchProblem& problem, int sum_of_teeth, double module) {
+  if (!problem.center_distance) return true;
+  const double cos_beta = std::cos(Angle::degrees(problem.base.helix_deg.all.value_or(0.0)).rad());
+  const double alpha_n = problem.base.normal_pressure_angle.rad();
+  const double alpha_t = cos_beta == 1.0 ? alpha_n : std::atan(std::tan(alpha_n) / cos_beta);
+  // Σx depends on z_1 + z_2 only, so this sum and 0 replace the numbers of teeth.
+  const double least =
+      reference_center_distance(sum_of_teeth, 0, module, cos_beta) * std::cos(alpha_t);
+  const auto shift_sum = [&](double a) {
+    if (!(a > least)) return -kInfinity;
+    if (!(a <= kMaxDistance * least)) return kInfinity;
+    return tight_shift_sum(sum_of_teeth, 0, module, alpha_n, alpha_t, cos_beta, a);
+  };
+  return shift_sum((*problem.center_distance)[0]) <= kStageShiftSums[1] &&
+         shift_sum((*problem.center_distance)[1]) >= kStageShiftSums[0];
+}
+
 DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate train,
                             const std::vector<double>& modules) {
   GW_EXPECTS(modules.size() == train.stages.size());
@@ -134,6 +160,39 @@ DriveCandidate with_modules(const DriveSearchProblem& problem, DriveCandidate tr
   train.size /= std::cos(Angle::degrees(problem.base.helix_deg.all.value_or(0.0)).rad());
   train.mass = estimated_mass(problem, train);
   return train;
+}
+
+void give_stage_modules(const DriveSearchProblem& problem, DriveSearchResult& result) {
+  std::vector<DriveCandidate> each;
+  for (const DriveCandidate& train : result.found) {
+    std::vector<std::vector<double>> choices(1);  // of the modules of the first stages
+    for (const auto& [z1, z2] : train.stages) {
+      std::vector<std::vector<double>> longer;
+      for (const double m : problem.modules) {
+        if (!may_reach(problem, z1 + z2, m)) continue;
+        for (std::vector<double> choice : choices) {
+          choice.push_back(m);
+          longer.push_back(std::move(choice));
+        }
+      }
+      choices = std::move(longer);
+    }
+    result.tested += static_cast<std::int64_t>(choices.size()) - 1;
+    for (const std::vector<double>& modules : choices) {
+      DriveCandidate made = with_modules(problem, train, modules);
+      made.module = modules.front();
+      if (made.size > problem.size_max) {
+        ++result.rejected[static_cast<std::size_t>(DriveLimit::size)];
+      } else {
+        each.push_back(std::move(made));
+      }
+    }
+    if (each.size() > kMostTrains) {
+      result.is_complete = false;
+      break;
+    }
+  }
+  result.found = std::move(each);
 }
 
 void search_trains(const DriveSearchProblem& problem, DriveSearchResult& result) {

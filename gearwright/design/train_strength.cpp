@@ -64,7 +64,7 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
       // norm.
       const Eigen::VectorXd fit = least_squares(terms, logs.col(column));
       const double above = (logs.col(column) - terms * fit).maxCoeff();
-      return Fit{fit[0] + above + margin, fit[1], fit[2], fit[3]};
+      return Fit{fit[0], fit[1], fit[2], fit[3], above + margin};
     };
     fits.push_back({bound(0, kFlankMargin), bound(1, kRootMargin)});
   }
@@ -73,15 +73,33 @@ TrainStrength::TrainStrength(const std::vector<RatedTrain>& rated) {
 
 bool TrainStrength::may_hold(const DriveCandidate& candidate, std::size_t stage,
                              const Safeties& required) const {
-  if (candidate.stages.size() > stages_.size()) return true;
+  if (!estimates(candidate.stages.size())) return true;
   const StageShape s = shapes_of(candidate)[stage];
   const auto log_of = [&](const Fit& fit) {
-    return fit.constant + fit.per_teeth * s.log_teeth + fit.per_ratio * s.log_ratio +
-           fit.per_load * s.log_load;
+    return fit.without_load(s.log_teeth, s.log_ratio) + fit.above + fit.per_load * s.log_load;
   };
   const StageFit& fit = stages_[stage];
   return log_of(fit.flank) - s.log_intensity / 2 >= std::log(required.flank) &&
          log_of(fit.root) - s.log_load >= std::log(required.root);
+}
+
+double TrainStrength::least_width(const DriveCandidate& candidate, std::size_t stage,
+                                  const Safeties& required) const {
+  GW_EXPECTS(estimates(candidate.stages.size()));
+  DriveCandidate unit = candidate;
+  unit.face_widths.assign(candidate.stages.size(), 1.0);
+  const StageShape s = shapes_of(unit)[stage];
+  const StageFit& fit = stages_[stage];
+  // ln κ differs from ln w by a term that does not depend on the width.
+  const double intensity = s.log_intensity - s.log_load;
+  const auto log_width = [&](const Fit& own, double power, double rest, double safety) {
+    const double slope = power - own.per_load;  // ln S falls by it for each unit of ln w
+    if (!(slope > 0.0)) return -kInfinity;
+    return s.log_load -
+           (own.without_load(s.log_teeth, s.log_ratio) - rest - std::log(safety)) / slope;
+  };
+  return std::exp(std::max(log_width(fit.flank, 0.5, intensity / 2, required.flank),
+                           log_width(fit.root, 1.0, 0.0, required.root)));
 }
 
 bool TrainStrength::is_hopeless(const DriveCandidate& candidate, const Safeties& required) const {

@@ -12,6 +12,7 @@
 // stage, ln(S_H √κ) and ln(S_F w) are fitted linearly in ln z_1, ln u and ln w by least squares.
 // These terms cover the factors that change slowly with the numbers of teeth and with the load,
 // such as Z_ε, K_v, K_Hα and Y_F. The bound is the fit plus its greatest residual plus a margin.
+// least_width() uses the fit itself.
 #pragma once
 
 #include <vector>
@@ -45,6 +46,16 @@ class TrainStrength {
 
   /// False if, by the estimate, this stage of the train cannot have the required safeties.
   bool may_hold(const DriveCandidate& candidate, std::size_t stage, const Safeties& required) const;
+  /// The face width with which this stage has the required safeties by the mean of the fits, mm.
+  /// The width in `candidate` is not used. 0 if the safeties do not depend on the width.
+  ///
+  /// Formula   ln S_H = A + (p − 1/2) ln w and ln S_F = B + (q − 1) ln w, where p and q are the
+  ///           coefficients of ln w in the fits; b = T_k/(w z_1) for the smaller w
+  /// Domain    estimates() (contract)
+  double least_width(const DriveCandidate& candidate, std::size_t stage,
+                     const Safeties& required) const;
+  /// True if there is an estimate for trains with this number of stages.
+  bool estimates(std::size_t stages) const { return stages <= stages_.size(); }
   /// True if, by the estimate, a stage of the train cannot have the required safeties.
   ///
   /// `candidate`  with the greatest face widths, if the search chooses them
@@ -55,6 +66,12 @@ class TrainStrength {
  private:
   struct Fit {
     double constant = 0.0, per_teeth = 0.0, per_ratio = 0.0, per_load = 0.0;
+    double above = 0.0;  // greatest residual with its margin, which is not part of `constant`
+
+    // ln S √κ or ln S w, without the term of the load
+    double without_load(double log_teeth, double log_ratio) const {
+      return constant + per_teeth * log_teeth + per_ratio * log_ratio;
+    }
   };
   struct StageFit {
     Fit flank, root;

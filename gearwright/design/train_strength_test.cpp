@@ -71,6 +71,27 @@ TEST(TrainStrengthTest, KeepsTrainsWithTheRequiredSafeties) {
                                        std::min(train.stages[0].root, train.stages[1].root)}));
 }
 
+// Without scatter, the least face width for the safeties of a stage is its own width, whichever of
+// them is required.
+TEST(TrainStrengthTest, TheLeastWidthHasTheRequiredSafeties) {
+  std::mt19937 random(5);
+  const TrainStrength strength(law_trains(random, 0.0));
+  ASSERT_TRUE(strength.estimates(2));
+  EXPECT_FALSE(strength.estimates(3));
+  for (int i = 0; i < 200; ++i) {
+    const RatedTrain train = law_train(random, 0.0);
+    for (const std::size_t k : {0, 1}) {
+      const double own = train.candidate.face_widths[k];
+      const auto [flank, root] = train.stages[k];
+      EXPECT_NEAR(strength.least_width(train.candidate, k, {flank, 1e-9}), own, 1e-6 * own);
+      EXPECT_NEAR(strength.least_width(train.candidate, k, {1e-9, root}), own, 1e-6 * own);
+      // S_H is proportional to √b and S_F to b.
+      EXPECT_NEAR(strength.least_width(train.candidate, k, {1.1 * flank, 1.1 * root}), 1.21 * own,
+                  1e-6 * own);
+    }
+  }
+}
+
 TEST(TrainStrengthTest, EstimatesNothingFromTooFewTrains) {
   std::mt19937 random(3);
   std::vector<RatedTrain> few = law_trains(random, 0.0);

@@ -2,7 +2,8 @@
 // (1) A short list is the beginning of every longer list, for every kind and objective.
 // (2) The mass of a design is the mass of its bodies.
 // (3) No listed design is better than a design of the front in both objectives.
-// (4) Limits on common factors and on the overlap ratio hold for every mesh.
+// (4) The first trains of a search for the least mass are the lightest of all trains.
+// (5) Limits on common factors and on the overlap ratio hold for every mesh.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include <numeric>
 #include <random>
 
+#include "gearwright/base/numbers.hpp"
 #include "gearwright/base/testing/taken.hpp"
 #include "gearwright/job/drive_answer.hpp"
 #include "gearwright/job/drive_job.hpp"
@@ -172,7 +174,46 @@ TEST(DriveRank, TheMassHasTheChosenWidths) {
   }
 }
 
-// Law (4).
+// Law (4). The list of all trains shows which of them is the lightest. A train that is computed
+// after the first hundred may be lighter than all of these, because its faces are sized only then.
+void expect_the_lightest(const std::string& keys, std::size_t most) {
+  const std::string search =
+      "kind = \"train\"\nobjective = \"mass\"\nnormal_module_mm = [1.5, 2, 2.5, 3]\n" + keys +
+      kRankLoad;
+  const Json all = ranked_search(search, 100000).record["search"];
+  ASSERT_GT(all["computed"].get<std::size_t>(), most) << keys;
+  EXPECT_EQ(all["beyond_limit"], 0);
+  double least = kInfinity;
+  for (const Json& design : all["designs"])
+    least = std::min(least, design["mass_kg"].get<double>());
+  EXPECT_EQ(ranked_search(search, 1).record["search"]["designs"][0]["mass_kg"], least) << keys;
+}
+
+TEST(DriveRank, TheLightestTrainIsFoundBeyondAHundred) {
+  expect_the_lightest(
+      "ratio = [8.9, 9.05]\npinion_teeth = [20, 24]\nwheel_teeth = [48, 72]\n"
+      "face_width_mm = [8, 50]\nsafety_flank_min = 1.1\n",
+      250);
+}
+
+TEST(LongDriveRank, TheLightestTrainIsFoundBeyondAHundred) {
+  std::mt19937 random(5);
+  const auto between = [&](int lo, int hi) {
+    return std::uniform_int_distribution(lo, hi)(random);
+  };
+  for (int k = 0; k < 5; ++k) {
+    const int pinion = between(17, 22), wheel = between(45, 52), ratio = between(83, 100);
+    expect_the_lightest(
+        fmt::format("ratio = [{}, {}]\npinion_teeth = [{}, {}]\n"
+                    "wheel_teeth = [{}, {}]\nface_width_mm = [{}, {}]\n"
+                    "safety_flank_min = {}\n",
+                    ratio / 10.0, ratio / 10.0 + 0.35, pinion, pinion + 4, wheel, wheel + 24,
+                    between(5, 12), between(40, 70), between(10, 13) / 10.0),
+        300);
+  }
+}
+
+// Law (5).
 TEST(DriveRank, CommonFactorsAndOverlapAreLimited) {
   const std::string keys =
       "ratio = [3.9, 4.6]\nnormal_module_mm = 2\ncoprime = true\n"

@@ -50,6 +50,10 @@ std::string advice(const FoundDrives& f) {
         "another number of stages.",
         least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
+  if (f.result.found.empty() && f.problem.center_distance)
+    return "No drive satisfies all limits. Widen the band center_distance_mm, the bands of numbers "
+           "of "
+           "teeth or of the ratio, or give other modules.";
   if (f.result.found.empty() && f.problem.coprime)
     return "No drive satisfies all limits. Widen the bands of numbers of teeth or of the ratio, or "
            "leave out the key coprime.";
@@ -228,8 +232,13 @@ Result<Answer> answer_drive_search(const JobSpec& spec, std::size_t top, int thr
   if (rated && problem.kind == DriveKind::train && problem.sliding == kInfinity && !shift.all &&
       !shift.any())
     problem.sliding = kDrawnSliding;
+  // With limits of the centre distances, every choice of modules is a candidate of its own. Trains
+  // with one module are treated like trains with several modules if their order by mass requires an
+  // estimate of their face widths.
   problem.module_per_stage =
-      problem.kind == DriveKind::train && problem.modules.size() > 1 && rated;
+      problem.kind == DriveKind::train && rated && !problem.center_distance &&
+      (problem.modules.size() > 1 ||
+       (problem.face_width && problem.objectives.front() == DriveObjective::mass));
   auto result = search_drives(problem, threads);
   if (!result) return of_drive_table(result.error(), spec.tree->tables);
   if (!result->is_complete)

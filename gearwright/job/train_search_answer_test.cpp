@@ -235,6 +235,83 @@ TEST(TrainSearchAnswerTest, TheTrainsOfCoaxialTeethAreCoaxial) {
   }
 }
 
+// The centre distances of a found train, from its spec.
+std::vector<double> distances_of(const Json& found) {
+  const auto job = solve_drive(*read_spec(toml_text(found), SpecFormat::toml));
+  EXPECT_TRUE(job) << job.error().message();
+  std::vector<double> list;
+  for (const auto& a : job->drive.geometry.distance) list.push_back(a.value());
+  return list;
+}
+
+// A limit of the centre distances loses no train that has such distances without the limit. With a
+// single number, every stage has this distance.
+TEST(TrainSearchAnswerTest, TheStagesHaveTheGivenCentreDistances) {
+  const auto trains = [](const std::string& limit) {
+    const auto spec = read_spec(
+        "[search]\nkind = \"train\"\nratio = [8.9, 9.1]\npinion_teeth = [14, 19]\n"
+        "wheel_teeth = [45, 60]\nhelix_angle_deg = 12\nnormal_module_mm = 2\n" +
+            limit,
+        SpecFormat::toml);
+    EXPECT_TRUE(spec) << spec.error().message();
+    const auto answer = answer_drive_search(*spec, 1000, 2);
+    EXPECT_TRUE(answer) << answer.error().message();
+    std::vector<std::pair<Json, std::vector<double>>> list;  // numbers of teeth, centre distances
+    for (std::size_t i = 0; i < answer->specs.size(); ++i) {
+      const Json& design = answer->record["search"]["designs"][i];
+      list.emplace_back(design["stages"],
+                        design["stage_center_distances_mm"].get<std::vector<double>>());
+      if (i % 8 != 0) continue;
+      const std::vector<double> own = distances_of(answer->specs[i]);
+      for (const std::size_t k : {0, 1}) EXPECT_NEAR(list.back().second[k], own[k], 1e-9);
+    }
+    return list;
+  };
+  const auto lies_in = [](const std::vector<double>& distances, double least, double most) {
+    constexpr double kRounding = 1e-9;
+    return std::all_of(distances.begin(), distances.end(),
+                       [&](double a) { return a > least - kRounding && a < most + kRounding; });
+  };
+  const auto all = trains("");
+  const auto near = trains("center_distance_mm = [68, 72]\n");
+  const auto exact = trains("center_distance_mm = 70\n");
+  std::size_t kept = 0;
+  for (const auto& [stages, distances] : all) {
+    if (!lies_in(distances, 68, 72)) continue;
+    ++kept;
+    EXPECT_TRUE(std::any_of(near.begin(), near.end(), [&, &own = stages](const auto& n) {
+      return n.first == own;
+    })) << stages;
+  }
+  EXPECT_GT(kept, 10u);
+  EXPECT_LT(kept, all.size() / 2);
+  EXPECT_GT(near.size(), kept);
+  EXPECT_GT(exact.size(), 10u);
+  for (const auto& train : near) EXPECT_TRUE(lies_in(train.second, 68, 72)) << train.first;
+  for (const auto& train : exact) EXPECT_TRUE(lies_in(train.second, 70, 70)) << train.first;
+}
+
+// Rated stages have the modules that their centre distance permits. Equal centre distances permit a
+// coaxial output.
+TEST(TrainSearchAnswerTest, RatedStagesHaveTheGivenCentreDistance) {
+  const auto answer = trains_of("[1.5, 2, 2.5]",
+                                "ratio = [9, 9.3]\npinion_teeth = [17, 25]\n"
+                                "wheel_teeth = [48, 75]\nface_width_mm = [10, 45]\n"
+                                "center_distance_mm = 82\ncoaxial_teeth = 30\n",
+                                5);
+  ASSERT_TRUE(answer) << answer.error().message();
+  ASSERT_EQ(answer->specs.size(), 5u);
+  std::size_t coaxial = 0;
+  for (const Json& found : answer->specs) {
+    for (const double a : distances_of(found)) EXPECT_NEAR(a, 82, 1e-9);
+    if (!found["stage"][1].contains("angle_deg")) continue;
+    ++coaxial;
+    const auto job = solve_drive(*read_spec(toml_text(found), SpecFormat::toml));
+    EXPECT_LT(job->places->axes[job->drive.graph.output].norm(), 1e-6);
+  }
+  EXPECT_GT(coaxial, 0u);
+}
+
 // Three stages with the default numbers of teeth have more than a million trains.
 TEST(TrainSearchAnswerTest, TooManyTrainsAreRefused) {
   const auto answer = trains_of("2", "ratio = [-500, -5]\nstages = 3\n", 4);

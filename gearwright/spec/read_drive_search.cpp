@@ -29,7 +29,7 @@ void check_members(const TableReader& t, const DriveSearchProblem& p) {
 // Rejects keys and tables of numbers that drives of this kind do not have.
 void check_kind(TableReader& t, const Json& search, bool train) {
   if (!train) {
-    for (const char* key : {"stages", "pinion_teeth", "wheel_teeth"})
+    for (const char* key : {"stages", "pinion_teeth", "wheel_teeth", "center_distance_mm"})
       t.refuse(key, "is used only with kind = \"train\"");
     return;
   }
@@ -53,7 +53,8 @@ Json shared_keys(const Json& search, bool train) {
   Json shared = Json::object();
   const KeyTable& own = train ? stage_keys() : planetary_keys();
   for (const auto& [key, value] : search.items())
-    if (own.find(key) && key != "planets" && key != "teeth") shared[key] = value;
+    if (own.find(key) && key != "planets" && key != "teeth" && key != "center_distance_mm")
+      shared[key] = value;
   return shared;
 }
 
@@ -75,7 +76,8 @@ DriveSearchProblem read_drive_search(const Json& search) {
     t.fail("objective",
            "contains mass, which needs normal_module_mm, because without a module all sizes are in "
            "modules");
-  for (const char* key : {"sliding_max", "overlap_ratio_min", "thickness_series", "backlash_mm"})
+  for (const char* key : {"sliding_max", "overlap_ratio_min", "thickness_series", "backlash_mm",
+                          "center_distance_mm"})
     if (p.modules.empty() && search.contains(key))
       t.fail(key, "needs normal_module_mm, because without a module no teeth are computed");
   if (!search.contains("spacing")) p.base.spacing = Spacing::equal;

@@ -83,14 +83,38 @@ class DriveSearch(unittest.TestCase):
         plain = Run("search", None, "--json", folder=folder(spec(SET))).json["search"]["designs"][0]
         self.assertIsNone(plain["noise"])
 
+    def test_a_centre_distance(self):
+        train = {**TRAIN, "normal_module_mm": [1.75, 2], "center_distance_mm": [78, 80]}
+        where = folder(spec(train))
+        search = Run("search", None, "--json", folder=where).json["search"]
+        self.assertEqual(search["tested"], sum(search["rejected"].values()) + search["feasible_count"])
+        self.assertGreater(len(search["designs"]), 3)
+        for place, design in enumerate(search["designs"], 1):
+            taken = Run("search", None, "--take", str(place), folder=where)
+            drive = Run("drive", None, "--json", folder=folder(taken.out)).json
+            self.assertEqual(drive["verdict"]["level"], "green")
+            distances = [mesh["pair"]["center_distance_mm"] for mesh in drive["drive"]["meshes"].values()]
+            for a, listed in zip(distances, design["stage_center_distances_mm"], strict=True):
+                self.assertAlmostEqual(a, listed, delta=1e-9)
+                self.assertTrue(78 - 1e-9 < a < 80 + 1e-9, distances)
+        none = Run("search", None, folder=folder(spec(train | {"center_distance_mm": 10})))
+        self.assertIn("center_distance_mm", none.out + none.err)
+
     def test_what_a_search_cannot_be(self):
         for keys, key in (({"sun2_teeth": 20}, "search.sun2_teeth"), ({"stages": 2}, "search.stages"),
                           ({"kind": "conical"}, "search.kind"), ({"output": "ring"}, "search.output"),
                           ({"ratio": [5, 4]}, "search.ratio"), ({"size_max_mm": -1}, "search.size_max_mm"),
                           ({"normal_module_mm": None, "size_max_mm": 100}, "search.size_max_mm"),
+                          ({"center_distance_mm": 80}, "search.center_distance_mm"),
                           ({"objective": "colour"}, "search.objective"), ({"objective": "torque_ripple"}, "search.objective")):
             refused = Run("search", None, "--json", folder=folder(spec(SET | keys)))
             self.assertEqual((refused.status, refused.json["error"]["key"]), (1, key), refused.err)
+        for keys in ({"normal_module_mm": 2, "profile_shift": 0, "center_distance_mm": 80}, {"center_distance_mm": 80},
+                     {"normal_module_mm": 2, "center_distance_mm": [90, 80]},
+                     {"normal_module_mm": 2, "center_distance_mm": 0},
+                     {"normal_module_mm": 2, "center_distance_mm": [80, 85, 90]}):
+            refused = Run("search", None, "--json", folder=folder(spec(TRAIN | keys)))
+            self.assertEqual(refused.json["error"]["key"].split("[")[0], "search.center_distance_mm", refused.err)
         folder_wanted = Run("search", None, "--out", "o", folder=folder(spec(SET)))
         self.assertEqual(folder_wanted.status, 2)
         self.assertIn("--json", folder_wanted.err)
