@@ -14,8 +14,7 @@ Drawing chord_figure() {
   Drawing f(
       "05-approximations", 860, 500, "The shortest chord, exactly and by hand",
       "A tooth's two flanks on an unrolled cylinder with the shortest chord, and the relative "
-      "errors of "
-      "its approximations over the half angle of the tooth.");
+      "errors of its approximations over the half angle of the tooth.");
   const double psi = Angle::degrees(35.2644).rad();  // where the series converge worst [T5.11]
 
   // Left: the radius is 1, the half angle 0.6. The flanks are the helices θ = ±θ_t − ζ tan ψ.
