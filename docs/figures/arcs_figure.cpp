@@ -1,7 +1,6 @@
 // Page 7: circular arcs. Left: a tooth cut by rack F in the space cut by rack P, in the normal
 // section. Right: the normal angle at the contact as a function of the centre distance.
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -44,7 +43,6 @@ Drawing arcs_figure() {
   concave.center_b = convex.center_b + 0.15 * std::sin(psi);
   const auto pair =
       mount_arcs(gear_of_arcs(12, 15, convex), gear_of_arcs(94, -15, concave), std::nullopt);
-  if (!pair) throw std::logic_error(pair.error().message());
   f.label({20, 24}, "normal section, both racks at the reference distance", Anchor::start,
           Vec2::Zero(), "small");
   f.label({20, 360}, "gear 1, cut by F", Anchor::start, Vec2::Zero(), "g1 small");

@@ -1,7 +1,6 @@
 // Page 4: two gears on a common rack. The centre distance is least if the pitch planes coincide
 // (X = 0). The teeth are in contact on one interval of the pressure angle of the rack.
 #include <array>
-#include <stdexcept>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -27,18 +26,15 @@ Drawing crossed_figure() {
   spec.helix_angle = Angle::degrees(39.3766);
   const Gear two = gear_of(spec);
   const BasePair<double> gears = base_pair(one, two);
-  const auto least_angle = transverse_angle_at_min_distance(gears);
-  if (!least_angle) throw std::logic_error("the figure's teeth are too thin");
-  const CrossedPlace least = crossed_place(gears, *least_angle);
+  const double least_angle = transverse_angle_at_min_distance(gears).value();
+  const CrossedPlace least = crossed_place(gears, least_angle);
   const auto pair = mount_as<CrossedPair>(
       one, two, {.center_distance = least.center_distance, .shaft_angle = least.shaft_angle});
-  if (!pair) throw std::logic_error(pair.error().message());
-  const auto& range = pair->contact_ratio_range;
-  if (!range) throw std::logic_error("the figure's teeth do not meet");
+  const CrossedPlaces& range = pair->contact_ratio_range.value();
 
   const std::vector<CrossedSample> samples = crossed_samples(*pair);
-  const double low = range->lo.normal_pressure_angle.deg();
-  const double high = range->hi.normal_pressure_angle.deg();
+  const double low = range.lo.normal_pressure_angle.deg();
+  const double high = range.hi.normal_pressure_angle.deg();
   const double at_least = least.normal_pressure_angle.deg();
   const auto panel = [&](const FigureAxis& y, const char* style, double tall, const auto& value) {
     Figure p{y.symbol, y.words, y.words + " over the pressure angle of the rack.", "", {}, y};

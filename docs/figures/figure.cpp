@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "gearwright/base/contract.hpp"
 #include "gearwright/figure/figure_svg.hpp"
@@ -165,10 +164,6 @@ std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, dou
   return all;
 }
 
-Gear gear_of(const CylindricalSpec& spec) {
-  auto gear = make_gear(spec);
-  if (!gear) throw std::logic_error(gear.error().message());
-  return *gear;
-}
+Gear gear_of(const CylindricalSpec& spec) { return make_gear(spec).value(); }
 
 }  // namespace gearwright::figures

@@ -83,7 +83,7 @@ std::vector<Vec2> teeth(const Gear& gear, int first, int last, double angle, dou
 std::vector<Vec2> placed(std::vector<Vec2> points, double angle, const Vec2& shift);
 Vec2 polar(double radius, double angle);
 
-/// Makes a gear. Throws std::logic_error if it does not exist, because the values are our own.
+/// Makes a gear. Domain: it exists (contract).
 Gear gear_of(const CylindricalSpec& spec);
 
 // ---- the figures, in the order of the pages ----

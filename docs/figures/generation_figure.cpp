@@ -2,7 +2,6 @@
 // is an involute and the fillet a trochoid, with undercut in this example.
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/generation/rack_envelope.hpp"
@@ -40,8 +39,7 @@ Drawing generation_figure() {
   Drawing f(
       "03-rack-and-generation", 860, 600, "A rack cuts a tooth",
       "Positions of a rack's edge seen from a gear of 9 teeth, and the tooth that they leave: "
-      "involute, "
-      "trochoid, and the crossing where undercut ends the flank.");
+      "involute, trochoid, and the crossing where undercut ends the flank.");
   CylindricalSpec spec;
   spec.teeth = 9;
   spec.normal_module = 10;
@@ -49,7 +47,6 @@ Drawing generation_figure() {
   const Gear gear = gear_of(spec);
   const double r = gear.reference_diameter / 2;
   const auto made = make_edge(spec.straight_rack(), spec.normal_module, spec.normal_pressure_angle);
-  if (!made) throw std::logic_error(made.error().message());
   const std::vector<Vec2> side = edge_points(made->edge, spec.normal_module, 10.0);
   const double pitch = std::numbers::pi * spec.normal_module;
   const Viewport view{860, 600, {45.5, 0}, 16, true};

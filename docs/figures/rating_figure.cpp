@@ -2,7 +2,6 @@
 // with the values that the rating uses. Right: the life curves of flank and root.
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "docs/figures/figure.hpp"
 #include "gearwright/pair/pair.hpp"
@@ -21,12 +20,8 @@ void draw_section(Drawing& f) {
   spec.face_width = 100;
   const Gear gear = gear_of(spec);
   const auto mounted = mount(gear, gear);
-  if (!mounted) throw std::logic_error(mounted.error().message());
   const auto pair = rated_pair(*mounted);
-  if (!pair) throw std::logic_error(pair.error().message());
-  const auto section = critical_section(*pair, pair->gears[0]);
-  if (!section) throw std::logic_error("the figure's tooth has no critical section");
-  const CriticalSection& s = *section;
+  const CriticalSection s = critical_section(*pair, pair->gears[0]).value();
   const Viewport view{430, 470, {102, 0}, 9.5, true};
   f.shape(view, teeth(gear, 0, 0, 0, 0.01), "body1 g1");
   // The line of the load intersects the centre line of the tooth at α_Fen, h_F above the section.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gearwright/base/number_text.hpp"
+#include "gearwright/catalogue/quantity_rows.hpp"
 
 namespace gearwright {
 
@@ -83,122 +84,18 @@ std::string text_of(const QuantityInfo& info, const Value& value, std::string_vi
   return absent;
 }
 
-namespace {
-
-// The values of one quantity in several records. A value is null if the record lacks it.
-struct Across {
-  const QuantityInfo* info;
-  std::vector<const Member*> members;
-};
-
-// The quantities of all records in their common order. All records have the order of one table, so
-// the position of a quantity that one record lacks is known from the other records.
-std::vector<Across> across(const std::vector<const ValueRecord*>& records) {
-  std::vector<Across> all;
-  for (std::size_t k = 0; k < records.size(); ++k) {
-    std::size_t place = 0;
-    if (!records[k]) continue;
-    for (const Member& m : *records[k]) {
-      const auto it =
-          std::find_if(all.begin(), all.end(), [&](const Across& a) { return a.info == m.info; });
-      if (it != all.end()) {
-        it->members[k] = &m;
-        place = static_cast<std::size_t>(it - all.begin()) + 1;
-      } else {
-        Across a{m.info, std::vector<const Member*>(records.size(), nullptr)};
-        a.members[k] = &m;
-        all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), std::move(a));
-        ++place;
-      }
-    }
-  }
-  return all;
-}
-
-class Groups {
- public:
-  Groups(Doors door, UnitSystem units, std::string_view none)
-      : door_(door), units_(units), none_(none) {}
-
-  void add(const std::vector<const ValueRecord*>& records, const std::string& heading) {
-    for (const Across& a : across(records)) {
-      const QuantityInfo& info = *a.info;
-      const bool shown = std::any_of(a.members.begin(), a.members.end(),
-                                     [](const Member* m) { return m && m->shown; });
-      if (!(info.doors & door_) || !shown || (info.only_inch && units_ == UnitSystem::mm)) continue;
-      const std::string& title = info.group.empty() ? heading : info.group;
-      if (info.type == Type::record) {
-        nest(a, title);
-      } else {
-        group(title).rows.push_back(
-            {&info, texts(a), unit_text(system_of(info, units_), info.unit)});
-      }
-    }
-  }
-  std::vector<TextGroup> take() { return std::move(groups_); }
-
- private:
-  // Adds the quantities of an inner record under the heading `title`. The records of a list are
-  // added one after the other, with their numbers in the headings.
-  void nest(const Across& a, const std::string& title) {
-    std::size_t longest = 1;
-    for (const Member* m : a.members)
-      if (m && m->value.list()) longest = std::max(longest, m->value.list()->size());
-    for (std::size_t i = 0; i < longest; ++i) {
-      std::vector<const ValueRecord*> inner;
-      for (const Member* m : a.members) {
-        const ValueList* list = m ? m->value.list() : nullptr;
-        const Value* v = !m                 ? nullptr
-                         : !list            ? &m->value
-                         : i < list->size() ? &(*list)[i]
-                                            : nullptr;
-        inner.push_back(v ? v->record() : nullptr);
-      }
-      add(inner, longest == 1 ? title : fmt::format("{} {}", title, i + 1));
-    }
-  }
-  std::vector<std::string> texts(const Across& a) const {
-    std::vector<std::string> texts;
-    for (const Member* m : a.members) {
-      const ValueList* list = m && a.info->two == Two::gears ? m->value.list() : nullptr;
-      if (list) {
-        for (const Value& v : *list) texts.push_back(text_of(*a.info, v, none_, units_));
-      } else {
-        texts.push_back(text_of(*a.info, m ? m->value : Value(), none_, units_));
-      }
-    }
-    return texts;
-  }
-  TextGroup& group(const std::string& title) {
-    const auto it = std::find_if(groups_.begin(), groups_.end(),
-                                 [&](const TextGroup& g) { return g.title == title; });
-    if (it != groups_.end()) return *it;
-    groups_.push_back({title, {}});
-    return groups_.back();
-  }
-
-  Doors door_;
-  UnitSystem units_;
-  std::string_view none_;
-  std::vector<TextGroup> groups_;
-};
-
-}  // namespace
-
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none) {
-  std::vector<const ValueRecord*> all;
-  for (const ValueRecord& r : records) all.push_back(&r);
-  Groups groups(door, units, none);
-  groups.add(all, "");
-  std::vector<TextGroup> found = groups.take();
-  const auto place = [&](const TextGroup& g) {
-    return std::find(table.groups.begin(), table.groups.end(), g.title) - table.groups.begin();
-  };
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const TextGroup& a, const TextGroup& b) { return place(a) < place(b); });
-  return found;
+  std::vector<TextGroup> groups;
+  for (const QuantityRow& row : quantity_rows(table, records, door, units)) {
+    if (groups.empty() || groups.back().title != row.group) groups.push_back({row.group, {}});
+    const QuantityInfo& info = *row.info;
+    TextRow& made = groups.back().rows.emplace_back(
+        TextRow{&info, {}, unit_text(system_of(info, units), info.unit)});
+    for (const Value& v : row.values) made.texts.push_back(text_of(info, v, none, units));
+  }
+  return groups;
 }
 
 std::string capitalised(std::string words) {

@@ -20,6 +20,7 @@
 #include "gearwright/job/csv_answer.hpp"
 #include "gearwright/job/listing.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/result_rows.hpp"
 #include "gearwright/job/search_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 #include "gearwright/spec/read_drive.hpp"
@@ -157,6 +158,11 @@ Result<Answer> answer_of(const JobSpec& spec, Result<DriveJob> solved,
     return title + listing(job->drive, units);
   };
   answer.csv = [job] { return drive_csv(job->drive); };
+  answer.rows = [job](UnitSystem units) {
+    return rows_json(units, {.name = "drive",
+                             .quantities = drive_quantities().table(),
+                             .records = {drive_quantities().of(job->drive)}});
+  };
   return answer;
 }
 

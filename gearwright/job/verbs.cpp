@@ -22,6 +22,7 @@
 #include "gearwright/job/measures.hpp"
 #include "gearwright/job/propose_answer.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/result_rows.hpp"
 #include "gearwright/job/scatter_answer.hpp"
 #include "gearwright/spec/parse_spec.hpp"
 
@@ -41,6 +42,7 @@ struct Solving {
   std::string (*csv)(const SolvedJob&, const Found&) = nullptr;
   std::vector<Json> (*specs)(const Found&) = nullptr;
   std::vector<std::vector<std::string>> (*notes)(const Found&) = nullptr;
+  Json (*rows)(const Found&, UnitSystem) = nullptr;
   bool rack = false;  // true if the verb accepts a rack
 };
 
@@ -65,6 +67,8 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
   answer.listing = [state, form = how.listing] { return form(state->job, state->found); };
   if (how.csv != nullptr)
     answer.csv = [state, form = how.csv] { return form(state->job, state->found); };
+  if (how.rows != nullptr)
+    answer.rows = [state, form = how.rows](UnitSystem units) { return form(state->found, units); };
   return answer;
 }
 
@@ -72,6 +76,16 @@ Result<Answer> solved_answer(const Solving<Found>& how, const JobSpec& spec, Pro
 template <const auto& (*quantities)(), class Found>
 Json record_of(const SolvedJob& job, const Found& found) {
   return titled_record(job.spec, quantities().table().name.c_str(), quantities().of(found));
+}
+
+// The rows of the quantities of an answer.
+template <const auto& (*quantities)(), class Found>
+Json table_rows(const Found& found, UnitSystem units) {
+  const QuantityTable& table = quantities().table();
+  return rows_json(units, {.name = table.name,
+                           .quantities = table,
+                           .records = {quantities().of(found)},
+                           .range = RowRange::shown});
 }
 
 // The empty result of verbs that need only the gears and the pair.
@@ -132,6 +146,7 @@ Result<Answer> run_contact(const JobSpec& spec, Progress* progress) {
        .record = record_of<contact_quantities, ContactAnswer>,
        .listing = contact_listing,
        .csv = contact_csv,
+       .rows = table_rows<contact_quantities, ContactAnswer>,
        .rack = true},
       spec, progress);
 }
@@ -194,14 +209,27 @@ Result<Answer> run_load(const JobSpec& spec, Progress* progress) {
       spec, progress);
 }
 
+// The clause of the standard and the branch for each quantity of a rating.
+auto sources_of(const RatingAnswer& answer, UnitSystem units) {
+  return [&answer, units](const QuantityInfo& info) {
+    return sentence_in(units, source_text(answer.rating, info.key));
+  };
+}
+
 // Lists inputs, factors and safeties with symbol, value, unit, clause of the standard and branch.
 std::string rating_listing(const SolvedJob& job, const RatingAnswer& answer) {
   const auto& quantities = rating_quantities();
-  return title_listing(job.spec, "\n") +
-         quantity_listing(job.spec.units(), quantities.table(), {quantities.of(answer)},
-                          gear_columns(2), [&](const QuantityInfo& s) {
-                            return sentence_in(job.spec.units(), source_text(answer.rating, s.key));
-                          });
+  return title_listing(job.spec, "\n") + quantity_listing(job.spec.units(), quantities.table(),
+                                                          {quantities.of(answer)}, gear_columns(2),
+                                                          sources_of(answer, job.spec.units()));
+}
+
+Json rating_rows(const RatingAnswer& answer, UnitSystem units) {
+  const auto& quantities = rating_quantities();
+  return rows_json(units, {.name = "rating",
+                           .quantities = quantities.table(),
+                           .records = {quantities.of(answer)},
+                           .note = sources_of(answer, units)});
 }
 
 Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
@@ -213,7 +241,8 @@ Result<Answer> run_rate(const JobSpec& spec, Progress* progress) {
                    const RatingAnswer& a) { return judge(job, {.rating = &a}); },
        .record = record_of<rating_quantities, RatingAnswer>,
        .listing = rating_listing,
-       .csv = rating_csv},
+       .csv = rating_csv,
+       .rows = rating_rows},
       spec, progress);
 }
 

@@ -36,6 +36,7 @@ struct Answer {
   std::string why_none;                  ///< if a verb that proposes specs finds none, the reason
   std::function<std::string()> listing;  ///< the record for a terminal
   std::function<std::string()> csv;      ///< empty if the verb has no table
+  std::function<Json(UnitSystem)> rows;  ///< rows of the page (job/result_rows.hpp); may be empty
   UnitSystem units =
       UnitSystem::mm;  ///< units of the specs, the notes and all output; `record` is in mm
 };

@@ -67,6 +67,8 @@ const tests = {
       const { json } = work.result();
       assert.equal(json, once);
       const said = JSON.parse(json).load.torques;
+      const torques = work.rows().map((rows) => Number(rows.find((row) => row.id === "load.torque_Nm").texts[0]));
+      assert.deepEqual(torques, said.map((torque) => torque.torque_Nm));
       for (const [t, torque] of said.entries()) {
         const figures = new Map(work.figures(t, 600).map((one) => [one.id, one]));
         const greatest = (id, curve) =>
@@ -79,6 +81,24 @@ const tests = {
       work.delete();
     }
     assert.equal(engine.open(example("helical_pair")).load().error.key, "load.torque_Nm");
+    session.delete();
+  },
+
+  rows_are_the_numbers_of_the_json() {
+    const session = engine.open(example("misaligned_pair"));
+    const row = (rows, id) => rows.find((one) => one.id === id);
+    const shown = (text, value) => assert.equal(text, value.toFixed(text.split(".")[1]?.length ?? 0));
+    const { gears, pair } = JSON.parse(session.json("pair"));
+    const rows = session.rows("pair");
+    shown(row(rows, "pair.backlash.normal_mm").texts[0], pair.backlash.normal_mm);
+    for (const gear of [0, 1]) shown(row(rows, "gears.tip_diameter_mm").texts[gear], gears[gear].tip_diameter_mm);
+    session.showIn("in");
+    const inInch = row(session.rows("pair"), "pair.center_distance_mm");
+    assert.equal(inInch.unit, "in");
+    shown(inInch.texts[0], pair.center_distance_mm / 25.4);
+    const { contact } = JSON.parse(session.json("contact"));
+    shown(row(session.rows("contact"), "contact.peak_to_peak_arcsec").texts[0], contact.peak_to_peak_arcsec);
+    assert.deepEqual(session.rows("rate"), []);
     session.delete();
   },
 

@@ -22,17 +22,19 @@ Error too_long(std::size_t bytes) {
   return {"", "", fmt::format("the spec has {} bytes; at most {} are allowed", bytes, kMaxSpec)};
 }
 
-Result<std::string> answered(std::string_view verb, const JobSpec& spec) {
-  if (verb == "search") {  // as in the program, this call runs the whole search
-    if (!spec.search) return no_search();
-    const Search search(*spec.search);
-    const auto run = run_search(spec, search, {});
-    if (!run) return run.error();
-    return search_json_text(search, *run, spec.units());
-  }
-  const auto json = answer_json(verb, spec);
-  if (!json) return json.error();
-  return json_text(*json, 2) + "\n";
+// Runs the whole search, as in the program.
+Result<Answered> searched(const JobSpec& spec) {
+  if (!spec.search) return no_search();
+  const Search search(*spec.search);
+  const auto run = run_search(spec, search, {});
+  if (!run) return run.error();
+  return Answered{search_json_text(search, *run, spec.units())};
+}
+
+Result<Answered> solved(const Verb& verb, const JobSpec& spec) {
+  auto answer = verb.run(spec, nullptr);
+  if (!answer) return answer.error();
+  return Answered{json_text(answer_json(*answer), 2) + "\n", std::move(answer).take()};
 }
 
 Result<Json> tree_of(const std::string& text, SpecFormat format) {
@@ -71,15 +73,16 @@ std::string refusal(const Error& error, const SpecText* text, const GivenKeys& g
   return json_text(apps::refusal_json(spelled(error, given), text), 2) + "\n";
 }
 
-std::string answer(std::string_view verb, const std::string& given) {
+Answered answered(std::string_view verb, const std::string& given) {
   const SpecText text = spec_text(given);
   const Verb* const row = find_verb(verb);
   if (verb != "search" && row == nullptr)
-    return refusal({"", std::string(verb), "is not a verb that returns JSON for a spec"}, nullptr);
+    return {refusal({"", std::string(verb), "is not a verb that returns JSON for a spec"})};
   const auto spec = read(text, row ? row->use : SpecUse::geometry);
-  if (!spec) return refusal(spec.error(), &text);
-  const auto answer = answered(verb, *spec);
-  return answer ? *answer : refusal(answer.error(), &text, spec->given);
+  if (!spec) return {refusal(spec.error(), &text)};
+  auto found = row ? solved(*row, *spec) : searched(*spec);
+  if (!found) return {refusal(found.error(), &text, spec->given)};
+  return std::move(found).take();
 }
 
 Result<std::string> to_toml(const std::string& json) {

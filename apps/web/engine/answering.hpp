@@ -2,10 +2,11 @@
 // errors. Verbs that need files or folders are not available in a page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
-#include "gearwright/spec/spec.hpp"
+#include "gearwright/job/verbs.hpp"
 
 namespace gearwright::web {
 
@@ -24,8 +25,13 @@ inline constexpr std::string_view kInPage =
 std::string refusal(const Error& error, const SpecText* text = nullptr,
                     const GivenKeys& given = {});
 
-/// Returns the output of `gearwright VERB SPEC --json`.
-std::string answer(std::string_view verb, const std::string& text);
+/// The output of `gearwright VERB SPEC --json` with the result of the verb. There is no result if
+/// the verb fails, or for a search.
+struct Answered {
+  std::string json;
+  std::optional<Answer> answer = {};
+};
+Answered answered(std::string_view verb, const std::string& text);
 
 /// The same spec in mm, as TOML. Comments of the text are lost.
 Result<std::string> metric(const std::string& text);

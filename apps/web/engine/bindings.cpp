@@ -186,7 +186,7 @@ MadeWork load(Session& session, const std::string& accuracy,
 void show_in(Session& session, const std::string& unit) {
   session.show_in(unit == "in" ? UnitSystem::inch : UnitSystem::mm);
 }
-std::string session_json(const Session& session, const std::string& verb) {
+std::string session_json(Session& session, const std::string& verb) {
   return guarded_text([&] { return session.json(verb); });
 }
 val work_result(const Work& work) {
@@ -255,7 +255,7 @@ val edit_val(const std::string& toml, const std::string& key, const std::string&
   return guarded([&] { return of_text(with_key(toml, key, value), {"", toml}); });
 }
 std::string run(const std::string& verb, const std::string& spec) {
-  return guarded_text([&] { return answer(verb, spec); });
+  return guarded_text([&] { return answered(verb, spec).json; });
 }
 std::string schema(const std::string& of) {
   return of == "spec" ? spec_schema() : json_text(result_schema(), 2) + "\n";
@@ -312,6 +312,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .property("hasPair", &Session::has_pair)
       .property("pitchDeg", &Session::pitch_deg)
       .function("json", &session_json)
+      .function("rows", &call<&Session::rows, Session, std::string>)
       .function("showIn", &show_in)
       .function("mesh", &call<&Session::mesh, Session, int, double>)
       .function("driveSolids", &call<&Session::drive_solids, Session>)
@@ -335,6 +336,7 @@ EMSCRIPTEN_BINDINGS(gearwright) {
       .smart_ptr<std::shared_ptr<Work>>("WorkHandle")
       .function("step", &call<&Work::step, Work, double>)
       .function("figures", &call<&Work::figures, const Work, int, double>)
+      .function("rows", &call<&Work::rows, const Work>)
       .function("result", &work_result);
   class_<SearchSession>("Search")
       .smart_ptr<std::shared_ptr<SearchSession>>("SearchHandle")

@@ -31,35 +31,26 @@ const char* name_of(const Names& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-// A suffix of keys and its unit as users read it. The list contains only the suffixes for which
-// key_unit() does not return the displayed unit. These are suffixes that are displayed in another
-// form, and units that the catalogue does not convert.
+// A suffix of keys and its unit as users read it. The list contains only the suffixes of units that
+// are no enumerators of Unit.
 struct Ending {
   std::string_view suffix, unit;
 };
-constexpr std::array<Ending, 15> kEndings{{{"deg", "°"},
-                                           {"um", "µm"},
-                                           {"arcsec", "″"},
-                                           {"per_in", "1/in"},
-                                           {"rpm", "1/min"},
-                                           {"Nm", "N m"},
-                                           {"kW", "kW"},
-                                           {"MPa", "N/mm²"},
-                                           {"HV", "HV"},
-                                           {"kg_per_m3", "kg/m³"},
-                                           {"mm2_s", "mm²/s"},
-                                           {"h", "h"},
-                                           {"m2K_per_W", "m²K/W"},
-                                           {"m2", "m²"},
-                                           {"C", "°C"}}};
+constexpr std::array<Ending, 6> kEndings{{{"HV", "HV"},
+                                          {"kg_per_m3", "kg/m³"},
+                                          {"mm2_s", "mm²/s"},
+                                          {"h", "h"},
+                                          {"m2K_per_W", "m²K/W"},
+                                          {"m2", "m²"}}};
 
 Ending ending_of(std::string_view key) {
   for (const Ending& e : kEndings) {
     const std::size_t n = e.suffix.size();
     if (key.size() > n && key.ends_with(e.suffix) && key[key.size() - n - 1] == '_') return e;
   }
-  const std::string_view unit = key_unit(key);
-  return {unit, unit};
+  const Unit unit = unit_of(key);
+  if (unit == Unit::none) return {};
+  return {unit_suffix(unit).substr(1), unit_text(unit)};
 }
 
 Json texts(const std::vector<std::string_view>& list) {

@@ -226,6 +226,8 @@ export interface Work<T> {
   /** Figures of the result. A map has one figure. For teeth under load, the figures show the torque with this
    *  index. */
   figures(torque: number, width: number): Figure[] | Failed;
+  /** For teeth under load, the rows of each torque. */
+  rows(): Row[][] | Failed;
   delete(): void;
 }
 
@@ -243,6 +245,22 @@ export interface ErrorMap {
 /** Teeth under load. */
 export interface LoadResult {
   json: string; // the output of `gearwright load SPEC --json`, without probes
+}
+
+// ---------------------------------------------------------------------------------- tables
+
+/** A row of a table of a result, in the words and the order of the program's listing. */
+export interface Row {
+  id: string; // its place in the result, "pair.backlash.normal_mm"; of a gear, "gears.tip_diameter_mm"
+  group: string; // heading; may be empty
+  words: string;
+  symbol: string; // with indices after the underscore; may be empty
+  unit: string;
+  meaning: string;
+  texts: string[]; // one for each gear, or one for both
+  /** For each text, the values at both ends of the tolerances. Empty texts, or no texts, if there are none. */
+  ends: string[];
+  note: string; // for a factor of a rating, its clause of the standard and the branch of the formula
 }
 
 // ---------------------------------------------------------------------------------- figures
@@ -319,11 +337,14 @@ export interface Session {
   readonly gears: number; // 1 or 2, including a rack; 0 for a drive, which has json("drive"), solids, figures and files only
   readonly hasPair: boolean; // true for two gears, and for a rack and its pinion
   readonly pitchDeg: number; // one pitch of gear 1; 0 for a drive
-  /** Sets the unit of lengths of figures, of the report and of drawings. Initially "mm". The figure of the gears
+  /** Sets the unit of lengths of figures, rows, the report and drawings. Initially "mm". The figure of the gears
    *  in section and all other results are in mm. */
   showIn(unit: "mm" | "in"): void;
   /** The output of `gearwright VERB SPEC --json` including its line feed, or a Failed as JSON. */
   json(verb: Verb): string;
+  /** The rows of the result of `gear`, `pair`, `drive`, `contact` or `rate`; empty for other verbs, and if the verb
+   *  fails. A verb is not computed again if the last call of `json` had the same verb. */
+  rows(verb: Verb): Row[] | Failed;
   /** The solid of gear 1 or 2 within the tolerance (default 0.02 mm). */
   mesh(gear: 1 | 2, toleranceMm?: number): Mesh | Failed;
   driveSolids(): DriveSolids | Failed;

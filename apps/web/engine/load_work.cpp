@@ -8,6 +8,7 @@
 #include "gearwright/job/judgement.hpp"
 #include "gearwright/job/load_answer.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/result_rows.hpp"
 #include "gearwright/load/load_summary.hpp"
 
 namespace gearwright::web {
@@ -24,6 +25,7 @@ class LoadAnswerWork : public Work {
       : Work(std::move(session)), job_(std::move(job)) {}
   Json result() const override { return result_; }
   Result<Json> figures(int torque, double width) const override;
+  Result<Json> rows() const override;
 
  protected:
   void take(const LoadAnalysis& answer, LoadScene scene);
@@ -33,6 +35,7 @@ class LoadAnswerWork : public Work {
 
  private:
   std::optional<LoadScene> scene_;
+  std::vector<ValueRecord> torques_;
 };
 
 // A double-helical pair. Its halves are computed in one step.
@@ -135,6 +138,18 @@ void LoadAnswerWork::take(const LoadAnalysis& answer, LoadScene scene) {
   json["warnings"] = warnings_json(job_.warnings);
   json["verdict"] = verdict_json(judge(job_, {.load = true}));
   result_["json"] = json_text(json, 2) + "\n";
+  for (const LoadTorqueView& torque : torque_views(*answer.contact, answer.standard))
+    torques_.push_back(load_torque_quantities().of(torque));
+}
+
+Result<Json> LoadAnswerWork::rows() const {
+  Json tables = Json::array();
+  for (const ValueRecord& torque : torques_)
+    tables.push_back(rows_json(session().units(), {.name = "load",
+                                                   .quantities = load_torque_quantities().table(),
+                                                   .records = {torque},
+                                                   .range = RowRange::shown}));
+  return tables;
 }
 
 Result<Json> LoadAnswerWork::figures(int torque, double width) const {

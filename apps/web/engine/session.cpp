@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "apps/web/engine/answering.hpp"
 #include "gearwright/arrange/loaded_pair.hpp"
 #include "gearwright/catalogue/columns.hpp"
 #include "gearwright/catalogue/contact_quantities.hpp"
@@ -12,6 +11,7 @@
 #include "gearwright/contact/contact.hpp"
 #include "gearwright/figure/contact_figures.hpp"
 #include "gearwright/job/result_json.hpp"
+#include "gearwright/job/result_rows.hpp"
 #include "gearwright/report/contact_report.hpp"
 
 namespace gearwright::web {
@@ -72,9 +72,23 @@ Json Session::drawn(Figure figure, double width) const {
   return shape(in_units(units_, std::move(figure)), width);
 }
 
-std::string Session::json(std::string_view verb) const {
+const Answered& Session::answered(const std::string& verb) {
+  if (!answered_ || answered_verb_ != verb) {
+    answered_ = gearwright::web::answered(verb, text_.text);
+    answered_verb_ = verb;
+  }
+  return *answered_;
+}
+
+std::string Session::json(const std::string& verb) {
   if (verb == "pair" && has_pair()) return json_text(job_json(job_, judge(job_)), 2) + "\n";
-  return answer(verb, text_.text);
+  return answered(verb).json;
+}
+
+Result<std::string> Session::rows(const std::string& verb) {
+  if (gears() > 0 && (verb == "gear" || verb == "pair")) return json_text(job_rows(job_, units_));
+  const std::optional<Answer>& answer = answered(verb).answer;
+  return json_text(answer && answer->rows ? answer->rows(units_) : Json::array());
 }
 
 Result<Session::Touching> Session::make_touching() const {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "apps/web/engine/answering.hpp"
 #include "apps/web/engine/shapes.hpp"
 #include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/figure/mesh.hpp"
@@ -60,12 +61,16 @@ class Session : public std::enable_shared_from_this<Session> {
     return job_.gears.empty() ? 0.0 : 360.0 / std::abs(job_.gears.front().spec.teeth);
   }
 
-  /// Sets the system of units of figures, report and drawings. All other results are in mm.
+  /// Sets the system of units of figures, rows, report and drawings. All other results are in mm.
   void show_in(UnitSystem units) { units_ = units; }
+  UnitSystem units() const { return units_; }
   /// A figure in the system of units that show_in() has set.
   Json drawn(Figure figure, double width) const;
 
-  std::string json(std::string_view verb) const;
+  std::string json(const std::string& verb);
+  /// The rows of a verb's result for the tables of the page, as JSON (job/result_rows.hpp). The list
+  /// is empty if the verb fails or has no rows.
+  Result<std::string> rows(const std::string& verb);
   Result<Json> mesh(int gear, double tolerance) const;
   /// The solids of a drive in their positions, with the data of their motion.
   Result<Json> drive_solids() const;
@@ -124,6 +129,7 @@ class Session : public std::enable_shared_from_this<Session> {
   };
   explicit Session(SpecText text) : text_(std::move(text)) {}
   static Result<std::shared_ptr<Session>> opened(SpecText text);
+  const Answered& answered(const std::string& verb);
   Result<Touching> make_touching() const;
   Result<const Touching*> touching();
   Result<Found> analyse(const ContactRequest& request);
@@ -140,6 +146,8 @@ class Session : public std::enable_shared_from_this<Session> {
   UnitSystem units_ = UnitSystem::mm;
   std::optional<Result<Touching>> touching_;
   std::optional<Found> found_;  ///< for the last requested number of positions
+  std::optional<Answered> answered_;
+  std::string answered_verb_;  ///< the verb of `answered_`
 };
 
 }  // namespace gearwright::web

@@ -33,6 +33,8 @@ class Work {
   virtual Json result() const = 0;
   /// Figures of the result. Some types of work have none.
   virtual Result<Json> figures(int, double) const { return Json::array(); }
+  /// The rows of the tables of the result, a list for each torque. Most types of work have none.
+  virtual Result<Json> rows() const { return Json::array(); }
 
  private:
   std::shared_ptr<Session> session_;

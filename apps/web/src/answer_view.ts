@@ -4,11 +4,12 @@
 // fields for a load.
 
 import { fill, h, scroller } from "./elements";
+import type { Row } from "../engine/engine";
 import type { Fault, Notice, Solved, Verdict } from "./engine_worker";
 import { Offer, type Offered } from "./form/offer";
 import { KeyPanel, type PanelGroup } from "./form/panel";
 import { judgement, type Part } from "./judgement";
-import { quantityTable, type Extra, type Row } from "./quantity_table";
+import { quantityTable, type Extra } from "./quantity_table";
 import type { Tab } from "./tabs";
 import { noticesOf } from "./verdict";
 import { at, bench, hasRack } from "./workbench";

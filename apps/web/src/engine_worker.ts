@@ -16,6 +16,7 @@ export interface Solved {
   spec: { [key: string]: Json } | null; // the tree of the text; null if the text cannot be read
   /** null if there is a fault, or if the page already has the result with this number. */
   result: { [key: string]: Json } | null;
+  rows: E.Row[] | null; // the rows of the result; null in the same cases
   number: number; // the number of the result; results with equal numbers are equal
   fault: Fault | null;
   gears: number;
@@ -27,6 +28,7 @@ export type Loaded =
   | { fault: Fault }
   | {
       load: { [key: string]: Json };
+      rows: E.Row[][]; // for each torque
       warnings: Notice[];
       verdict: Verdict;
       milliseconds: number;
@@ -89,8 +91,11 @@ function treeOf(text: string): Solved["spec"] {
   return failed(tree) ? null : JSON.parse(tree);
 }
 
-/** The last result as text. */
-let printed = { text: "", number: 0 };
+/** The last result as text, and the unit of its rows. */
+let printed: { text: string; unit: "mm" | "in"; number: number } = { text: "", unit, number: 0 };
+
+/** The verb whose result the page shows for any spec. */
+const verbOf = (s: E.Session): E.Verb => (s.hasPair ? "pair" : s.gears ? "gear" : "drive");
 
 /** Solves a spec. `known` is the number of the result that the page has. If the new result is the
  *  same, it is not sent, because sending takes longer than solving. Most mounting errors do not
@@ -101,6 +106,7 @@ function solve(text: string, known: number): Solved {
     text,
     spec: null,
     result: null,
+    rows: null,
     number: 0,
     fault: null,
     gears: 0,
@@ -113,11 +119,17 @@ function solve(text: string, known: number): Solved {
     // The text cannot be read. The next call of the engine reports the reason.
   }
   try {
-    const { gears, hasPair, json } = session(text);
+    const s = session(text);
+    const { gears, hasPair } = s;
     Object.assign(solved, { gears, hasPair });
-    const result = json(hasPair ? "pair" : gears ? "gear" : "drive");
-    if (result !== printed.text || known !== printed.number) solved.result = good(JSON.parse(result));
-    if (result !== printed.text) printed = { text: result, number: printed.number + 1 };
+    const verb = verbOf(s);
+    const result = s.json(verb);
+    const same = result === printed.text && unit === printed.unit;
+    if (!same || known !== printed.number) {
+      solved.result = good(JSON.parse(result));
+      solved.rows = good(s.rows(verb));
+    }
+    if (!same) printed = { text: result, unit, number: printed.number + 1 };
     solved.number = printed.number;
   } catch (reason) {
     if (!(reason instanceof Refused)) throw reason;
@@ -158,6 +170,12 @@ async function drawnWork<T>(begun: E.Work<T> | E.Failed, step: Step, sofar?: (ta
     drawn = task;
   }
   return result;
+}
+
+/** The rows of the last load for each torque. */
+function loadRows(): E.Row[][] {
+  open?.session.showIn(unit);
+  return drawn ? good(drawn.rows()) : [];
 }
 
 /** Adds to a result the time that its computation took. */
@@ -221,6 +239,12 @@ const questions = {
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   picturePdf: (q: { svg: string; title: string }) => good(engine.picturePdf(q.svg, q.title)),
+  /** The rows of the numbers on screen, in the unit on screen. */
+  rows(q: { text: string }) {
+    const s = session(q.text);
+    return good(s.rows(verbOf(s)));
+  },
+  loadRows,
   loadFigures(q: { torque: number; width: number }) {
     open?.session.showIn(unit);
     return drawn ? good(drawn.figures(q.torque, q.width)) : [];
@@ -232,7 +256,7 @@ const questions = {
       const found = await drawnWork(session(q.text).load(q.accuracy), step);
       if (!found) return null;
       const { load, warnings, verdict } = JSON.parse(found.json);
-      return { load, warnings, verdict, milliseconds: performance.now() - begin };
+      return { load, rows: loadRows(), warnings, verdict, milliseconds: performance.now() - begin };
     } catch (reason) {
       if (reason instanceof Refused) return { fault: reason.fault };
       throw reason;
@@ -244,6 +268,16 @@ const questions = {
   /** Runs any verb and returns its parsed JSON. */
   run: (q: { text: string; verb: E.Verb }) =>
     JSON.parse(engine.run(q.verb, q.text)) as { [key: string]: Json },
+  /** Runs a verb on a spec that can be solved. Returns its parsed JSON and its rows. */
+  answer(q: { text: string; verb: E.Verb }): { result: { [key: string]: Json }; rows: E.Row[] } {
+    try {
+      const s = session(q.text);
+      return { result: JSON.parse(s.json(q.verb)), rows: good(s.rows(q.verb)) };
+    } catch (reason) {
+      if (reason instanceof Refused) return { result: { error: { ...reason.fault } as Json }, rows: [] };
+      throw reason;
+    }
+  },
   /** Returns the output of the program with --json. Tests compare it with the native program. */
   print: (q: { text: string; verb: E.Verb }) => engine.run(q.verb, q.text),
   trials(q: { text: string }) {

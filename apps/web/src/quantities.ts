@@ -2,13 +2,12 @@
 // gears side by side. A search box filters the quantities. Values that the last change has altered are
 // highlighted.
 
-import { quantities, quantity } from "./catalogue";
+import type { Row } from "../engine/engine";
 import { fill, h, scroller } from "./elements";
-import type { Json } from "./engine_worker";
 import { onUnitChange } from "./numbers";
-import { cellText, fillCell, quantityTable, rowsOf, type Row } from "./quantity_table";
+import { fillCell, quantityTable } from "./quantity_table";
 import { markRevision } from "./revision";
-import { at, bench } from "./workbench";
+import { bench } from "./workbench";
 
 export class QuantityPane {
   private readonly search = h("input", {
@@ -29,16 +28,12 @@ export class QuantityPane {
   private shown = ""; // the text of the spec to which the shown numbers belong
   private cells = new Map<string, HTMLElement[]>();
   private rows: Row[] = [];
-  private result: unknown = null; // the result whose numbers are shown
 
   constructor() {
     bench.on("solved", () => this.update());
     bench.on("text", () => this.age());
     bench.on("opened", () => this.clear());
-    onUnitChange(() => {
-      this.signature = "";
-      this.update();
-    });
+    onUnitChange(() => void this.inUnits());
   }
 
   /** Dims the table of numbers if it does not belong to the spec on screen. */
@@ -53,55 +48,48 @@ export class QuantityPane {
     this.age();
   }
 
+  /** Replaces the rows by those in the unit on screen. */
+  private async inUnits(): Promise<void> {
+    const { solved } = bench;
+    if (!solved?.rows) return;
+    const rows = await bench.front.latest("rows", "rows", { text: solved.text });
+    if (!rows) return;
+    if (bench.solved !== solved) return this.inUnits();
+    solved.rows = rows;
+    this.signature = "";
+    this.update();
+  }
+
   update(): void {
-    const result = bench.solved?.result;
+    const { solved } = bench;
     this.element.classList.toggle("unsolved", bench.finder !== undefined);
     this.age();
-    if (!result && !bench.good) this.clear();
-    if (!result) return;
-    this.shown = bench.solved!.text;
+    if (!solved?.rows && !bench.good) this.clear();
+    if (!solved?.rows) return;
+    this.shown = solved.text;
     this.age();
-    if (result === this.result && this.signature) return;
-    this.result = result;
-    const records = (result["gears"] ?? []) as Json[];
-    const rack = at(records[1], "form") === "rack";
-    const gears = rowsOf(quantities("gear")!, records, "gears");
-    const pairTable = quantities(rack ? "rack_pair" : "pair")!;
-    const drive = result["drive"] ? rowsOf(quantities("drive")!, [result["drive"]], "drive") : [];
-    const pair = result["pair"] ? rowsOf(pairTable, [result["pair"]], "pair") : drive;
-    this.rows = [...pair, ...gears];
-    if (rack) {
-      const table = quantities("rack")!;
-      const own = table.quantities.filter((info) => !quantity("gear", info.key));
-      this.rows.push(...rowsOf({ ...table, quantities: own }, [null, records[1]!], "gears"));
-    }
-    const columns = records.length;
-    const signature = columns + this.rows.map((row) => row.id + row.values.length).join();
+    if (solved.rows === this.rows && this.signature) return;
+    this.rows = solved.rows;
+    const signature = solved.gears + this.rows.map((row) => row.id + row.unit + row.texts.length).join();
     if (signature !== this.signature) {
       this.signature = signature;
-      this.build(columns, pair.length);
+      const table = quantityTable(this.rows, solved.gears, { untitled: "Drive" });
+      this.cells = table.cells;
+      fill(this.sheet, table.element);
+      this.filter();
       return;
     }
     for (const row of this.rows) {
       const cells = this.cells.get(row.id)!;
-      row.values.forEach((_, i) => {
+      row.texts.forEach((text, i) => {
         const cell = cells[i]!;
-        if (cell.textContent === cellText(row, i).join("")) return;
+        if (cell.textContent === text + (row.ends[i] ?? "")) return;
         fillCell(cell, row, i);
         cell.classList.remove("glow");
         void cell.offsetWidth; // a forced layout restarts the highlight
         cell.classList.add("glow");
       });
     }
-  }
-
-  private build(columns: number, pairRows: number): void {
-    const table = quantityTable(this.rows, columns, {
-      headingOf: (row, index) => [index < pairRows ? "Pair" : "Gears", row.group || "Drive"],
-    });
-    this.cells = table.cells;
-    fill(this.sheet, table.element);
-    this.filter();
   }
 
   private filter(): void {

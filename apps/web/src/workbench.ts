@@ -150,7 +150,10 @@ class Workbench {
 
   /** `known` is the design whose result the engine does not send again. */
   private takeSolved(solved: Solved, begin: number, known: Solved | null = null): void {
-    if (known && solved.number === known.number) solved.result ??= known.result;
+    if (known && solved.number === known.number) {
+      solved.result ??= known.result;
+      solved.rows ??= known.rows;
+    }
     this.solved = solved;
     if (solved.result) this.good = solved;
     else if (this.finder) this.good = null;
@@ -208,7 +211,7 @@ class Workbench {
 
 function faulty(text: string, message: string): Solved {
   const fault: Fault = { key: "", value: "", message };
-  return { text, spec: null, result: null, number: 0, fault, gears: 0, hasPair: false, milliseconds: 0 };
+  return { text, spec: null, result: null, rows: null, number: 0, fault, gears: 0, hasPair: false, milliseconds: 0 };
 }
 
 export const bench = new Workbench();

@@ -2,6 +2,7 @@
 // errors at their fields, and the single file without a server or a network.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readFileSync, statSync, writeFileSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -18,6 +19,7 @@ import {
   native,
   open,
   openTab,
+  program,
   put,
   root,
   settled,
@@ -70,6 +72,38 @@ describe("numbers", () => {
       }
   });
 
+  /** The rows of a table, and of a listing of the program, as words without blanks and without marks of indices. */
+  const plain = (text) => text.replace(/[\s_]/g, "").replaceAll("–", "-");
+  const listed = (verb, name) =>
+    execFileSync(program, [verb, join(root, "examples", `${name}.toml`)], { encoding: "utf8" })
+      .split("\n")
+      .filter((line) => /^ {2}\S.* {2}/.test(line)) // sentences have no columns
+      .map(plain);
+  const shown = async (room) =>
+    (
+      await page.$$eval(`${room} table.quantities tbody tr:not(.group)`, (all) =>
+        all.map((row) => {
+          const [words, symbol, unit, ...cells] = [...row.children].map((one) => one.textContent);
+          const note = row.querySelector(".place") ? cells.pop() : "";
+          return [words, symbol, ...cells, unit, note].join("");
+        }),
+      )
+    ).map(plain);
+
+  it("in the table are the rows of the listing of the program", async () => {
+    for (const name of ["helical_pair", "crossed_pair", "circular_arc_drive", "herringbone_pair", "ring_pair"]) {
+      await put(page, example(name));
+      const rows = new Set(await shown(".numbers"));
+      const lines = listed("pair", name);
+      assert.ok(lines.length > 20);
+      assert.deepEqual(lines.filter((line) => !rows.has(line)), [], name);
+    }
+    await put(page, example("rated_pair"), "rating");
+    await page.waitForSelector("#room-rating [data-safety]");
+    const rows = new Set(await shown("#room-rating"));
+    assert.deepEqual(listed("rate", "rated_pair").filter((line) => !rows.has(line)), []);
+  });
+
   it("in the table are those of the JSON", async () => {
     await put(page, example("helical_pair"));
     const result = native("pair", example("helical_pair"));
@@ -79,6 +113,7 @@ describe("numbers", () => {
     for (const gear of [0, 1])
       assert.equal(await cell("gears.tip_diameter_mm", gear), result.gears[gear].tip_diameter_mm.toFixed(4));
     await page.click('[data-choice="in"]');
+    await idle(page);
     assert.equal(await cell("pair.center_distance_mm"), (result.pair.center_distance_mm / 25.4).toFixed(5));
     await page.click('[data-choice="mm"]');
   });

@@ -10,7 +10,7 @@ import { chromium } from "playwright-core";
 
 export const root = resolve(import.meta.dirname, "../../..");
 export const web = resolve(process.env.GEARWRIGHT_WEB_OUT ?? join(root, "build/web"));
-const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
+export const program = resolve(process.env.GEARWRIGHT ?? join(root, "build/release/gearwright"));
 /** A generous time limit, for two loaded cores and a browser without a graphics card. These tests do not
  *  measure time. */
 export const kPatience = 120_000;

@@ -3,11 +3,10 @@
 // and is updated later.
 
 import type { ContactCurve, ContactView as FigureView, Figure, FlankRaster } from "../../engine/engine";
-import { quantities } from "../catalogue";
 import { fill, h, scroller, sentenceOf, slide, slider } from "../elements";
 import { Figures } from "../figure_slot";
 import { judgement } from "../judgement";
-import { quantityTable, rowsOf } from "../quantity_table";
+import { quantityTable } from "../quantity_table";
 import { markRevision } from "../revision";
 import { bench, hasRack } from "../workbench";
 import type { Tab } from "../tabs";
@@ -154,15 +153,13 @@ export class ContactView implements Tab {
     const { text } = bench;
     if (text === this.asked) return;
     this.asked = text;
-    const answer = await bench.press.latest("contact", "run", { text, verb: "contact" });
+    const answer = await bench.press.latest("contact", "answer", { text, verb: "contact" });
     if (!answer) {
       if (this.asked === text) this.asked = "";
       return;
     }
-    judgement.take("contact", text, answer as Parameters<typeof judgement.take>[2]);
-    const contact = answer["contact"];
-    if (contact && bench.good?.text === text)
-      fill(this.table, quantityTable(rowsOf(quantities("contact")!, [contact], "contact", "", true), 2).element);
+    judgement.take("contact", text, answer.result as Parameters<typeof judgement.take>[2]);
+    if (answer.rows.length && bench.good?.text === text) fill(this.table, quantityTable(answer.rows, 2).element);
   }
 
   private draw(): void {

@@ -3,13 +3,11 @@
 // fields for a torque. The engine computes all numbers and draws all figures.
 
 import { AnswerView } from "../answer_view";
-import { quantities } from "../catalogue";
 import { Choice, fill, h, slide, slider } from "../elements";
 import { Figures } from "../figure_slot";
 import type { Fault, Json, Loaded } from "../engine_worker";
 import { firstMaterial, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
-import { rowsOf } from "../quantity_table";
 import { at, bench } from "../workbench";
 import { Proposals } from "./proposals";
 
@@ -98,7 +96,14 @@ export class LoadView extends AnswerView<Answer> {
       this.rest = window.setTimeout(() => void this.finish(solved.text).catch(() => undefined), kRestMs);
   }
   inUnits(): void {
-    if (this.answer) void this.drawFigures();
+    const { answer } = this;
+    if (!answer) return;
+    void this.drawFigures();
+    void bench.press.latest("load-rows", "loadRows", undefined as never).then((rows) => {
+      if (!rows || this.answer !== answer) return;
+      answer.rows = rows;
+      this.draw();
+    });
   }
   leave(): void {
     clearTimeout(this.rest);
@@ -156,13 +161,12 @@ export class LoadView extends AnswerView<Answer> {
     const answer = this.answer;
     if (!answer) return;
     this.torque = Math.min(this.torque, this.records.length - 1);
-    const record = this.records[this.torque]!;
     const { positions } = this;
     const n = positions.length;
     this.index = Math.min(this.index < 0 ? Math.floor(n / 2) : this.index, n - 1);
     this.position.max = String(n - 1);
     this.position.value = String(this.index);
-    this.show(answer, rowsOf(quantities("load.torques")!, [record], "load", "", true));
+    this.show(answer, answer.rows[this.torque]!);
     this.state.textContent =
       `${this.full ? "" : "Draft. "}${n} positions` + ` in ${(answer.milliseconds / 1000).toFixed(1)} s.`;
     this.torques.element.hidden = this.records.length < 2;

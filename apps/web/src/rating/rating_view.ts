@@ -1,15 +1,12 @@
 // The tab "rating" shows the strength by ISO 6336. The colour of each safety shows its level in the verdict.
 // As in the report, every factor has its clause of the standard and the branch of the formula.
 
-import type { Quantity } from "../../engine/engine";
+import type { Row } from "../../engine/engine";
 import { AnswerView } from "../answer_view";
-import { quantities, quantity } from "../catalogue";
 import { fill, h, symbol } from "../elements";
-import type { Fault, Json, Notice, Verdict } from "../engine_worker";
+import type { Fault, Notice, Verdict } from "../engine_worker";
 import { firstMaterial, firstSpeed, firstTorque } from "../form/offer";
 import { judgement } from "../judgement";
-import { textOf } from "../numbers";
-import { rowsOf, type Row } from "../quantity_table";
 import { at, bench } from "../workbench";
 
 const kRating = ["rating"];
@@ -95,13 +92,8 @@ const kNeeds = {
   ],
 };
 interface Rated {
-  rating: { [key: string]: Json };
   warnings: Notice[];
   verdict: Verdict;
-}
-interface Source {
-  formula: string;
-  branch: string | string[];
 }
 
 export class RatingView extends AnswerView<Rated> {
@@ -118,13 +110,14 @@ export class RatingView extends AnswerView<Rated> {
     // If the rating includes tooth contact under the rated load, the rating takes seconds. It then
     // runs in another worker, so that the next change of the spec does not have to wait.
     const link = at(solved.spec, "rating.tooth_contact") === true ? bench.press : bench.front;
-    const answer = await link.latest("rate", "run", { text: solved.text, verb: "rate" });
+    const answer = await link.latest("rate", "answer", { text: solved.text, verb: "rate" });
     if (!answer || bench.good?.text !== solved.text) return;
-    if (answer["error"]) return this.refuse(answer["error"] as unknown as Fault, solved.text);
-    const rated = answer as unknown as Rated;
+    const { result, rows } = answer;
+    if (result["error"]) return this.refuse(result["error"] as unknown as Fault, solved.text);
+    const rated = result as unknown as Rated;
     this.take(rated, solved.text);
     judgement.take("rating", solved.text, rated);
-    this.draw(rated);
+    this.draw(rated, rows);
   }
   inUnits(): void {
     this.shown = "";
@@ -133,42 +126,25 @@ export class RatingView extends AnswerView<Rated> {
     return this.refresh();
   }
 
-  private draw(rated: Rated): void {
-    const { rating, verdict } = rated;
+  private draw(rated: Rated, rows: Row[]): void {
     fill(
       this.safeties,
       ...kSafeties.flatMap(([key, code]) => {
-        const info = quantity("rating", key);
-        return info ? [1, 2].map((gear) => this.safety(info, rating, verdict, code, gear)) : [];
+        const row = rows.find((one) => one.id === "rating." + key);
+        return row ? [1, 2].map((gear) => this.safety(key, row, rated.verdict, code, gear)) : [];
       }),
     );
-    const sources = rating["formulas"] as unknown as { [key: string]: Source };
-    this.show(rated, rowsOf(quantities("rating")!, [rating], "rating"), {
-      last: { head: "clause of the standard, branch", of: (row: Row) => placeOf(sources[row.info.key]) },
-    });
+    this.show(rated, rows, { notes: "clause of the standard, branch" });
   }
 
-  private safety(
-    info: Quantity,
-    rating: { [key: string]: Json },
-    verdict: Verdict,
-    code: string,
-    gear: number,
-  ): HTMLElement {
+  private safety(key: string, row: Row, verdict: Verdict, code: string, gear: number): HTMLElement {
     const short = verdict.findings.find((one) => one.code === code && one.gear === gear);
     return h(
       "div",
-      { class: "safety", "data-level": short?.level ?? "green", "data-safety": `${info.key}.${gear}` },
-      h("b", { class: "level" }, textOf(info, (rating[info.key] as Json[])[gear - 1])),
-      h("span", {}, symbol(info.symbol), " ", h("span", { class: `g${gear}` }, `gear ${gear}`)),
-      h("span", { class: "soft" }, info.words),
+      { class: "safety", "data-level": short?.level ?? "green", "data-safety": `${key}.${gear}` },
+      h("b", { class: "level" }, row.texts[gear - 1]),
+      h("span", {}, symbol(row.symbol), " ", h("span", { class: `g${gear}` }, `gear ${gear}`)),
+      h("span", { class: "soft" }, row.words),
     );
   }
-}
-
-/** The source of a factor as in the report, for example "ISO 6336-1, 6.5.4, (13): subcritical". */
-function placeOf(source: Source | undefined): string {
-  if (!source) return "";
-  const branch = [source.branch].flat().filter(Boolean).join("; ");
-  return [source.formula, branch].filter(Boolean).join(": ");
 }

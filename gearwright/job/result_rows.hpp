@@ -1,0 +1,35 @@
+// The rows of results as JSON, for the tables of the page. They have the words, values and units of
+// the listings (job/listing.hpp). Internal to job/ and the programs.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gearwright/catalogue/quantity_rows.hpp"
+#include "gearwright/job/solved_job.hpp"
+#include "gearwright/spec/json.hpp"
+
+namespace gearwright {
+
+/// A table of the page: one or two records of the same quantities.
+struct RowTable {
+  std::string_view name;  ///< first word of the ids, "gears"
+  const QuantityTable& quantities;
+  std::vector<ValueRecord> records = {};
+  RowRange range = RowRange::all;
+  std::vector<Json> intervals = {};  ///< interval_json() of each record; empty without tolerances
+  std::function<std::string(const QuantityInfo&)> note = nullptr;  ///< text after the values
+};
+
+/// The rows of a table: [{id, group, words, symbol, unit, meaning, texts, ends, note}]. `texts` has
+/// one text for each column. `ends` has the text of each value at both ends of the tolerances, the
+/// smaller value first. It is empty for values that do not depend on the tolerances.
+Json rows_json(UnitSystem units, const RowTable& table);
+
+/// The rows of the pair, whose ids begin with "pair", and of the gears, whose ids begin with
+/// "gears". A rack is gear 2.
+Json job_rows(const SolvedJob& job, UnitSystem units);
+
+}  // namespace gearwright
