@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include "gearwright/base/parallel.hpp"
@@ -113,14 +114,17 @@ class Candidates {
     return which;
   }
 
-  // True if a candidate that has not been computed is probably smaller or lighter than this design,
-  // by the first objective.
-  bool may_improve(const DriveCandidate& last) {
+  // True if a candidate that has not been computed is probably smaller than the last of these
+  // designs, or lighter than the first, by the first objective. The estimated masses are so much
+  // less exact than the sizes that a comparison with the last would compute nearly all candidates.
+  bool may_improve(std::span<const FoundDrive> group) {
     while (first_ < all_->size() && made_[first_] != State::open) ++first_;
     if (!problem_.module_per_stage || first_ == all_->size()) return false;
     const DriveCandidate& next = (*all_)[first_];
-    if (sorts_by_mass()) return !chosen_.empty() && *next.mass * (1.0 - kMassMargin) < *last.mass;
-    return problem_.objectives.front() == DriveObjective::size && next.size < last.size;
+    if (sorts_by_mass())
+      return !chosen_.empty() && *next.mass * (1.0 - kMassMargin) < *group.front().candidate.mass;
+    return problem_.objectives.front() == DriveObjective::size &&
+           next.size < group.back().candidate.size;
   }
 
   // The candidates on the Pareto front that have not been computed. The front is determined without
@@ -336,7 +340,8 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
     constexpr std::size_t kBatch = 64;
     const std::size_t end = begin + group;
     while (is_open &&
-           (designs.list.size() < end || candidates.may_improve(designs.list[end - 1].candidate))) {
+           (designs.list.size() < end ||
+            candidates.may_improve(std::span(designs.list).subspan(begin, group)))) {
       const std::size_t own = designs.list.size();
       const auto which = candidates.next(own < end ? end - own : kBatch, designs);
       is_open = !which.empty();

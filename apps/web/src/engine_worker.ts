@@ -239,11 +239,6 @@ const questions = {
   },
   designs: (q: E.DesignDots) => good(engine.designs(q)),
   picturePdf: (q: { svg: string; title: string }) => good(engine.picturePdf(q.svg, q.title)),
-  /** The rows of the numbers on screen, in the unit on screen. */
-  rows(q: { text: string }) {
-    const s = session(q.text);
-    return good(s.rows(verbOf(s)));
-  },
   loadRows,
   loadFigures(q: { torque: number; width: number }) {
     open?.session.showIn(unit);

@@ -33,7 +33,7 @@ export class QuantityPane {
     bench.on("solved", () => this.update());
     bench.on("text", () => this.age());
     bench.on("opened", () => this.clear());
-    onUnitChange(() => void this.inUnits());
+    onUnitChange(() => bench.again());
   }
 
   /** Dims the table of numbers if it does not belong to the spec on screen. */
@@ -46,18 +46,6 @@ export class QuantityPane {
     fill(this.sheet);
     this.count.textContent = "";
     this.age();
-  }
-
-  /** Replaces the rows by those in the unit on screen. */
-  private async inUnits(): Promise<void> {
-    const { solved } = bench;
-    if (!solved?.rows) return;
-    const rows = await bench.front.latest("rows", "rows", { text: solved.text });
-    if (!rows) return;
-    if (bench.solved !== solved) return this.inUnits();
-    solved.rows = rows;
-    this.signature = "";
-    this.update();
   }
 
   update(): void {

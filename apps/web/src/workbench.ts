@@ -133,6 +133,11 @@ class Workbench {
     return this.design === design && this.good ? answer : null;
   }
 
+  /** Solves the design on screen again, for example with rows in another unit. */
+  again(): void {
+    void this.solve();
+  }
+
   private async solve(): Promise<void> {
     const begin = performance.now();
     if (this.text.length > kMostCharacters) {
