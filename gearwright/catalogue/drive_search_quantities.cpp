@@ -25,6 +25,9 @@ Value of_set(const F& f, const Quantities<PlanetSet>& quantities, std::string_vi
   return {};
 }
 
+// If the search has no module, the drive has no teeth.
+bool has_module(const F& f) { return f.drive.geometry.gears.front().has_value(); }
+
 Value teeth_of(const F& f) {
   ValueMap map;
   for (std::size_t m = 0; m < kSetMembers; ++m)
@@ -73,8 +76,10 @@ void add_found(Quantities<F>& q) {
   q.number("size_mm", "size", "",
            "greatest of the diameters over the planets, over the suns and over the root circles of "
            "the rings, without profile shifts and without the rims of the rings; for a train, sum "
-           "of the centre distances",
-           [](const F& f) { return f.candidate.size; });
+           "of the centre distances; null without a module",
+           [](const F& f) { return has_module(f) ? Value(f.candidate.size) : Value(); });
+  q.number("size_modules", "size in modules", "", "like `size_mm`; null if a module is given",
+           [](const F& f) { return has_module(f) ? Value() : Value(f.candidate.size); });
   q.number("mass_kg", "mass", "m",
            "mass of all gears with all planets, as solid cylinders with the mean diameter (d_a + "
            "d_f)/2; a ring extends from the mean diameter to the diameter d_f + 5 m_n; only with "
@@ -110,9 +115,9 @@ void add_found(Quantities<F>& q) {
            "normal module of all meshes; null without geometry, or if the stages of a train have "
            "different modules",
            [](const F& f) {
-             const auto& gear = f.drive.geometry.gears.front();
-             return gear && f.candidate.has_one_module() ? Value(f.candidate.stage_module(0))
-                                                         : Value();
+             return has_module(f) && f.candidate.has_one_module()
+                        ? Value(f.candidate.stage_module(0))
+                        : Value();
            });
   q.number("stage_modules_mm", "normal modules of the stages", "m_n",
            "normal module of each stage of a train; null if all stages have the same module",

@@ -50,16 +50,22 @@ std::string advice(const FoundDrives& f) {
         "another number of stages.",
         least, least == 1 ? "" : "s", least % 2 == 0 ? "positive" : "negative");
   const auto most = std::max_element(left_out.begin(), left_out.end());
+  // The size is the last limit, so these drives satisfy all other limits.
+  if (f.result.found.empty() && f.result.rejected[static_cast<std::size_t>(DriveLimit::size)] > 0)
+    return "All drives that satisfy the other limits are greater than size_max_mm. Give a greater "
+           "size_max_mm, smaller numbers of teeth or a smaller module.";
   if (f.result.found.empty() && f.problem.center_distance)
     return "No drive satisfies all limits. Widen the band center_distance_mm, the bands of numbers "
-           "of "
-           "teeth or of the ratio, or give other modules.";
+           "of teeth or of the ratio, or give other modules.";
   if (f.result.found.empty() && f.problem.coprime)
     return "No drive satisfies all limits. Widen the bands of numbers of teeth or of the ratio, or "
            "leave out the key coprime.";
   if (f.result.found.empty() || *most == 0)
-    return "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
-           "teeth, or coaxial_teeth, or use spacing = \"nearest\".";
+    return fmt::format(
+        "No drive satisfies all limits. Widen the band of the ratio, the bands of numbers of "
+        "teeth, or {}.",
+        f.problem.kind == DriveKind::train ? "the band of the numbers of stages"
+                                           : "coaxial_teeth, or use spacing = \"nearest\"");
   switch (static_cast<DriveFault>(most - left_out.begin())) {
     case DriveFault::safety:
       return fmt::format(
@@ -78,9 +84,11 @@ std::string advice(const FoundDrives& f) {
     case DriveFault::no_teeth:
     case DriveFault::verdict: break;
   }
-  return "No drive has a green verdict. Try greater numbers of teeth, or give profile_shift or "
-         "another coaxial_teeth. The command gearwright drive shows why a given set has no green "
-         "verdict.";
+  return fmt::format(
+      "No drive has a green verdict. Try {}greater numbers of teeth, or give profile_shift or "
+      "another coaxial_teeth. The command gearwright drive shows why a given set has no green "
+      "verdict.",
+      f.problem.base.backlash.all ? "a smaller backlash_mm or " : "");
 }
 
 std::string shifts_text(const FoundDrive& d) {
@@ -149,8 +157,8 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
   for (ListingColumn& column : listing_columns(
            units, records,
            {"planets", "normal_module_mm", "face_width_mm", "ratio", "efficiency",
-            "efficiency_backward", "noise", "size_mm", "mass_kg", "neighbour_clearance_mm",
-            "safety_flank", "safety_root", "phasing", "profile_shift"}))
+            "efficiency_backward", "noise", "size_mm", "size_modules", "mass_kg",
+            "neighbour_clearance_mm", "safety_flank", "safety_root", "phasing", "profile_shift"}))
     columns.push_back(std::move(column));
   text += "\n" + design_listing(columns);
   if (!designs.pareto.empty()) text += "  * marks designs on the Pareto front of the objectives\n";
@@ -164,8 +172,9 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
 
 std::string drives_csv(const FoundDrives& f, UnitSystem units) {
   constexpr const char* kColumns[] = {
-      "ratio",         "efficiency",   "efficiency_backward", "size_mm", "normal_module_mm",
-      "face_width_mm", "safety_flank", "safety_root",         "noise",   "mass_kg"};
+      "ratio",        "efficiency",       "efficiency_backward", "size_mm",
+      "size_modules", "normal_module_mm", "face_width_mm",       "safety_flank",
+      "safety_root",  "noise",            "mass_kg"};
   std::string out = "teeth,planets,profile_shift";
   for (const char* key : kColumns) out += "," + key_in(units, key);
   out += "\r\n";

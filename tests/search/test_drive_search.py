@@ -69,6 +69,26 @@ class DriveSearch(unittest.TestCase):
         self.assertGreater(limited["rejected"]["size"], 0)
         self.assertLessEqual(max(d["size_mm"] for d in limited["designs"]), 150)
 
+    def test_the_unit_of_the_size_is_the_module_if_none_is_given(self):
+        """The sets without a module have sizes in modules, also in inch specs."""
+        keys = {"kind": "planetary", "ratio": 4, "sun_teeth": 20, "planet_teeth": 20, "ring_teeth": 60, "planets": 4}
+        for top in ("", 'units = "inch"\n'):
+            where = folder(top + spec(keys))
+            design = Run("search", None, "--json", folder=where).json["search"]["designs"][0]
+            self.assertEqual(design["size_modules"], 62.5)
+            self.assertIsNone(design.get("size_mm", design.get("size_in")))
+            self.assertIn("modules", Run("search", None, folder=where).out)
+        with_module = Run("search", None, "--json", folder=folder(spec(keys | {"normal_module_mm": 2}))).json["search"]["designs"][0]
+        self.assertEqual((with_module["size_mm"], with_module["size_modules"]), (125, None))
+
+    def test_advice_names_the_key_that_helps(self):
+        train = {"kind": "train", "ratio": -4, "stages": 1, "pinion_teeth": 20, "normal_module_mm": 2}
+        said = Run("search", None, folder=folder(spec(train | {"size_max_mm": 10}))).out
+        self.assertIn("greater than size_max_mm", said)
+        self.assertNotIn("spacing", said)
+        said = Run("search", None, folder=folder(spec(train | {"backlash_mm": 20}))).out
+        self.assertIn("a smaller backlash_mm", said)
+
     def test_noise_ranks(self):
         names = ["noise", "size", "efficiency"]
         found = Run("search", None, "--json", folder=folder(spec(SET | {"objective": names}))).json["search"]
