@@ -97,8 +97,8 @@ void read_overlaps(TableReader& t, SearchProblem& p) {
   const char* const key = "overlap_ratio";
   const auto ratios = t.numbers(key);
   if (!ratios) return;
-  if (p.crossed())
-    t.fail(key, "is not available on crossed axes, where the teeth have no overlap ratio");
+  require_parallel(t, p, key,
+                   "is not available on crossed axes, where the teeth have no overlap ratio");
   const auto band = t.numbers("helix_angle_deg");
   if (!band || band->front() == band->back())
     t.fail(key, "needs a band, helix_angle_deg = [least, greatest]");
@@ -154,10 +154,10 @@ void read_limits(TableReader& t, SearchProblem& p) {
   } else if (l.form_clearance > 0.0) {
     t.fail("form_clearance_min", "needs interference = \"exclude\"");
   }
-  if (l.sliding && p.crossed())
-    t.fail("sliding_max",
-           "is not available on crossed axes, where the teeth also slide in the direction of their "
-           "length");
+  if (l.sliding)
+    require_parallel(t, p, "sliding_max",
+                     "is not available on crossed axes, where the teeth also slide in the "
+                     "direction of their length");
 }
 
 void check_objectives(const TableReader& t, const SearchProblem& p) {
@@ -255,6 +255,11 @@ void complete_racks(TableReader& t, SearchProblem& p, const std::array<Blank, 2>
 }
 
 }  // namespace
+
+void require_parallel(const TableReader& t, const SearchProblem& problem, const std::string& key,
+                      const char* why) {
+  if (problem.crossed()) t.fail(key, why);
+}
 
 SearchProblem read_search(const Json& search, const Json* gear_1, const Json* gear_2) {
   TableReader t(search_keys(), search, "search");

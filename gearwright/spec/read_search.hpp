@@ -24,6 +24,10 @@ constexpr double default_face_step(UnitSystem units) {
   return units == UnitSystem::mm ? 1.0 : 0.05 * kMmPerInch;
 }
 
+/// If the axes of the search are crossed, throws the error of a key that needs parallel axes.
+void require_parallel(const TableReader& t, const SearchProblem& problem, const std::string& key,
+                      const char* why);
+
 // Reads the inputs of a search that are outside its own table. If [search] requires safety, the
 // inputs of the rating are read from [rating] and the materials. If the search checks its designs
 // as drawings, tolerances are read and default limits exclude impractical designs.

@@ -67,10 +67,9 @@ void check_faces(const TableReader& t, const SearchProblem& p) {
   if (!p.sizes_faces()) return;
   const std::string key =
       given_of(t, {"face_width_mm", "face_width_modules", "face_width_diameters"});
-  if (p.crossed())
-    t.fail(key,
-           "must be a single number on crossed axes, because a search chooses face widths only on "
-           "parallel axes");
+  require_parallel(t, p, key,
+                   "must be a single number on crossed axes, because a search chooses face widths "
+                   "only on parallel axes");
   if (p.shift_step)
     t.fail(key,
            "must be a single number if shift_step is given, because the points of its grid are not "
@@ -141,10 +140,9 @@ void read_search_rating(const Json& tree, JobSpec& spec) {
   const char* by = problem.limits.safety_flank  ? "safety_flank_min"
                    : problem.limits.safety_root ? "safety_root_min"
                                                 : "objective";
-  if (problem.crossed())
-    t.fail(by,
-           "cannot be combined with shaft_angle_deg, because ISO 6336 rates gears on parallel "
-           "axes");
+  require_parallel(t, problem, by,
+                   "cannot be combined with shaft_angle_deg, because ISO 6336 rates gears on "
+                   "parallel axes");
   if (!rating.given) t.fail(by, kNeedsRating);
   if (problem.ranks_by(Objective::noise) && rating.input.edition == RatingEdition::vdi_2736)
     t.fail("objective",
@@ -189,9 +187,10 @@ void read_search_drawing(const Json& search, SearchProblem& p) {
   const std::string tolerance =
       given_of(t, {"thickness_series", "backlash_mm", "center_distance_tolerance"});
   const bool toleranced = allowances.thin_teeth() || allowances.distance_tolerance;
-  if (toleranced && p.crossed())
-    t.fail(tolerance,
-           "is not available on crossed axes; add this key to the pair that --take writes");
+  if (toleranced)
+    require_parallel(t, p, tolerance,
+                     "is not available on crossed axes; add this key to the pair that --take "
+                     "writes");
   if (toleranced && p.shift_step)
     t.fail(tolerance,
            "cannot be combined with shift_step, because no drawing is made for the points of its "
