@@ -339,9 +339,8 @@ Result<DriveDesigns> drive_designs(const DriveDesignTask& task, const DriveSearc
   for (std::size_t begin = 0; begin < top && is_open; begin += group) {
     constexpr std::size_t kBatch = 64;
     const std::size_t end = begin + group;
-    while (is_open &&
-           (designs.list.size() < end ||
-            candidates.may_improve(std::span(designs.list).subspan(begin, group)))) {
+    while (is_open && (designs.list.size() < end ||
+                       candidates.may_improve(std::span(designs.list).subspan(begin, group)))) {
       const std::size_t own = designs.list.size();
       const auto which = candidates.next(own < end ? end - own : kBatch, designs);
       is_open = !which.empty();

@@ -171,10 +171,10 @@ std::string drives_listing(const FoundDrives& f, UnitSystem units) {
 }
 
 std::string drives_csv(const FoundDrives& f, UnitSystem units) {
-  constexpr const char* kColumns[] = {
-      "ratio",        "efficiency",       "efficiency_backward", "size_mm",
-      "size_modules", "normal_module_mm", "face_width_mm",       "safety_flank",
-      "safety_root",  "noise",            "mass_kg"};
+  constexpr const char* kColumns[] = {"ratio",         "efficiency",   "efficiency_backward",
+                                      "size_mm",       "size_modules", "normal_module_mm",
+                                      "face_width_mm", "safety_flank", "safety_root",
+                                      "noise",         "mass_kg"};
   std::string out = "teeth,planets,profile_shift";
   for (const char* key : kColumns) out += "," + key_in(units, key);
   out += "\r\n";

@@ -112,9 +112,8 @@ TEST(SearchReport, FootStatesWhatTheNumbersInclude) {
   EXPECT_TRUE(has(page_of(false, std::nullopt), plain));
   for (const bool rated : {false, true}) {
     // Equal ends are an allowance without a tolerance.
-    for (const auto& backlash :
-         {std::optional<Backlash>(), std::optional(Backlash{0.1, 0.1}),
-          std::optional(Backlash{0.1, 0.2})}) {
+    for (const auto& backlash : {std::optional<Backlash>(), std::optional(Backlash{0.1, 0.1}),
+                                 std::optional(Backlash{0.1, 0.2})}) {
       const std::string page = page_of(rated, backlash);
       const bool toleranced = backlash && (*backlash)[0] < (*backlash)[1];
       EXPECT_EQ(has(page, plain), !rated && !toleranced);
