@@ -117,7 +117,7 @@ class Refused(Asked):
         no("overlap_ratio", "combinations", "at most 100000", face_width_step_mm=1e-4)
         no("face_width_diameters", "overlap_ratio", "numbers of teeth", face_width_diameters=[0.2, 1])
         # arcsin(3 π 2/30) = 38.93° and arcsin(3 π 2.5/24) = 79.03°; 20 mm are too narrow for 3 π 2.5 mm
-        no("overlap_ratio", "38.94 to 79.04 degrees", overlap_ratio=3, modules_mm=[2, 2.5], face_width_mm=[24, 30],
+        no("overlap_ratio", "38.93 to 79.04 degrees", overlap_ratio=3, modules_mm=[2, 2.5], face_width_mm=[24, 30],
            face_width_step_mm=6)
         no("overlap_ratio", "no helix angle between 1 and 89", overlap_ratio=20)
 
