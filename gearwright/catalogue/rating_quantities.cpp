@@ -353,8 +353,7 @@ void add_rated_contact(Quantities<RatingAnswer>& q) {
       .when();
 }
 
-// True for a rating by VDI 2736. A rating by ISO 6336 has no rows and keys for temperatures and
-// Y_ε.
+// True for a rating by VDI 2736. Only this rating has rows and keys for temperatures and Y_ε.
 bool by_vdi(const RatingAnswer& v) { return v.rating.edition == RatingEdition::vdi_2736; }
 
 void add_temperatures(Quantities<RatingAnswer>& q) {
