@@ -39,6 +39,7 @@ describe("inch", () => {
     await page.evaluate((text) => window.gearwright.open(text, "contact"), kSpec);
     await page.waitForFunction(() => /face_width_mm = 25\.4\b/.test(window.gearwright.text()));
     await settled(page);
+    await idle(page);
     const text = await page.evaluate(() => window.gearwright.text());
     assert.match(text, /tip_relief_um = 10\.16\b/);
     assert.doesNotMatch(text, /units|(?<!_per)_in\b|_uin\b/);
