@@ -14,7 +14,7 @@ import time
 import unittest
 
 from campaign import Campaign
-from searching import BIN, WIDE, chunks, contents, duckdb, end, folder, spec, start, wait_until
+from searching import BIN, SMALL, WIDE, chunks, contents, duckdb, end, folder, spec, start, wait_until
 
 MOST_BYTES = 500e6
 
