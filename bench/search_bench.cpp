@@ -15,6 +15,7 @@
 #include <random>
 #include <vector>
 
+#include "bench/thread_seconds.hpp"
 #include "gearwright/design/candidate.hpp"
 #include "gearwright/job/search_job.hpp"
 #include "gearwright/spec/parse_spec.hpp"
@@ -23,11 +24,6 @@ namespace {
 
 using namespace gearwright;
 using Clock = std::chrono::steady_clock;
-
-double median(std::vector<double> v) {
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
 
 template <class F>
 double seconds_of(const F& f) {
