@@ -1,6 +1,7 @@
 #include "gearwright/drive/rational.hpp"
 
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "gearwright/base/contract.hpp"
@@ -15,9 +16,21 @@ constexpr Wide kMost = 2 * ((Wide{1} << (8 * sizeof(Wide) - 2)) - 1) + 1;  ///< 
 
 Wide magnitude(Wide n) { return n < 0 ? -n : n; }
 
+/// True if both numbers have at most 31 bits, as nearly all numbers of a drive. Divisions of wide
+/// numbers are function calls, so these numbers are divided as int.
+bool are_short(Wide a, Wide b) {
+  constexpr int kMostShort = std::numeric_limits<int>::max();
+  return magnitude(a) <= kMostShort && magnitude(b) <= kMostShort;
+}
+
+Wide divided(Wide a, Wide b) {
+  return are_short(a, b) ? static_cast<int>(a) / static_cast<int>(b) : a / b;
+}
+
 /// a·b; none outside −kMost … kMost. The negative of every number in this range is in the
 /// range, too.
 std::optional<Wide> product(Wide a, Wide b) {
+  if (are_short(a, b)) return a * b;
   if (b != 0 && magnitude(a) > kMost / magnitude(b)) return std::nullopt;
   return a * b;
 }
@@ -29,6 +42,7 @@ std::optional<Wide> sum(Wide a, Wide b) {
 }
 
 Wide common_divisor(Wide a, Wide b) {
+  if (are_short(a, b)) return std::gcd(static_cast<int>(a), static_cast<int>(b));
   a = magnitude(a);
   b = magnitude(b);
   while (b != 0) a = std::exchange(b, a % b);
@@ -45,7 +59,7 @@ std::optional<long long> narrow(Wide n) {
 
 Rational Rational::lowest(Wide p, Wide q) {
   const Wide d = q < 0 ? -common_divisor(p, q) : common_divisor(p, q);
-  return {p / d, q / d};
+  return {divided(p, d), divided(q, d)};
 }
 
 Rational Rational::of(long long p, long long q) {
@@ -76,8 +90,9 @@ Rational Rational::frac() const { return *this - floor(); }
 Rational operator+(const Rational& a, const Rational& b) {
   if (!a.fits() || !b.fits()) return Rational::too_large();
   const Wide d = common_divisor(a.q_, b.q_);
-  const auto left = product(a.p_, b.q_ / d), right = product(b.p_, a.q_ / d);
-  const auto p = left && right ? sum(*left, *right) : std::nullopt, q = product(a.q_ / d, b.q_);
+  const auto left = product(a.p_, divided(b.q_, d)), right = product(b.p_, divided(a.q_, d));
+  const auto p = left && right ? sum(*left, *right) : std::nullopt,
+             q = product(divided(a.q_, d), b.q_);
   return p && q ? Rational::lowest(*p, *q) : Rational::too_large();
 }
 
@@ -87,7 +102,8 @@ Rational operator*(const Rational& a, const Rational& b) {
   // multiplication. The products are then in lowest terms and as small as possible.
   const Wide d = common_divisor(a.p_, b.q_);
   const Wide e = common_divisor(b.p_, a.q_);
-  const auto p = product(a.p_ / d, b.p_ / e), q = product(a.q_ / e, b.q_ / d);
+  const auto p = product(divided(a.p_, d), divided(b.p_, e));
+  const auto q = product(divided(a.q_, e), divided(b.q_, d));
   return p && q ? Rational::lowest(*p, *q) : Rational::too_large();
 }
 
