@@ -74,21 +74,17 @@ Json rows_json(UnitSystem units, const RowTable& table) {
 
 Json job_rows(const SolvedJob& job, UnitSystem units) {
   Json rows = Json::array();
-  if (job.pair) {
-    std::vector<Json> interval;
-    if (job.ends) {
+  if (job.mounted()) {
+    RowTable pair{
+        .name = "pair",
+        .quantities = job.rack ? rack_pair_quantities().table() : pair_quantities().table(),
+        .records = {pair_record(job)}};
+    if (job.pair && job.ends) {
       const auto [lower, upper] = pair_limits(job);
-      interval.push_back(interval_json(lower, upper));
+      pair.intervals.push_back(interval_json(lower, upper));
     }
-    rows = rows_json(units, {.name = "pair",
-                             .quantities = pair_quantities().table(),
-                             .records = {pair_quantities().of(*job.pair)},
-                             .intervals = std::move(interval)});
+    rows = rows_json(units, pair);
   }
-  if (job.rack)
-    rows = rows_json(units, {.name = "pair",
-                             .quantities = rack_pair_quantities().table(),
-                             .records = {rack_pair_quantities().of(*job.rack)}});
   RowTable gears{.name = "gears", .quantities = gear_quantities().table()};
   RowTable halves{.name = "gears", .quantities = double_helical_quantities().table()};
   for (std::size_t i = 0; i < job.gears.size(); ++i) {
