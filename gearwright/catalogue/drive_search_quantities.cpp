@@ -78,7 +78,8 @@ void add_found(Quantities<F>& q) {
            "the rings, without profile shifts and without the rims of the rings; for a train, sum "
            "of the centre distances; null without a module",
            [](const F& f) { return has_module(f) ? Value(f.candidate.size) : Value(); });
-  q.number("size_modules", "size in modules", "", "like `size_mm`; null if a module is given",
+  q.number("size_modules", "size in modules", "",
+           "the size of a drive of module 1; null if a module is given",
            [](const F& f) { return has_module(f) ? Value() : Value(f.candidate.size); });
   q.number("mass_kg", "mass", "m",
            "mass of all gears with all planets, as solid cylinders with the mean diameter (d_a + "
