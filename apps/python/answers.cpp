@@ -284,7 +284,7 @@ py::class_<ContactValue> bind_answers(py::module_& m, py::class_<PairValue>& pai
   bind_answer<ContactValue>(contact, contact_quantities().table(), [](const PairValue& p) {
     return contact_of(p, py::none(), py::none(), {});
   });
-  for (const Quantity<ContactPoint>& q : position_quantities().list()) {
+  for (const Quantity& q : position_quantities().list()) {
     const std::string name = name_of(q.info);
     if (q.info.of || py::hasattr(contact, name.c_str())) continue;
     contact.def_property_readonly(

@@ -85,21 +85,21 @@ py::object load(const py::object& given) {
 }
 
 template <class S>
-Value value_of(const Quantity<S>& q, const S& s) {
-  return q.exists && !q.exists(s) ? Value() : q.get(s);
+Value value_of(const Quantity& q, const S& s) {
+  return Quantities<S>::exists(q, s) ? Quantities<S>::value(q, s) : Value();
 }
 
 // Adds every quantity as an attribute. value(self, quantity) returns its value.
 template <class Self, class S, class GetValue>
 void bind_quantities(py::class_<Self>& type, const Quantities<S>& quantities,
                      const GetValue& value) {
-  for (const Quantity<S>& q : quantities.list())
+  for (const Quantity& q : quantities.list())
     bind_quantity(type, quantities.table(), q.info,
                   [&q, value](const Self& self) { return by_name(q.info, value(self, q)); });
 }
 
 // The quantity of a gear. For a double-helical gear, the result is the quantity of the whole gear.
-Value value_of_gear(const GearValue& g, const Quantity<Gear>& q) {
+Value value_of_gear(const GearValue& g, const Quantity& q) {
   return g.halves() ? Value(quantity(g.record(), q.info.key)) : value_of(q, g.gear());
 }
 

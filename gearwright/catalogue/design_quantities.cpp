@@ -307,7 +307,7 @@ void add_design(Quantities<DesignView>& q) {
 
 void add_point(Quantities<ShiftPoint>& q) {
   using P = ShiftPoint;
-  const auto column = [&q](const char* name, Type type, auto get) -> Quantity<P>& {
+  const auto column = [&q](const char* name, Type type, auto get) -> QuantityEntry<P> {
     return q.add(type, name, name, "", "", get).column(name).doors(kColumns);
   };
   column("trial", Type::index, &P::trial);

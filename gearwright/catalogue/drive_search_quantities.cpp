@@ -13,15 +13,15 @@ using F = FoundDrive;
 // The value with this key in the result of the verb `drive`.
 Value of_drive(const F& f, std::string_view key,
                const Quantities<Drive>& quantities = drive_quantities()) {
-  for (const Quantity<Drive>& q : quantities.list())
-    if (q.info.key == key) return q.get(f.drive);
+  for (const Quantity& q : quantities.list())
+    if (q.info.key == key) return quantities.value(q, f.drive);
   return {};
 }
 
 Value of_set(const F& f, const Quantities<PlanetSet>& quantities, std::string_view key) {
   if (f.drive.sets.empty()) return {};
-  for (const Quantity<PlanetSet>& q : quantities.list())
-    if (q.info.key == key) return q.get(f.drive.sets.front());
+  for (const Quantity& q : quantities.list())
+    if (q.info.key == key) return quantities.value(q, f.drive.sets.front());
   return {};
 }
 

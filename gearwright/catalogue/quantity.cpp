@@ -16,10 +16,43 @@ const QuantityInfo* QuantityTable::find(std::string_view key) const {
   return it == list.end() ? nullptr : *it;
 }
 
-QuantityInfo info_of(Type type, const char* key, const char* words, const char* symbol,
-                     const char* meaning) {
-  const Unit unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
-  return {key, words, symbol, unit, {}, meaning, type};
+Quantity& QuantityList::append(Type type, const char* key, const char* words, const char* symbol,
+                               const char* meaning) {
+  QuantityInfo& info = list_.emplace_back().info;
+  info.key = key;
+  info.words = words;
+  info.symbol = symbol;
+  info.unit = type == Type::record || type == Type::text ? Unit::none : unit_of(key);
+  info.group = group_;
+  info.meaning = meaning;
+  info.type = type;
+  return list_.back();
+}
+
+void QuantityList::finish(std::string name) {
+  table_.name = std::move(name);
+  for (const Quantity& q : list_) table_.list.push_back(&q.info);
+}
+
+ValueRecord QuantityList::record_of(const void* subject) const {
+  ValueRecord record;
+  record.reserve(list_.size());
+  for (const Quantity& q : list_) {
+    if (q.exists && !q.exists(subject)) continue;
+    Value value = q.get(subject);
+    const bool row =
+        (!q.worth || q.worth(subject)) && (!all_nothing(value) || (q.asked && q.asked(subject)));
+    record.push_back({&q.info, std::move(value), row});
+  }
+  return record;
+}
+
+void get_from_part(Quantity& q, const FindPart& find) {
+  q.get = [find, get = std::move(q.get)](const void* subject) {
+    const void* part = find(subject);
+    return part ? get(part) : Value();
+  };
+  q.there = [find](const void* subject) { return find(subject) != nullptr; };
 }
 
 int digits_of(const QuantityInfo& info) { return info.digits.value_or(unit_digits(info.unit)); }

@@ -1,7 +1,7 @@
 // The catalogue of results. It contains the only description of each quantity, with its getter.
 //
 //   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
-//   Quantity<S>     a quantity with its getter for a subject S: a gear, a pair, a contact
+//   Quantity        a quantity with its getter for a subject: a gear, a pair, a contact
 //   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
 //
 // JSON, the listings in the terminal, the page's tables, CSV, the schema of results and the tables
@@ -14,113 +14,95 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "gearwright/base/angle.hpp"
+#include "gearwright/catalogue/quantity_info.hpp"
 #include "gearwright/catalogue/term.hpp"
-#include "gearwright/catalogue/unit_system.hpp"
 #include "gearwright/catalogue/value.hpp"
 #include "gearwright/catalogue/value_shape.hpp"
 
 namespace gearwright {
 
-/// The interfaces that show a quantity.
-enum Doors : unsigned {
-  kJson = 1,     ///< JSON, and interfaces that read it
-  kListing = 2,  ///< the tables of the terminal
-  kPage = 4,     ///< the tables of the report
-  kPeople = kListing | kPage,
-  kAllDoors = kJson | kPeople
-};
-
-/// The meaning of a list of two values.
-enum class Two {
-  values,   ///< values without a special meaning
-  gears,    ///< gear 1 and gear 2, each with a column
-  ends,     ///< the two ends of a range
-  fraction  ///< numerator and denominator
-};
-
-struct QuantityTable;
-
-struct QuantityInfo {
-  std::string key;     ///< key in JSON, with its unit: "tip_diameter_mm"
-  std::string words;   ///< the term of ISO 21771 or ISO 1122-1, if one exists
-  std::string symbol;  ///< "d_a", with indices after the underscore
-  Unit unit = Unit::none;
-  std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence without full stop, with the condition under which the
-                          ///< value exists
-  Type type = Type::number;
-  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty for one
-                            ///< value
-  Two two = Two::values;
-  bool always = false;                ///< true if the value is never null; by default this follows
-                                      ///< from the type of the getter (Shape)
-  std::vector<std::string> one_of{};  ///< possible values of a word
-  unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
-                                           ///< unit
-  std::string nothing{};                   ///< text for users if there is no value
-  const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
-  std::string column{};                    ///< heading in CSV and Parquet; "#" is the gear's number
-  bool greater_first = false;              ///< true if greater values are better
-  bool only_inch = false;                  ///< true if only results in inch show it
-  bool optional_key = false;               ///< true if the key is absent when the quantity does not
-                                           ///< exist; if false, the key then has the value null
-};
-
-/// The quantities that a record may contain, in their order.
-struct QuantityTable {
-  std::string name;  ///< "gear", "pair", "pair.backlash"
-  std::vector<const QuantityInfo*> list;
-  std::vector<std::string> groups;  ///< headings for users, in their order
-
-  const QuantityInfo* find(std::string_view key) const;
-};
-
-template <class S>
+/// A quantity with its getter and its conditions. These functions take the address of the subject,
+/// so that they have the same types for all subjects and are compiled once. Only Quantities<S>
+/// creates them and calls them, so the address is always that of an S.
 struct Quantity {
   QuantityInfo info;
-  std::function<Value(const S&)> get;
-  std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
-                                           ///< present
-  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default they see it
-  std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
-  std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
-                                           ///< that part
+  std::function<Value(const void*)> get{};
+  std::function<bool(const void*)> exists{};  ///< if false, the key is absent; by default always
+                                              ///< present
+  std::function<bool(const void*)> worth{};  ///< if false, users see no row; by default they see it
+  std::function<bool(const void*)> asked{};  ///< if true, users see a dash instead of a missing
+                                             ///< value
+  std::function<bool(const void*)> there{};  ///< for an entry of a part: true if the subject has
+                                             ///< that part
+};
 
-  // The functions below refine an entry. They are listed in their usual order. always() states
-  // that the value is never null, although its getter returns a Value.
-  Quantity& always() { return info.always = true, *this; }
+/// The function `f` of an S as a function of the address of an S.
+template <class S, class R, class F>
+std::function<R(const void*)> on_address(F f) {
+  if constexpr (std::is_empty_v<F> && std::is_default_constructible_v<F>) {
+    // All lambdas without captures become the same type, for which std::function is compiled once.
+    return +[](const void* s) -> R { return F()(*static_cast<const S*>(s)); };
+  } else {
+    return [f = std::move(f)](const void* s) -> R {
+      return std::invoke(f, *static_cast<const S*>(s));
+    };
+  }
+}
+
+/// Refines a quantity that was just added for the subject S. The functions are listed in their
+/// usual order.
+template <class S>
+class QuantityEntry {
+ public:
+  explicit QuantityEntry(Quantity& q) : q_(&q) {}
+
+  // States that the value is never null, although its getter returns a Value.
+  QuantityEntry always() { return q_->info.always = true, *this; }
   // States that the number may be missing (NaN or infinity), although its getter returns a
   // plain number.
-  Quantity& or_null() { return info.always = false, *this; }
-  Quantity& in_inch() { return info.only_inch = true, *this; }
-  Quantity& digits(int n) { return info.digits = n, *this; }
-  Quantity& doors(unsigned d) { return info.doors = d, *this; }
-  Quantity& one_of(std::vector<std::string> w) { return info.one_of = std::move(w), *this; }
-  Quantity& list(std::vector<int> l) { return info.list = std::move(l), *this; }
-  Quantity& per_gear() { return info.list = {2}, info.two = Two::gears, *this; }
-  Quantity& ends() { return info.list = {2}, info.two = Two::ends, *this; }
-  Quantity& fraction() { return info.list = {2}, info.two = Two::fraction, *this; }
-  Quantity& unit(Unit u) { return info.unit = u, *this; }
-  Quantity& words(std::string w) { return info.words = std::move(w), *this; }
-  Quantity& column(std::string name) { return info.column = std::move(name), *this; }
-  Quantity& greater_first() { return info.greater_first = true, *this; }
-  Quantity& otherwise(std::string text) { return info.nothing = std::move(text), *this; }
-  Quantity& when(std::function<bool(const S&)> f) {
-    info.optional_key = true;
-    return exists = std::move(f), *this;
+  QuantityEntry or_null() { return q_->info.always = false, *this; }
+  QuantityEntry in_inch() { return q_->info.only_inch = true, *this; }
+  QuantityEntry digits(int n) { return q_->info.digits = n, *this; }
+  QuantityEntry doors(unsigned d) { return q_->info.doors = d, *this; }
+  QuantityEntry one_of(std::vector<std::string> w) { return q_->info.one_of = std::move(w), *this; }
+  QuantityEntry list(std::vector<int> l) { return q_->info.list = std::move(l), *this; }
+  QuantityEntry per_gear() { return two_values(Two::gears); }
+  QuantityEntry ends() { return two_values(Two::ends); }
+  QuantityEntry fraction() { return two_values(Two::fraction); }
+  QuantityEntry unit(Unit u) { return q_->info.unit = u, *this; }
+  QuantityEntry words(std::string w) { return q_->info.words = std::move(w), *this; }
+  QuantityEntry column(std::string name) { return q_->info.column = std::move(name), *this; }
+  QuantityEntry greater_first() { return q_->info.greater_first = true, *this; }
+  QuantityEntry otherwise(std::string text) { return q_->info.nothing = std::move(text), *this; }
+  template <class F>
+  QuantityEntry when(F f) {
+    q_->info.optional_key = true;
+    return q_->exists = on_address<S, bool>(std::move(f)), *this;
   }
-  Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
+  template <class F>
+  QuantityEntry expected(F f) {
+    return q_->asked = on_address<S, bool>(std::move(f)), *this;
+  }
   // States that the value exists only if the subject has the part to which the entry belongs.
-  Quantity& when() { return when(there); }
-  Quantity& expected() { return expected(there); }
-  Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
+  QuantityEntry when() {
+    q_->info.optional_key = true;
+    return q_->exists = q_->there, *this;
+  }
+  QuantityEntry expected() { return q_->asked = q_->there, *this; }
+  template <class F>
+  QuantityEntry shown(F f) {
+    return q_->worth = on_address<S, bool>(std::move(f)), *this;
+  }
+
+ private:
+  QuantityEntry two_values(Two two) { return q_->info.list = {2}, q_->info.two = two, *this; }
+
+  Quantity* q_;
 };
 
 /// True if T is an angle, an optional angle, or a list of angles.
@@ -182,97 +164,22 @@ auto record_shape() {
 /// The getter of an entry. `get` is a member of S or a function of S. Angles are converted to the
 /// unit of the key.
 template <class S, class G>
-std::function<Value(const S&)> getter(Unit unit, G get) {
-  using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
-  if constexpr (HasAngles<R>::value) {
-    return [unit, get](const S& s) { return angles_in(unit, std::invoke(get, s)); };
-  } else if constexpr (std::is_empty_v<G> && std::is_default_constructible_v<G>) {
-    // All lambdas without captures become the same type, for which std::function is compiled once.
-    return +[](const S& s) -> Value { return G()(s); };
+std::function<Value(const void*)> getter(Unit unit, G get) {
+  if constexpr (HasAngles<std::remove_cvref_t<std::invoke_result_t<G, const S&>>>::value) {
+    return [unit, get](const void* s) {
+      return angles_in(unit, std::invoke(get, *static_cast<const S*>(s)));
+    };
   } else {
-    return get;
+    return on_address<S, Value>(std::move(get));
   }
 }
 
-/// The description of a quantity without its shape. The ending of the key gives the unit.
-QuantityInfo info_of(Type type, const char* key, const char* words, const char* symbol,
-                     const char* meaning);
-
-/// The functions that add an entry of S to `Self`. Each function adds one quantity. The ending of
-/// the key gives the unit of the quantity. `symbol` may be empty.
-template <class Self, class S>
-class QuantityForms {
+/// The quantities of a subject of any type, in the order of their keys.
+class QuantityList {
  public:
-  template <class G>
-  auto& add(Type type, const char* key, const char* words, const char* symbol, const char* meaning,
-            G get) {
-    QuantityInfo info = info_of(type, key, words, symbol, meaning);
-    self().template shape<std::remove_cvref_t<std::invoke_result_t<G, const S&>>>(info);
-    auto found = getter<S>(info.unit, std::move(get));
-    return self().add(std::move(info), std::move(found));
-  }
-  template <class G>
-  auto& number(const char* key, const char* words, const char* symbol, const char* meaning, G get) {
-    return self().add(Type::number, key, words, symbol, meaning, std::move(get));
-  }
-  template <class G>
-  auto& whole(const char* key, const char* words, const char* symbol, const char* meaning, G get) {
-    return self().add(Type::whole, key, words, symbol, meaning, std::move(get));
-  }
-  template <class G>
-  auto& flag(const char* key, const char* words, const char* meaning, G get) {
-    return self().add(Type::flag, key, words, "", meaning, std::move(get));
-  }
-  template <class G>
-  auto& word(const char* key, const char* words, const char* meaning, G get) {
-    return self().add(Type::word, key, words, "", meaning, std::move(get));
-  }
-  template <class G>
-  auto& text(const char* key, const char* meaning, G get) {
-    return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
-  }
-  /// A quantity that occurs in several tables. Its term defines its words and its symbol.
-  template <class G>
-  auto& term(const char* key, const char* meaning, G get) {
-    const Term& t = term_of(key);
-    return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
-  }
-  /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject,
-  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. The
-  /// optional may be empty, and the pointer null. By default, `get` returns the subject S
-  /// itself.
-  template <const auto& (*of)(), class G = std::identity>
-  auto& record(const char* key, const char* meaning, G get = {}) {
-    using T = typename std::remove_cvref_t<decltype(of())>::Subject;
-    using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
-    auto& q = self().add(Type::record, key, key, "", meaning,
-                         [get](const S& s) { return record_value(of(), std::invoke(get, s)); });
-    self().template shape<decltype(record_shape<T, R>())>(q.info);
-    q.info.of = []() -> const QuantityTable& { return of().table(); };
-    return q;
-  }
-
- private:
-  Self& self() { return static_cast<Self&>(*this); }
-};
-
-template <class S, class P>
-class PartQuantities;
-
-template <class S>
-class Quantities : public QuantityForms<Quantities<S>, S> {
- public:
-  using Subject = S;
-
-  /// `fill` adds the quantities in the order of the keys.
-  template <class Fill>
-  Quantities(std::string name, const Fill& fill) {
-    fill(*this);
-    table_.name = std::move(name);
-    for (const Quantity<S>& q : list_) table_.list.push_back(&q.info);
-  }
-  Quantities(const Quantities&) = delete;  // because table_ points into list_
-  Quantities& operator=(const Quantities&) = delete;
+  QuantityList() = default;
+  QuantityList(const QuantityList&) = delete;  // because table_ points into list_
+  QuantityList& operator=(const QuantityList&) = delete;
 
   /// Sets the headings in the order for users. Other headings are appended in the order of their
   /// first use.
@@ -281,16 +188,116 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   /// Sets the heading of the quantities that follow. At first there is no heading.
   void under(const char* group) { group_ = group; }
 
-  using QuantityForms<Quantities<S>, S>::add;
-  Quantity<S>& add(QuantityInfo info, std::function<Value(const S&)> get) {
-    info.group = group_;
-    return list_.emplace_back(Quantity<S>{std::move(info), std::move(get)});
+  const QuantityTable& table() const { return table_; }
+
+ protected:
+  /// Adds a quantity without getter and shape. The ending of the key gives the unit.
+  Quantity& append(Type type, const char* key, const char* words, const char* symbol,
+                   const char* meaning);
+  /// Sets the name of the table. No quantity may be added afterwards.
+  void finish(std::string name);
+  ValueRecord record_of(const void* subject) const;
+
+  std::deque<Quantity> list_;  // the addresses of entries stay valid while more are added
+
+ private:
+  QuantityTable table_;
+  const char* group_ = "";
+};
+
+/// Returns the part of a subject, or null if the subject has no such part.
+using FindPart = std::function<const void*(const void*)>;
+
+/// Changes the getter of a part to the getter of the whole subject. If the subject does not have the
+/// part, the value is null.
+void get_from_part(Quantity& q, const FindPart& find);
+
+/// The functions that add an entry to the quantities of S. The getters take a P, which is S itself
+/// or a part of S. Each function adds one quantity. The ending of the key gives the unit of the
+/// quantity. `symbol` may be empty.
+template <class Self, class S, class P>
+class QuantityForms {
+ public:
+  template <class G>
+  QuantityEntry<S> add(Type type, const char* key, const char* words, const char* symbol,
+                       const char* meaning, G get) {
+    Quantity& q = self().append(type, key, words, symbol, meaning);
+    q.get = getter<P>(q.info.unit, std::move(get));
+    return complete<std::remove_cvref_t<std::invoke_result_t<G, const P&>>>(q);
   }
-  /// Describes the values of a getter that returns R.
+  template <class G>
+  QuantityEntry<S> number(const char* key, const char* words, const char* symbol,
+                          const char* meaning, G get) {
+    return self().add(Type::number, key, words, symbol, meaning, std::move(get));
+  }
+  template <class G>
+  QuantityEntry<S> whole(const char* key, const char* words, const char* symbol,
+                         const char* meaning, G get) {
+    return self().add(Type::whole, key, words, symbol, meaning, std::move(get));
+  }
+  template <class G>
+  QuantityEntry<S> flag(const char* key, const char* words, const char* meaning, G get) {
+    return self().add(Type::flag, key, words, "", meaning, std::move(get));
+  }
+  template <class G>
+  QuantityEntry<S> word(const char* key, const char* words, const char* meaning, G get) {
+    return self().add(Type::word, key, words, "", meaning, std::move(get));
+  }
+  template <class G>
+  QuantityEntry<S> text(const char* key, const char* meaning, G get) {
+    return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
+  }
+  /// A quantity that occurs in several tables. Its term defines its words and its symbol.
+  template <class G>
+  QuantityEntry<S> term(const char* key, const char* meaning, G get) {
+    const Term& t = term_of(key);
+    return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
+  }
+  /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject,
+  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. The
+  /// optional may be empty, and the pointer null. By default, `get` returns the subject S
+  /// itself.
+  template <const auto& (*of)(), class G = std::identity>
+  QuantityEntry<S> record(const char* key, const char* meaning, G get = {}) {
+    using T = typename std::remove_cvref_t<decltype(of())>::Subject;
+    using R = std::remove_cvref_t<std::invoke_result_t<G, const P&>>;
+    Quantity& q = self().append(Type::record, key, key, "", meaning);
+    q.get = [get](const void* s) {
+      return record_value(of(), std::invoke(get, *static_cast<const P*>(s)));
+    };
+    q.info.of = []() -> const QuantityTable& { return of().table(); };
+    return complete<decltype(record_shape<T, R>())>(q);
+  }
+
+ private:
+  Self& self() { return static_cast<Self&>(*this); }
+  /// Describes the values of a getter that returns R. A value of a part may be null, because a
+  /// subject may lack the part.
   template <class R>
-  static void shape(QuantityInfo& info) {
-    info.always = Shape<R>::kAlways;
-    info.list = Shape<R>::list();
+  QuantityEntry<S> complete(Quantity& q) {
+    q.info.list = Shape<R>::list();
+    if constexpr (Self::kOfPart)
+      get_from_part(q, self().find());
+    else
+      q.info.always = Shape<R>::kAlways;
+    return QuantityEntry<S>(q);
+  }
+};
+
+template <class S, class P>
+class PartQuantities;
+
+template <class S>
+class Quantities : public QuantityList, public QuantityForms<Quantities<S>, S, S> {
+ public:
+  using Subject = S;
+  static constexpr bool kOfPart = false;
+
+  /// `fill` adds the quantities in the order of the keys.
+  template <class Fill>
+  Quantities(std::string name, const Fill& fill) {
+    fill(*this);
+    finish(std::move(name));
   }
 
   /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no
@@ -300,63 +307,48 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     return {*this, find};
   }
 
-  const QuantityTable& table() const { return table_; }
-  const std::deque<Quantity<S>>& list() const { return list_; }
-
-  ValueRecord of(const S& subject) const {
-    ValueRecord record;
-    record.reserve(list_.size());
-    for (const Quantity<S>& q : list_) {
-      if (q.exists && !q.exists(subject)) continue;
-      Value value = q.get(subject);
-      const bool row =
-          (!q.worth || q.worth(subject)) && (!all_nothing(value) || (q.asked && q.asked(subject)));
-      record.push_back({&q.info, std::move(value), row});
-    }
-    return record;
-  }
+  ValueRecord of(const S& subject) const { return record_of(&subject); }
   template <class Range>
   ValueList each(const Range& subjects) const {
     ValueList list;
-    for (const auto& s : subjects) list.push_back(of(s));
+    for (const S& s : subjects) list.push_back(of(s));
     return list;
   }
 
+  const std::deque<Quantity>& list() const { return list_; }
+  static bool exists(const Quantity& q, const S& subject) {
+    return !q.exists || q.exists(&subject);
+  }
+  static Value value(const Quantity& q, const S& subject) { return q.get(&subject); }
+
  private:
-  std::deque<Quantity<S>> list_;  // the addresses of entries stay valid while more are added
-  QuantityTable table_;
-  const char* group_ = "";
+  friend class QuantityForms<Quantities<S>, S, S>;
+  template <class, class>
+  friend class PartQuantities;
 };
 
 /// Entries for a part that only some subjects have, for example one kind of pair, or a result that
 /// may be absent. Their getters take the part. If the subject does not have the part, the value is
 /// null.
 template <class S, class P>
-class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
+class PartQuantities : public QuantityForms<PartQuantities<S, P>, S, P> {
  public:
-  using Find = const P* (*)(const S&);
+  static constexpr bool kOfPart = true;  // a part may have the type of the whole subject
 
-  PartQuantities(Quantities<S>& all, Find find) : all_(all), find_(find) {}
-
-  using QuantityForms<PartQuantities<S, P>, P>::add;
-  Quantity<S>& add(QuantityInfo info, std::function<Value(const P&)> get) {
-    Quantity<S>& q =
-        all_.add(std::move(info), [find = find_, get = std::move(get)](const S& subject) {
-          const P* part = find(subject);
-          return part ? get(*part) : Value();
-        });
-    q.there = [find = find_](const S& subject) { return find(subject) != nullptr; };
-    return q;
-  }
-  /// Like Quantities::shape(), but the value may be null, because a subject may lack the part.
-  template <class R>
-  static void shape(QuantityInfo& info) {
-    info.list = Shape<R>::list();
-  }
+  PartQuantities(Quantities<S>& all, const P* (*find)(const S&))
+      : all_(all),
+        find_([find](const void* s) -> const void* { return find(*static_cast<const S*>(s)); }) {}
 
  private:
+  friend class QuantityForms<PartQuantities<S, P>, S, P>;
+  Quantity& append(Type type, const char* key, const char* words, const char* symbol,
+                   const char* meaning) {
+    return all_.append(type, key, words, symbol, meaning);
+  }
+  const FindPart& find() const { return find_; }
+
   Quantities<S>& all_;
-  Find find_;
+  FindPart find_;
 };
 
 template <class S>
@@ -374,41 +366,5 @@ template <auto fill, class S = decltype(subject_of(fill))>
 const Quantities<S>& define(const char* name) {
   return define(name, [](Quantities<S>& q) { fill(q); });
 }
-
-/// The number of decimals for users. By default, it is the number of the unit (unit_digits).
-int digits_of(const QuantityInfo& info);
-
-/// The unit system in which an answer in `units` shows the values of this quantity. Modules are in
-/// mm in both systems.
-UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
-
-/// A value as text for users, without its unit. If there is no value, the text is `none`. A list is
-/// written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as "a x, b
-/// y".
-std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
-                    UnitSystem units = UnitSystem::mm);
-
-/// A row for users: a quantity with one text per column, or with a single text if both gears
-/// share the value.
-struct TextRow {
-  const QuantityInfo* info;
-  std::vector<std::string> texts;
-  std::string_view unit;  ///< the unit of the texts, "mm" or "in"
-};
-
-struct TextGroup {
-  std::string title;
-  std::vector<TextRow> rows;
-};
-
-/// The table for users. It shows either several records side by side (two gears) or one record
-/// with values for each gear (a pair). It contains the quantities of the interface `door` that
-/// at least one record shows. The quantities of inner records are also rows.
-std::vector<TextGroup> text_groups(const QuantityTable& table,
-                                   const std::vector<ValueRecord>& records, Doors door,
-                                   UnitSystem units, std::string_view none = "–");
-
-/// The text with a capital first letter: "Tip diameter" for "tip diameter".
-std::string capitalised(std::string words);
 
 }  // namespace gearwright

@@ -168,7 +168,7 @@ void add_given(Quantities<RatingAnswer>& q) {
   q.under(kRatingInputs);
   const auto add = [&q](bool each, const char* key, const char* words, const char* symbol,
                         int digits, auto get) {
-    auto& made = q.number(key, words, symbol, "", get).digits(digits).doors(kPage);
+    auto made = q.number(key, words, symbol, "", get).digits(digits).doors(kPage);
     if (each) made.per_gear();
   };
   const auto required = [](double s) { return s != 1.0 ? Value(s) : Value(); };  // 1 by default
@@ -377,7 +377,7 @@ void add_temperatures(Quantities<RatingAnswer>& q) {
 
 void add_factor(Quantities<RatingAnswer>& q, const FactorEntry& e) {
   q.under(e.group);
-  auto& quantity = q.number(e.key, e.words, e.symbol, "", [&e](const RatingAnswer& v) {
+  auto quantity = q.number(e.key, e.words, e.symbol, "", [&e](const RatingAnswer& v) {
     if (e.of) return number(e.of(v.rating));
     return Value(ValueList{number(e.each(v.rating, 0)), number(e.each(v.rating, 1))});
   });

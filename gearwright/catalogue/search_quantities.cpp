@@ -86,7 +86,7 @@ const Quantities<SearchProblem>& margin_quantities() {
 void add_search(Quantities<SearchView>& q) {
   using S = SearchView;
   const auto count = [&q](const char* key, const char* meaning,
-                          std::int64_t SearchCounts::*member) -> Quantity<S>& {
+                          std::int64_t SearchCounts::*member) -> QuantityEntry<S> {
     return q.add(Type::index, key, key, "", meaning,
                  [member](const S& s) { return s.answer.counts.*member; });
   };

@@ -38,8 +38,10 @@ TableColumns<DesignView> design_columns(const SearchProblem& problem) {
                                             "balance",     "relative_cost", "noise_um"};
   const DesignRow any;
   std::vector<std::string_view> without;
-  for (const Quantity<DesignView>& q : design_quantities().list())
-    if (optional.contains(q.info.key) && !q.exists({&problem, &any})) without.push_back(q.info.key);
+  const Quantities<DesignView>& quantities = design_quantities();
+  for (const Quantity& q : quantities.list())
+    if (optional.contains(q.info.key) && !quantities.exists(q, {&problem, &any}))
+      without.push_back(q.info.key);
   return TableColumns<DesignView>(design_quantities(), without);
 }
 

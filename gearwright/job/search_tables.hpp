@@ -26,7 +26,7 @@ class TableColumns {
   explicit TableColumns(const Quantities<S>& quantities,
                         const std::vector<std::string_view>& without = {}) {
     const std::vector<RecordColumn> all = columns_of(quantities.table());
-    for (const Quantity<S>& q : quantities.list()) {
+    for (const Quantity& q : quantities.list()) {
       if (std::find(without.begin(), without.end(), q.info.key) != without.end()) continue;
       Source source{&q, {}};
       for (const RecordColumn& column : all) {
@@ -45,7 +45,8 @@ class TableColumns {
   void row(const S& subject, const Cell& cell) const {
     std::size_t at = 0;
     for (const Source& source : sources_) {
-      const ValueRecord record{{&source.quantity->info, source.quantity->get(subject)}};
+      const ValueRecord record{
+          {&source.quantity->info, Quantities<S>::value(*source.quantity, subject)}};
       for (const RecordColumn& column : source.columns)
         for (const Value* value : column.values(record)) cell(at++, *value);
     }
@@ -53,7 +54,7 @@ class TableColumns {
 
  private:
   struct Source {
-    const Quantity<S>* quantity;
+    const Quantity* quantity;
     std::vector<RecordColumn> columns;  ///< columns of the quantity, or of its record
   };
   std::vector<Source> sources_;
