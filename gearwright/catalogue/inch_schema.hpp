@@ -1,17 +1,17 @@
-// Adds the inch names of lengths to a JSON Schema that is written for mm. Internal to catalogue/
-// and job/.
+// Adds the inch names of lengths to a JSON Schema that is written for mm. Only files of catalogue/
+// and job/ include this header.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace gearwright {
 
-/// For each property that is a length, adds a property with the inch name and with the limits in
-/// inch. If the property is required, either of the two names is sufficient.
+/// Adds, for each property that is a length, a property with the inch name and with the limits in
+/// inch. If the property is required, one of the two names is sufficient.
 void add_inch_names(nlohmann::ordered_json& schema);
 
-/// Adds a rule to the schema of specs. The names of all lengths of a spec must agree with its
-/// `units`.
+/// Adds a rule to the schema of specs. According to this rule, the names of all lengths of a spec
+/// must agree with the `units` of the spec.
 void separate_units(nlohmann::ordered_json& schema);
 
 }  // namespace gearwright

@@ -1,8 +1,8 @@
-// The catalogue of results. It contains the only description of each quantity, with its getter.
+// The catalogue of results. Each quantity and its getter are described only here.
 //
 //   QuantityInfo    key, words (the standard's term), symbol, unit, digits, one sentence
 //   Quantity<S>     a quantity with its getter for a subject S: a gear, a pair, a contact
-//   Quantities<S>   all quantities of a subject; of(subject) is the record for all interfaces
+//   Quantities<S>   all quantities of a subject; of(subject) returns the record for all interfaces
 //
 // JSON, the listings in the terminal, the page's tables, CSV, the schema of results and the tables
 // of docs/spec.md are made from the catalogue. A new quantity is one entry in one of the
@@ -52,17 +52,16 @@ struct QuantityInfo {
   std::string symbol;  ///< "d_a", with indices after the underscore
   Unit unit = Unit::none;
   std::string group{};    ///< heading for users
-  std::string meaning{};  ///< one sentence without full stop, with the condition under which the
-                          ///< value exists
+  std::string meaning{};  ///< one sentence without full stop; it also states when the value exists
   Type type = Type::number;
-  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty for one
-                            ///< value
+  std::vector<int> list{};  ///< lengths of nested lists, 0 for any length; empty if the value is
+                            ///< not a list
   Two two = Two::values;
-  bool always = false;                ///< true if the value is never null; by default this follows
-                                      ///< from the type of the getter (Shape)
+  bool always = false;                ///< true if the value is never null; by default, the type of
+                                      ///< the getter determines this (Shape)
   std::vector<std::string> one_of{};  ///< possible values of a word
   unsigned doors = kAllDoors;
-  std::optional<int> digits{};             ///< decimals for users; by default the decimals of the
+  std::optional<int> digits{};             ///< decimals for users; by default, the decimals of the
                                            ///< unit
   std::string nothing{};                   ///< text for users if there is no value
   const QuantityTable& (*of)() = nullptr;  ///< for a record, the table of its quantities
@@ -70,7 +69,7 @@ struct QuantityInfo {
   bool greater_first = false;              ///< true if greater values are better
   bool only_inch = false;                  ///< true if only results in inch show it
   bool optional_key = false;               ///< true if the key is absent when the quantity does not
-                                           ///< exist; if false, the key then has the value null
+                                           ///< exist; if false, the value is then null
 };
 
 /// The quantities that a record may contain, in their order.
@@ -86,17 +85,19 @@ template <class S>
 struct Quantity {
   QuantityInfo info;
   std::function<Value(const S&)> get;
-  std::function<bool(const S&)> exists{};  ///< if false, the key is absent; by default always
-                                           ///< present
-  std::function<bool(const S&)> worth{};   ///< if false, users see no row; by default they see it
-  std::function<bool(const S&)> asked{};   ///< if true, users see a dash instead of a missing value
-  std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has
-                                           ///< that part
+  std::function<bool(const S&)> exists{};  ///< if it returns false, the key is absent; the default
+                                           ///< is true
+  std::function<bool(const S&)> worth{};   ///< if it returns false, users see no row; the default
+                                           ///< is true
+  std::function<bool(const S&)> asked{};   ///< if it returns true, a dash shows users that a value
+                                           ///< is missing
+  std::function<bool(const S&)> there{};   ///< for an entry of a part: true if the subject has this
+                                           ///< part
 
-  // The functions below refine an entry. They are listed in their usual order. always() states
-  // that the value is never null, although its getter returns a Value.
+  // The functions below refine an entry, in their usual order. always() states that the value is
+  // never null, although the type of the getter is Value.
   Quantity& always() { return info.always = true, *this; }
-  // States that the number may be missing (NaN or infinity), although its getter returns a
+  // States that the number may be missing (NaN or infinity), although the type of the getter is a
   // plain number.
   Quantity& or_null() { return info.always = false, *this; }
   Quantity& in_inch() { return info.only_inch = true, *this; }
@@ -117,7 +118,7 @@ struct Quantity {
     return exists = std::move(f), *this;
   }
   Quantity& expected(std::function<bool(const S&)> f) { return asked = std::move(f), *this; }
-  // States that the value exists only if the subject has the part to which the entry belongs.
+  // States that the value exists only if the subject has the part of this entry.
   Quantity& when() { return when(there); }
   Quantity& expected() { return expected(there); }
   Quantity& shown(std::function<bool(const S&)> f) { return worth = std::move(f), *this; }
@@ -133,7 +134,7 @@ struct HasAngles<std::array<T, n>> : HasAngles<T> {};
 template <class T>
 struct HasAngles<std::vector<T>> : HasAngles<T> {};
 
-/// Angles as values in this unit, which is degrees or seconds of arc.
+/// Returns angles as values in this unit, which is degrees or seconds of arc.
 Value angles_in(Unit unit, Angle angle);
 template <class T>
 Value angles_in(Unit unit, const std::optional<T>& maybe) {
@@ -149,8 +150,8 @@ Value angles_in(Unit unit, const Range& angles) {
 template <class S>
 class Quantities;
 
-/// The record of a subject, or the records of a range of subjects. The subject or the range may be
-/// optional or given by a pointer. A finished value is returned unchanged.
+/// Returns the record of a subject, or the records of a range of subjects. The argument may also be
+/// an optional or a pointer. If the argument is a finished value, it is returned unchanged.
 template <class T, class R>
 Value record_value(const Quantities<T>& quantities, const R& found) {
   if constexpr (std::is_same_v<R, T>) {
@@ -164,8 +165,8 @@ Value record_value(const Quantities<T>& quantities, const R& found) {
   }
 }
 
-/// This function is used only for its return type. For a getter that returns R, this type has
-/// the same Shape (value_shape.hpp) as the value that record_value() makes from R.
+/// This function is used only for its return type. record_value() makes a value from the result R
+/// of a getter. The return type has the same Shape (value_shape.hpp) as this value.
 template <class T, class R>
 auto record_shape() {
   if constexpr (std::is_same_v<R, T>) {
@@ -179,27 +180,29 @@ auto record_shape() {
   }
 }
 
-/// The getter of an entry. `get` is a member of S or a function of S. Angles are converted to the
-/// unit of the key.
+/// Makes the getter of an entry. `get` is a member of S or a function of S. Angles are converted to
+/// the unit of the key.
 template <class S, class G>
 std::function<Value(const S&)> getter(Unit unit, G get) {
   using R = std::remove_cvref_t<std::invoke_result_t<G, const S&>>;
   if constexpr (HasAngles<R>::value) {
     return [unit, get](const S& s) { return angles_in(unit, std::invoke(get, s)); };
   } else if constexpr (std::is_empty_v<G> && std::is_default_constructible_v<G>) {
-    // All lambdas without captures become the same type, for which std::function is compiled once.
+    // All lambdas without captures are converted to one type, so that std::function is compiled
+    // only once.
     return +[](const S& s) -> Value { return G()(s); };
   } else {
     return get;
   }
 }
 
-/// The description of a quantity without its shape. The ending of the key gives the unit.
+/// Returns the description of a quantity without its shape. The ending of the key determines the
+/// unit.
 QuantityInfo info_of(Type type, const char* key, const char* words, const char* symbol,
                      const char* meaning);
 
 /// The functions that add an entry of S to `Self`. Each function adds one quantity. The ending of
-/// the key gives the unit of the quantity. `symbol` may be empty.
+/// the key determines the unit of the quantity. `symbol` may be empty.
 template <class Self, class S>
 class QuantityForms {
  public:
@@ -231,16 +234,15 @@ class QuantityForms {
   auto& text(const char* key, const char* meaning, G get) {
     return self().add(Type::text, key, key, "", meaning, std::move(get)).doors(kJson);
   }
-  /// A quantity that occurs in several tables. Its term defines its words and its symbol.
+  /// Adds a quantity that occurs in several tables. Its Term defines its words and its symbol.
   template <class G>
   auto& term(const char* key, const char* meaning, G get) {
     const Term& t = term_of(key);
     return self().add(t.type, key, t.words, t.symbol, meaning, std::move(get));
   }
-  /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject,
-  /// an optional subject, a pointer to a subject, a range of subjects, or a finished value. The
-  /// optional may be empty, and the pointer null. By default, `get` returns the subject S
-  /// itself.
+  /// Adds a record of the quantities `of`, or a list of such records. `get` returns a subject, an
+  /// optional subject, a pointer to a subject, a range of subjects, or a finished value. An empty
+  /// optional or a null pointer is allowed. By default, `get` returns the subject S itself.
   template <const auto& (*of)(), class G = std::identity>
   auto& record(const char* key, const char* meaning, G get = {}) {
     using T = typename std::remove_cvref_t<decltype(of())>::Subject;
@@ -264,21 +266,21 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
  public:
   using Subject = S;
 
-  /// `fill` adds the quantities in the order of the keys.
+  /// Makes the quantities of a subject. `fill` adds them in the order of the keys.
   template <class Fill>
   Quantities(std::string name, const Fill& fill) {
     fill(*this);
     table_.name = std::move(name);
     for (const Quantity<S>& q : list_) table_.list.push_back(&q.info);
   }
-  Quantities(const Quantities&) = delete;  // because table_ points into list_
+  Quantities(const Quantities&) = delete;  // deleted, because table_ points into list_
   Quantities& operator=(const Quantities&) = delete;
 
-  /// Sets the headings in the order for users. Other headings are appended in the order of their
-  /// first use.
+  /// Sets the headings in the order for users. Headings that are not in this list follow in the
+  /// order of their first use.
   void groups(std::vector<std::string> titles) { table_.groups = std::move(titles); }
 
-  /// Sets the heading of the quantities that follow. At first there is no heading.
+  /// Sets the heading of the quantities that follow. Before the first call, there is no heading.
   void under(const char* group) { group_ = group; }
 
   using QuantityForms<Quantities<S>, S>::add;
@@ -286,15 +288,15 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
     info.group = group_;
     return list_.emplace_back(Quantity<S>{std::move(info), std::move(get)});
   }
-  /// Describes the values of a getter that returns R.
+  /// Sets the shape of a quantity whose getter returns R.
   template <class R>
   static void shape(QuantityInfo& info) {
     info.always = Shape<R>::kAlways;
     info.list = Shape<R>::list();
   }
 
-  /// Adds entries of a part of the subject. `find` returns the part, or null if the subject has no
-  /// such part.
+  /// Returns an object that adds entries of a part of the subject. `find` returns the part, or null
+  /// if the subject has no such part.
   template <class P>
   PartQuantities<S, P> part(const P* (*find)(const S&)) {
     return {*this, find};
@@ -328,9 +330,9 @@ class Quantities : public QuantityForms<Quantities<S>, S> {
   const char* group_ = "";
 };
 
-/// Entries for a part that only some subjects have, for example one kind of pair, or a result that
-/// may be absent. Their getters take the part. If the subject does not have the part, the value is
-/// null.
+/// Entries for a part that only some subjects have. Such a part is, for example, one kind of pair,
+/// or a result that may be absent. The getters take the part. If a subject does not have the part,
+/// the value is null.
 template <class S, class P>
 class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
  public:
@@ -348,7 +350,8 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
     q.there = [find = find_](const S& subject) { return find(subject) != nullptr; };
     return q;
   }
-  /// Like Quantities::shape(), but the value may be null, because a subject may lack the part.
+  /// Works like Quantities::shape(), but the value may be null, because a subject may lack the
+  /// part.
   template <class R>
   static void shape(QuantityInfo& info) {
     info.list = Shape<R>::list();
@@ -362,8 +365,8 @@ class PartQuantities : public QuantityForms<PartQuantities<S, P>, P> {
 template <class S>
 S subject_of(void (*fill)(Quantities<S>&));  // only declared, because only its type is used
 
-/// The quantities that the lambda `fill` adds. They are made at the first call. Every lambda has
-/// its own type, so each place in the code that calls define() has its own quantities.
+/// Returns the quantities that the lambda `fill` adds. They are made at the first call. Every
+/// lambda has its own type, so each call of define() in the code has its own quantities.
 template <class Fill, class S = decltype(subject_of(+std::declval<Fill>()))>
 const Quantities<S>& define(const char* name, Fill fill) {
   static_assert(std::is_empty_v<Fill>, "functions of the same type would share their quantities");
@@ -375,21 +378,21 @@ const Quantities<S>& define(const char* name) {
   return define(name, [](Quantities<S>& q) { fill(q); });
 }
 
-/// The number of decimals for users. By default, it is the number of the unit (unit_digits).
+/// Returns the number of decimals for users. The default is the number of the unit (unit_digits).
 int digits_of(const QuantityInfo& info);
 
-/// The unit system in which an answer in `units` shows the values of this quantity. Modules are in
-/// mm in both systems.
+/// Returns the unit system in which an answer in `units` shows the values of this quantity. Modules
+/// are in mm in both systems.
 UnitSystem system_of(const QuantityInfo& info, UnitSystem units);
 
-/// A value as text for users, without its unit. If there is no value, the text is `none`. A list is
-/// written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as "a x, b
-/// y".
+/// Returns a value as text for users, without its unit. If there is no value, the text is `none`. A
+/// list is written as "x, y, z", two ends as "lo … hi", a fraction as "p/q", and values by name as
+/// "a x, b y".
 std::string text_of(const QuantityInfo& info, const Value& value, std::string_view none = "–",
                     UnitSystem units = UnitSystem::mm);
 
-/// A row for users: a quantity with one text per column, or with a single text if both gears
-/// share the value.
+/// A row for users. It shows a quantity with one text per column, or with a single text if both
+/// gears share the value.
 struct TextRow {
   const QuantityInfo* info;
   std::vector<std::string> texts;
@@ -401,14 +404,14 @@ struct TextGroup {
   std::vector<TextRow> rows;
 };
 
-/// The table for users. It shows either several records side by side (two gears) or one record
-/// with values for each gear (a pair). It contains the quantities of the interface `door` that
-/// at least one record shows. The quantities of inner records are also rows.
+/// Returns the table for users. The table shows several records side by side (two gears), or one
+/// record with values for each gear (a pair). It contains a quantity if the interface `door` has it
+/// and at least one record shows it. The quantities of inner records are also rows.
 std::vector<TextGroup> text_groups(const QuantityTable& table,
                                    const std::vector<ValueRecord>& records, Doors door,
                                    UnitSystem units, std::string_view none = "–");
 
-/// The text with a capital first letter: "Tip diameter" for "tip diameter".
+/// Returns the text with a capital first letter, for example "Tip diameter" for "tip diameter".
 std::string capitalised(std::string words);
 
 }  // namespace gearwright
