@@ -1,4 +1,4 @@
-// The answer of the verb `drive`. Only job/ and its tests include this header.
+// The answer of the verb `drive`. Only files of job/ and the programs include this header.
 #pragma once
 
 #include <cstddef>

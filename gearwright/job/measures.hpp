@@ -1,5 +1,5 @@
 // The verb `measure`, and the description of a gear by another rack. Only files of job/ and the
-// program include this header.
+// programs include this header.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // The verb `scatter` computes the effect of tolerances on the pair of a spec. Only files of job/
-// and the program include this header.
+// and the programs include this header.
 #pragma once
 
 #include <string>

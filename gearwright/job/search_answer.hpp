@@ -1,5 +1,5 @@
 // Outputs of a search: the JSON, the table for users, and a design as the spec of a pair. Only
-// files of job/ and the program include this header.
+// files of job/ and the programs include this header.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as
-// it is finished. Only files of job/ include this header.
+// it is finished. Only files of job/ and the programs include this header.
 #pragma once
 
 #include <atomic>
