@@ -1,4 +1,5 @@
-// Writes the pairs of a DXF file and defines the handles of its fixed sections. Internal to cad/.
+// Writes the pairs of a DXF file and defines the handles of its fixed sections. Only files of cad/
+// include this header.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 
 namespace gearwright::dxf {
 
-// Handles of the fixed sections. The handle of an owner precedes the handles of its objects.
+// Handles of the fixed sections. The handle of an owner is less than the handles of its objects.
 enum DxfHandle : int {
   kNone = 0x0,
   kVports = 0x1,
