@@ -66,7 +66,7 @@ int likeness(const Key& key, const Word& word) {
   return !symbol.empty() && (symbol == word.whole || symbol == word.bare) ? 1 : 0;
 }
 
-// Values of likeness() that called() requires at least.
+// The least values of likeness() that called() can require.
 enum Sure { by_symbol = 1, by_word = 2 };
 
 // Returns the first key with the least cost, or null if no cost is less than `below`.
