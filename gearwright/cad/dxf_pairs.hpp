@@ -1,5 +1,4 @@
-// Writes the pairs of a DXF file and defines the handles of its fixed sections. Only files of cad/
-// include this header.
+// Writes the pairs of a DXF file and defines the handles of its fixed sections. Internal to cad/.
 #pragma once
 
 #include <fmt/format.h>

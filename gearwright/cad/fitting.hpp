@@ -1,5 +1,4 @@
-// Functions shared by the fits that replace arcs by simpler curves. Only files of cad/ include this
-// header.
+// Functions shared by the fits that replace arcs by simpler curves. Internal to cad/.
 //
 // Some fits need the distance of a point from a circle. The circle is described by one of its
 // points and the normal at this point. The formula must also be valid for lines:

@@ -1,4 +1,4 @@
-// Triangulates the plane end faces of toothed meshes. Only files of cad/ include this header.
+// Triangulates the plane end faces of toothed meshes. Internal to cad/.
 //
 //   n    segments of the section of half a tooth      q    points on the circle per half pitch
 //

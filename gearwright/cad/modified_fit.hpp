@@ -1,5 +1,4 @@
-// Represents the faces of teeth with flank modifications as B-splines. Only files of cad/ include
-// this header.
+// Represents the faces of teeth with flank modifications as B-splines. Internal to cad/.
 //
 //   X(u, v)   point of an arc (u from root to tip) in a layer of the body (v upwards), on the rows
 //             of cad/modified_teeth.hpp

@@ -1,5 +1,4 @@
-// Meshes the walls of teeth with flank modifications, level by level. Only files of cad/ include
-// this header.
+// Meshes the walls of teeth with flank modifications, level by level. Internal to cad/.
 //
 //   ε    chord tolerance of the mesh, mm        c   material removed from the flank, mm
 //

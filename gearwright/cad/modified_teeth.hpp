@@ -1,4 +1,4 @@
-// Computes the surfaces of teeth with flank modifications. Only files of cad/ include this header.
+// Computes the surfaces of teeth with flank modifications. Internal to cad/.
 //
 //   c(u, ζ)   material removed along the normal, mm, at the nominal point with the radius e^u mm
 //             and the height ζ (gear/modifications.hpp)

@@ -4,7 +4,7 @@
 //   #12=CARTESIAN_POINT('',(18.504065825396,-6.327244292546,-12.5));
 //
 // An instance refers to other instances by their numbers. Every instance is written after all
-// instances to which it refers. Only files of cad/ include this header.
+// instances to which it refers. Internal to cad/.
 //
 //   Laws  (1) a real has the fewest digits that a reader converts back to the same double
 //         (2) text can be read back unchanged, because all characters except printable ASCII are

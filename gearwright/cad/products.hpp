@@ -1,5 +1,5 @@
 // Writes the products of a STEP file and the position of each solid. The products are the tree that
-// a CAD system displays. Only files of cad/ include this header.
+// a CAD system displays. Internal to cad/.
 //
 // A single solid in its own frame is one product, a part. In all other cases, the file describes an
 // assembly whose components are the parts, each at its pose. Both the product structure and the

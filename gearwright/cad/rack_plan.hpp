@@ -1,5 +1,5 @@
 // Computes the plan view of the bar of a rack. The plan is a rectangle that the lines of the teeth
-// cross. Only files of cad/ include this header.
+// cross. Internal to cad/.
 //
 //   y, z    coordinates along the travel and along the face, mm; −l/2 ≤ y ≤ l/2, −b/2 ≤ z ≤ b/2
 //   q       tan β, slope of the teeth        s   y − q z, constant along a tooth, mm

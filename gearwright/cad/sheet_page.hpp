@@ -1,6 +1,5 @@
 // Makes the page of a workshop drawing: frame, title block, data table and the views of a part. The
-// scale is the largest scale of ISO 5455 at which the views fit. Only files of cad/ include this
-// header.
+// scale is the largest scale of ISO 5455 at which the views fit. Internal to cad/.
 #pragma once
 
 #include <functional>

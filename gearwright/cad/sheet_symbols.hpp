@@ -1,6 +1,6 @@
 // Draws the graphical symbols of a workshop drawing: surface texture, runout, datum and edge. The
-// symbols consist of lines and texts of a sheet, so every file format can contain them. Only files
-// of cad/ include this header.
+// symbols consist of lines and texts of a sheet, so every file format can contain them.
+// Internal to cad/.
 //
 //   h   height of the capitals next to the symbols, 2.5 mm; lines are h/10 wide
 //

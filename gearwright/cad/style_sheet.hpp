@@ -1,5 +1,5 @@
 // Reads the part of CSS that figure_style.css uses: rules with classes and elements, variables, and
-// the colours for paper. Only files of cad/ include this header.
+// the colours for paper. Internal to cad/.
 #pragma once
 
 #include <cstdint>
