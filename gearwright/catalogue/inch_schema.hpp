@@ -1,5 +1,5 @@
-// Adds the inch names of lengths to a JSON Schema that is written for mm. Only files of catalogue/
-// and job/ include this header.
+// Adds the inch names of lengths to a JSON Schema that is written for mm. Internal to catalogue/
+// and job/.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

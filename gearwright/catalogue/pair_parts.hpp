@@ -1,5 +1,5 @@
 // The records inside the record of a pair: points, lines, backlash and contacts of circular arcs.
-// Only files of catalogue/ include this header.
+// Internal to catalogue/.
 #pragma once
 
 #include <array>
