@@ -15,7 +15,7 @@
 // functions are interpolated from nine exact ridges. The waves are added in closed form, with one
 // Newton step along the profile.
 //
-// Only files of contact/ include this header.
+// Internal to contact/.
 #pragma once
 
 #include <array>
