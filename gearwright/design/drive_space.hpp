@@ -1,5 +1,4 @@
-// Enumerates the numbers of teeth of all sets in a search for drives. Only files of design/ include
-// this header.
+// Enumerates the numbers of teeth of all sets in a search for drives. Internal to design/.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // Lists the changes that can give a rated design sufficient safety factors. These are lower
-// required safety factors, a smaller load, a wider face and a stronger steel. Only files of design/
-// include this header.
+// required safety factors, a smaller load, a wider face and a stronger steel. Internal to design/.
 #pragma once
 
 #include <fmt/format.h>

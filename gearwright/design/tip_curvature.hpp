@@ -1,5 +1,5 @@
 // Converts between a tip radius and the curvature radius of the flank at the tip, and tightens
-// bounds. Only files of design/ include this header.
+// bounds. Internal to design/.
 //
 //   u, b   tip and base radius
 //   q      √(u² − b²), curvature radius of the flank at its tip
