@@ -1,5 +1,5 @@
 // The names of corrections, and the spec with corrections, for the verbs that search for
-// corrections. Only files of job/ include this header.
+// corrections. Internal to job/.
 #pragma once
 
 #include <string>

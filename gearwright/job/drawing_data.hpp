@@ -1,4 +1,4 @@
-// The data tables of workshop drawings. Only files of job/ include this header.
+// The data tables of workshop drawings. Internal to job/.
 #pragma once
 
 #include <optional>

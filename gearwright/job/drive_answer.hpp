@@ -1,4 +1,4 @@
-// The answer of the verb `drive`. Only files of job/ and the programs include this header.
+// The answer of the verb `drive`. Internal to job/ and the programs.
 #pragma once
 
 #include <cstddef>

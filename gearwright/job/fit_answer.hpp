@@ -1,5 +1,5 @@
-// The verbs `fit` and `identify` compute gears that the spec does not give completely. Only files
-// of job/ and the programs include this header.
+// The verbs `fit` and `identify` compute gears that the spec does not give completely.
+// Internal to job/ and the programs.
 //
 // The verb `fit` computes the numbers that are absent in a spec. Here, an absent key means an
 // unknown number and not the default of the key. Every branch of the solution is returned as a spec

@@ -1,5 +1,5 @@
-// The verb `measure`, and the description of a gear by another rack. Only files of job/ and the
-// programs include this header.
+// The verb `measure`, and the description of a gear by another rack. Internal to job/ and the
+// programs.
 #pragma once
 
 #include <optional>

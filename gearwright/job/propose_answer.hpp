@@ -2,8 +2,7 @@
 //
 // The amounts follow from the greatest torque, the accuracy grades of the gears and the deflection
 // of their shafts. Each proposal is a spec, and its effects are the results of `load` for this
-// spec. The compliance of the teeth is computed only once. Only files of job/ and the programs
-// include this header.
+// spec. The compliance of the teeth is computed only once. Internal to job/ and the programs.
 //                            theory: docs/theory/12-loaded-contact.md, [T12.27] to [T12.33]
 #pragma once
 

@@ -1,6 +1,6 @@
 // Results as JSON. They are the whole result with every key in the order of the interface, single
-// values of the catalogue, and the range of a record within tolerances. Only files of job/, the
-// programs and tests include this header.
+// values of the catalogue, and the range of a record within tolerances. Internal to job/, the
+// programs and tests.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The rows of results as JSON, for the tables of the page. They have the words, values and units of
-// the listings (job/listing.hpp). Only files of job/ and the programs include this header.
+// the listings (job/listing.hpp). Internal to job/ and the programs.
 #pragma once
 
 #include <functional>

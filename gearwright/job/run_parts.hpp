@@ -1,6 +1,5 @@
 // The optional parts of a run: corrections, scatter and strength. A part is empty if the spec has
-// no table for it, or if it cannot be computed for these gears. Only files of job/ include this
-// header.
+// no table for it, or if it cannot be computed for these gears. Internal to job/.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The verb `scatter` computes the effect of tolerances on the pair of a spec. Only files of job/
-// and the programs include this header.
+// The verb `scatter` computes the effect of tolerances on the pair of a spec. Internal to job/ and
+// the programs.
 #pragma once
 
 #include <string>

@@ -5,8 +5,7 @@
 //
 // The row of a design contains exactly the numbers of `scatter` for the spec that `search --take N`
 // prints. Rows do not depend on each other, so a study can be divided into chunks of designs. It
-// uses a folder, shards and ranks as a search does. Only files of job/ and the programs include
-// this header.
+// uses a folder, shards and ranks as a search does. Internal to job/ and the programs.
 #pragma once
 
 #include <array>

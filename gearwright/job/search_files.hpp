@@ -1,6 +1,6 @@
 // The folder of a search. While the search runs, the folder contains the chunks. At the end, it
-// contains the files below, each written completely or not at all. Only files of job/ and the
-// programs include this header.
+// contains the files below, each written completely or not at all. Internal to job/ and the
+// programs.
 //
 //   search.parquet   every feasible design, in the order of the trials
 //   points.parquet   every feasible point of the grid of shifts, by trial, if shift_step is set

@@ -1,6 +1,6 @@
 // The columns of the CSV and Parquet tables of a search, made from the catalogue. Each quantity
-// with a column name has one column. A quantity of both gears has two columns. Only files of job/
-// and the programs include this header.
+// with a column name has one column. A quantity of both gears has two columns. Internal to job/ and
+// the programs.
 #pragma once
 
 #include <algorithm>

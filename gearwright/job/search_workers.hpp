@@ -1,5 +1,5 @@
 // Computes chunks of a search with all threads of this process. Each chunk is passed on as soon as
-// it is finished. Only files of job/ and the programs include this header.
+// it is finished. Internal to job/ and the programs.
 #pragma once
 
 #include <atomic>

@@ -2,8 +2,8 @@
 //
 // Each row of the table is a verb with its name, its meaning, an example, the properties of its
 // result and its function. The command line (with its help, completion and manual page), batch,
-// case files, Python and the page read this table. A new verb needs one row and one function. Only
-// files of job/ and the programs include this header.
+// case files, Python and the page read this table. A new verb needs one row and one function.
+// Internal to job/ and the programs.
 #pragma once
 
 #include <functional>
