@@ -1,6 +1,6 @@
 // Computes the least gaps between the tips of two gears on crossed axes and the mating root
-// fillets. If one gear is internal, the gaps to all parts of the mating teeth are computed. Only
-// files of pair/ include this header.
+// fillets. If one gear is internal, the gaps to all parts of the mating teeth are computed.
+// Internal to pair/.
 //
 // On crossed axes, every section is different. While the gear of the tip rotates, the edge of a tip
 // corner sweeps the whole tip cylinder. Only the points of the tip cylinder inside the form

@@ -1,6 +1,6 @@
 // Divides the envelope of an arc into monotone pieces. The arc of gear A generates the envelope
 // when A rolls with gear B. Along a piece, the distance of the envelope from the axis of B either
-// only increases or only decreases. Only outline_gap uses this header. [T2.31]
+// only increases or only decreases. Internal to pair/, for outline_gap. [T2.31]
 //
 //   u      parameter of the arc, 0 … 1
 //   |D|    distance of a point of the envelope from the axis of B

@@ -1,5 +1,5 @@
 // Describes the outline of half a tooth as a function of the radius, and its corners. outline_gap
-// uses this description to compute contact with another gear.
+// uses this description to compute contact with another gear. Internal to pair/.
 //
 //   ρ, θ   radius and polar angle of a point W of the half tooth, θ from the tooth's centre line
 //   τ, k   direction of the outline's tangent and its curvature, from root to tip

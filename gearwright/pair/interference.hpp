@@ -1,5 +1,5 @@
 // Finds interference of two mounted gears. The functions complete a pair whose gears, mesh and
-// distances are already set. Only files of pair/ include this header.
+// distances are already set. Internal to pair/.
 #pragma once
 
 #include "gearwright/pair/involute_pair.hpp"

@@ -1,6 +1,6 @@
 // Searches for the least value of a smooth function between two parameters. A part is skipped if
-// its values cannot be less than the least value known so far. Only outline_gap uses this header,
-// for one family of touches.
+// its values cannot be less than the least value known so far. Internal to pair/, for one family of
+// touches of outline_gap.
 //
 //   g   gap at the parameter t        H   function that is zero where g is stationary
 //
